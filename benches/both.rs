@@ -8,7 +8,7 @@ use krank::{Ball, LANES, Lanes, LinkId, PointId, Vec2, vectorized};
 use std::hint::black_box;
 
 /// How far solver and closed form may be apart, relative to the largest figure of the kind.
-const AGREEMENT: f64 = 1e-9;
+const MAX_DIFFERENCE: f64 = 1e-9;
 /// Positions in one sweep: as many for every lane.
 pub(crate) const SWEEP: usize = 360;
 const _: () = assert!(SWEEP.is_multiple_of(LANES));
@@ -160,7 +160,7 @@ pub(crate) fn angles() -> Vec<f64> {
     (0..SWEEP).map(|k| (k as f64 + 0.37) * step).collect()
 }
 
-pub(crate) fn by_hand<const P: usize, const L: usize>(
+pub(crate) fn closed_form<const P: usize, const L: usize>(
     form: impl Fn(f64) -> Figures<P, L>,
     angles: &[f64],
 ) {
@@ -170,7 +170,7 @@ pub(crate) fn by_hand<const P: usize, const L: usize>(
 }
 
 /// Holds both sides against each other at every angle.
-fn agree<const P: usize, const L: usize>(
+fn compare_both<const P: usize, const L: usize>(
     name: &str,
     general: &General<P, L>,
     form: impl Fn(f64) -> Figures<P, L>,
@@ -193,7 +193,7 @@ fn agree<const P: usize, const L: usize>(
         for (solved, hand) in &rows {
             for (a, b) in solved[kind].iter().zip(&hand[kind]) {
                 assert!(
-                    (a - b).abs() <= AGREEMENT * largest,
+                    (a - b).abs() <= MAX_DIFFERENCE * largest,
                     "{name}: {a} by the solver, {b} by hand"
                 );
             }
@@ -310,7 +310,7 @@ impl Visitor for Agreement {
         form: impl Fn(f64) -> Figures<P, L>,
         lean: impl Fn(f64) -> Figures<P, L>,
     ) {
-        agree(name, general, form);
-        agree(name, general, lean);
+        compare_both(name, general, form);
+        compare_both(name, general, lean);
     }
 }

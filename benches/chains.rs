@@ -50,16 +50,16 @@ pub(crate) fn on_plain_points(dyads: usize) -> Mechanism {
         let (from, p) = joint;
         let (other, q) = plain[k.saturating_sub(BACK).min(plain.len() - 1)];
         // To and fro, so that the chain stays where it began.
-        let place = (p + q) * 0.5 + Vec2::new(0.0, if k % 2 == 0 { 2.0 } else { -2.0 });
+        let position = (p + q) * 0.5 + Vec2::new(0.0, if k % 2 == 0 { 2.0 } else { -2.0 });
         let next = builder.moving_point();
-        let length = (place - p).norm();
+        let length = (position - p).norm();
         let link = builder.link(from, next, length);
-        builder.link(other, next, (place - q).norm());
-        builder.start(next, place);
+        builder.link(other, next, (position - q).norm());
+        builder.start(next, position);
         let point = builder.moving_point();
         builder.carry(link, point, PLAIN * length);
-        plain.push((point, p + PLAIN.turned(place - p)));
-        joint = (next, place);
+        plain.push((point, p + PLAIN.turned(position - p)));
+        joint = (next, position);
     }
     builder.build().expect("a sound chain")
 }

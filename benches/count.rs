@@ -9,13 +9,13 @@
 mod both;
 mod handwritten;
 
-use both::{Agreement, Figures, General, SWEEP, Visitor, angles, by_hand, visit_all};
+use both::{Agreement, Figures, General, SWEEP, Visitor, angles, closed_form, visit_all};
 use std::env;
 use std::process::{Command, ExitCode, Stdio};
 
 /// A way to run through a sweep, and how many times the closed form's instructions it may take: for each mechanism
 /// what was counted when the limit was set, and a twentieth more.
-struct Way {
+struct RunVariant {
     name: &'static str,
     most: [f64; MECHANISMS.len()],
 }
@@ -31,34 +31,34 @@ fn has_avx2() -> bool {
 }
 
 const MECHANISMS: [&str; 4] = ["four-bar", "slider-crank", "press", "jansen-leg"];
-const WAYS: [Way; 5] = [
-    Way {
+const WAYS: [RunVariant; 5] = [
+    RunVariant {
         name: "solved",
         most: [1.48, 1.87, 1.38, 1.32],
     },
-    Way {
+    RunVariant {
         name: "solved-and-read",
         most: [2.10, 2.57, 1.98, 1.95],
     },
-    Way {
+    RunVariant {
         name: "in-lanes",
         most: [0.40, 0.45, 0.37, 0.36],
     },
-    Way {
+    RunVariant {
         name: "in-lanes-and-read",
         most: [0.67, 0.78, 0.69, 0.71],
     },
-    Way {
+    RunVariant {
         name: "with-bounds",
         most: [5.7, 7.4, 6.2, 6.4],
     },
 ];
-const BY_HAND: &str = "by-hand";
+const HANDWRITTEN: &str = "by-hand";
 
 /// Runs one way once, without anything else that is not small beside it.
 struct Counted<'a> {
     mechanism: &'a str,
-    way: &'a str,
+    variant: &'a str,
 }
 
 impl Visitor for Counted<'_> {
@@ -75,8 +75,8 @@ impl Visitor for Counted<'_> {
         let angles = angles();
         let (mut state, mut lanes) = (general.solver.state(), general.solver.lanes());
         let mut enclosure = general.solver.enclosure();
-        match self.way {
-            BY_HAND => counted(|| by_hand(&form, &angles)),
+        match self.variant {
+            HANDWRITTEN => counted(|| closed_form(&form, &angles)),
             "solved" => counted(|| general.sweep(&angles, &mut state)),
             "solved-and-read" => counted(|| general.sweep_and_read(&angles, &mut state)),
             "in-lanes" => counted(|| general.sweep_in_lanes(&angles, &mut lanes)),
@@ -98,22 +98,22 @@ fn counted(mut sweep: impl FnMut()) {
 }
 
 /// Instructions per position.
-fn count(mechanism: &str, way: &str) -> Result<f64, String> {
+fn count(mechanism: &str, variant: &str) -> Result<f64, String> {
     let itself = env::current_exe().map_err(|e| e.to_string())?;
     let output = Command::new("valgrind")
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
         .args(["--collect-atstart=no", "--toggle-collect=count::counted*"])
         .arg(itself)
-        .args([mechanism, way])
+        .args([mechanism, variant])
         .output()
         .map_err(|e| e.to_string())?;
-    let told = String::from_utf8_lossy(&output.stderr);
-    let collected = told
+    let printed = String::from_utf8_lossy(&output.stderr);
+    let collected = printed
         .lines()
         .find_map(|line| line.split_once("Collected : "));
     match collected.and_then(|(_, count)| count.trim().parse::<f64>().ok()) {
         Some(count) if count > 0.0 && output.status.success() => Ok(count / SWEEP as f64),
-        _ => Err(format!("valgrind counted nothing:\n{told}")),
+        _ => Err(format!("valgrind counted nothing:\n{printed}")),
     }
 }
 
@@ -122,9 +122,9 @@ fn compare() -> Result<bool, String> {
     println!("instructions per position, and as parts of the closed form's (the most allowed)");
     let mut kept = true;
     for (i, mechanism) in MECHANISMS.into_iter().enumerate() {
-        let hand = count(mechanism, BY_HAND)?;
-        println!("{mechanism}\n  {BY_HAND:<18}{hand:>7.0}");
-        for Way { name, most } in &WAYS {
+        let hand = count(mechanism, HANDWRITTEN)?;
+        println!("{mechanism}\n  {HANDWRITTEN:<18}{hand:>7.0}");
+        for RunVariant { name, most } in &WAYS {
             let solved = count(mechanism, name)?;
             let (part, most) = (solved / hand, most[i]);
             let verdict = if part <= most { "" } else { "  too many" };
@@ -137,15 +137,15 @@ fn compare() -> Result<bool, String> {
 }
 
 fn has_valgrind() -> bool {
-    let mut asked = Command::new("valgrind");
-    asked.arg("--version").stdout(Stdio::null());
-    asked.status().is_ok_and(|status| status.success())
+    let mut requested = Command::new("valgrind");
+    requested.arg("--version").stdout(Stdio::null());
+    requested.status().is_ok_and(|status| status.success())
 }
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
-    if let [mechanism, way] = &arguments[..] {
-        visit_all(&mut Counted { mechanism, way });
+    if let [mechanism, variant] = &arguments[..] {
+        visit_all(&mut Counted { mechanism, variant });
         return ExitCode::SUCCESS;
     }
     visit_all(&mut Agreement);

@@ -38,11 +38,11 @@ fn main() {
     }
 }
 
-fn least(mut run: impl FnMut()) -> f64 {
+fn min_time(mut run: impl FnMut()) -> f64 {
     let times = (0..RUNS).map(|_| {
-        let begin = Instant::now();
+        let start = Instant::now();
         run();
-        begin.elapsed().as_secs_f64()
+        start.elapsed().as_secs_f64()
     });
     times.fold(f64::INFINITY, f64::min)
 }
@@ -52,34 +52,34 @@ fn timed(name: &str, column: &str, shrink: u32) {
     let read = || Scene::parse(preset.text, name).expect("presets are scenes");
     let scene = read();
     let solver = Solver::new(&scene.mechanism).expect("presets close");
-    let figure: Quantity = Catalogue::new(&scene)
+    let quantity: Quantity = Catalogue::new(&scene)
         .find(column)
         .expect("it has the figure")
         .clone();
-    let (wanted, order) = demand([&figure]);
-    let reading = least(|| drop(black_box(read())));
-    let opening = least(|| drop(black_box(Solver::new(&scene.mechanism))));
+    let (wanted, order) = demand([&quantity]);
+    let reading = min_time(|| drop(black_box(read())));
+    let opening = min_time(|| drop(black_box(Solver::new(&scene.mechanism))));
     let lengths = scene.mechanism.lengths();
     let mut varied = solver
         .varied(&lengths, &wanted)
         .expect("no preset here is redundant");
     let mut by = vec![0.0; lengths.len()];
     let count = 10_000 / shrink + 1;
-    let place = least(|| {
+    let place = min_time(|| {
         for k in 0..count {
             by.fill(1e-3 * f64::from(k));
             varied.change(&by);
             let _ = black_box(varied.solve(60.0, order));
         }
     }) / f64::from(count);
-    let whole = least(|| {
+    let complete = min_time(|| {
         for k in 0..count / 100 + 1 {
             by.fill(1e-3 * f64::from(k));
             varied.change(&by);
             for first in (0..ANGLES).step_by(LANES) {
                 let at = std::array::from_fn(|lane| f64::from(first) + lane as f64);
                 if let Some(lanes) = varied.solve_lanes(at, order) {
-                    black_box(figure.value(lanes));
+                    black_box(quantity.value(lanes));
                 }
             }
         }
@@ -89,20 +89,20 @@ fn timed(name: &str, column: &str, shrink: u32) {
         lengths: all.collect(),
         clearances: Vec::new(),
     };
-    let mut study =
-        ToleranceStudy::new(&scene, &solver, &tolerances, &[figure]).expect("there are tolerances");
+    let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &[quantity])
+        .expect("there are tolerances");
     let samples = SampleOrder {
         count: SAMPLES / shrink,
         seed: 1,
         distribution: Distribution::Normal,
     };
-    let sampled = least(|| drop(black_box(study.sampled(60.0, samples))));
+    let sampled = min_time(|| drop(black_box(study.sampled(60.0, samples))));
     println!(
         "{name:<28}{:>7.1} us{:>7.1} us{:>9.3} us{:>11.2} us{:>12.3} s",
         1e6 * reading,
         1e6 * opening,
         1e6 * place,
-        1e6 * whole,
+        1e6 * complete,
         sampled
     );
 }

@@ -82,11 +82,11 @@ fn solve(solver: &Solver, at: f64, order: Order, state: &mut Workspace) {
 fn time(solver: &Solver, mut one: impl FnMut(f64)) -> f64 {
     let (low, high) = solver.motion().range.ends();
     let step = (high - low) / f64::from(STATES);
-    let begun = Instant::now();
+    let started = Instant::now();
     for _ in 0..REPEATS {
         for k in 0..STATES {
             one(low + step * (f64::from(k) + 0.5));
         }
     }
-    begun.elapsed().as_secs_f64() * 1e9 / f64::from(REPEATS * STATES)
+    started.elapsed().as_secs_f64() * 1e9 / f64::from(REPEATS * STATES)
 }

@@ -9,7 +9,7 @@ mod median;
 use krank::drawing::Glyphs;
 use krank::scene::{Scene, presets};
 use krank::solver::Solver;
-use krank::tui::{Colours, Opened, Origin, Workbench};
+use krank::tui::{Colours, OpenedScene, Origin, Workbench};
 use median::median_time;
 use std::time::Duration;
 
@@ -22,7 +22,7 @@ fn workbench(name: &str, cols: u16, rows: u16) -> Workbench {
     let preset = presets::find(name).expect("the preset is built in");
     let scene = Scene::parse(preset.text, preset.name).expect("a preset is a scene");
     let solver = Solver::new(&scene.mechanism).expect("a preset can be solved");
-    let opened = Opened {
+    let opened = OpenedScene {
         scene,
         solver,
         origin: Origin::Preset(name.to_owned()),

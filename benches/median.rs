@@ -11,9 +11,9 @@ pub(crate) fn median(mut samples: Vec<f64>) -> f64 {
 /// Returns the median of the times of `runs` runs, in seconds.
 pub(crate) fn median_time<T>(runs: usize, mut run: impl FnMut() -> T) -> f64 {
     let times = (0..runs).map(|_| {
-        let begin = Instant::now();
+        let start = Instant::now();
         std::hint::black_box(run());
-        begin.elapsed().as_secs_f64()
+        start.elapsed().as_secs_f64()
     });
     median(times.collect())
 }

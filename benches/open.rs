@@ -8,7 +8,7 @@ mod chains;
 
 use krank::Mechanism;
 use krank::solver::{Range, Solver};
-use krank::study::{Study, USUAL_POSITIONS};
+use krank::study::{DEFAULT_POSITIONS, Study};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -35,12 +35,12 @@ fn main() {
     }
 }
 
-fn least<T>(mut run: impl FnMut() -> T) -> (f64, T) {
+fn min_time<T>(mut run: impl FnMut() -> T) -> (f64, T) {
     let mut best: Option<(f64, T)> = None;
     for _ in 0..RUNS {
-        let begin = Instant::now();
+        let start = Instant::now();
         let result = black_box(run());
-        let took = begin.elapsed().as_secs_f64();
+        let took = start.elapsed().as_secs_f64();
         if best.as_ref().is_none_or(|best| took < best.0) {
             best = Some((took, result));
         }
@@ -49,8 +49,8 @@ fn least<T>(mut run: impl FnMut() -> T) -> (f64, T) {
 }
 
 fn opened(name: &str, mechanism: &Mechanism) {
-    let (opening, solver) = least(|| Solver::new(mechanism).expect("the chain closes"));
-    let (seeing, _) = least(|| solver.transmission());
+    let (opening, solver) = min_time(|| Solver::new(mechanism).expect("the chain closes"));
+    let (seeing, _) = min_time(|| solver.transmission());
     let range = match solver.motion().range {
         Range::Full { period } => format!("{period} deg"),
         Range::Limited { low, high } => format!("{:.2} deg", high - low),
@@ -61,9 +61,9 @@ fn opened(name: &str, mechanism: &Mechanism) {
 /// A study of all methods, as `krank accuracy` makes it.
 fn studied(dyads: usize) {
     let solver = Solver::new(&chains::grounded(dyads)).expect("the chain closes");
-    let begin = Instant::now();
-    let mut study = Study::new(&solver, USUAL_POSITIONS);
-    while study.advance(&mut || begin.elapsed(), Duration::from_millis(50)) {}
-    let took = begin.elapsed().as_secs_f64();
+    let start = Instant::now();
+    let mut study = Study::new(&solver, DEFAULT_POSITIONS);
+    while study.advance(&mut || start.elapsed(), Duration::from_millis(50)) {}
+    let took = start.elapsed().as_secs_f64();
     println!("{:<28}{took:>8.3} s", format!("all methods, {dyads} dyads"));
 }

@@ -14,9 +14,9 @@ const TASKS: usize = 24;
 const NOISE: f64 = 0.01;
 
 /// Chance of the simplest kind: the tasks are always the same.
-struct Chance(u64);
+struct TestRng(u64);
 
-impl Chance {
+impl TestRng {
     /// From -1 to 1.
     fn even(&mut self) -> f64 {
         self.0 = self
@@ -26,8 +26,8 @@ impl Chance {
         (self.0 >> 33) as f64 / f64::from(1_u32 << 30) - 1.0
     }
 
-    fn place(&mut self, most: f64) -> Vec2 {
-        Vec2::new(most * self.even(), most * self.even())
+    fn place(&mut self, maximum: f64) -> Vec2 {
+        Vec2::new(maximum * self.even(), maximum * self.even())
     }
 }
 
@@ -37,9 +37,9 @@ fn main() {
     let tasks = if is_timed { TASKS } else { 1 };
     println!("{:<34}{:>12}{:>12}", "medians", "rms/size", "s");
     for (closed, timed) in [(false, false), (false, true), (true, false), (true, true)] {
-        let mut chance = Chance(7);
+        let mut rng = TestRng(7);
         let all = (0..tasks).map(|k| {
-            let (points, turns) = planted(&mut chance, 10 + k * 26 / TASKS.max(2), closed);
+            let (points, turns) = planted(&mut rng, 10 + k * 26 / TASKS.max(2), closed);
             searched(points, closed, timed.then_some(turns), is_timed)
         });
         let (misses, times): (Vec<f64>, Vec<f64>) = all.unzip();
@@ -93,16 +93,16 @@ fn drawn_d(part: f64, height: f64) -> Vec2 {
 }
 
 /// Points of a random four-bar's tracer, and the crank's turns, with noise.
-fn planted(chance: &mut Chance, count: usize, closed: bool) -> (Vec<Vec2>, Vec<f64>) {
+fn planted(rng: &mut TestRng, count: usize, closed: bool) -> (Vec<Vec2>, Vec<f64>) {
     loop {
-        let (a, d, arm) = (chance.place(3.0), chance.place(3.0), chance.place(1.5));
-        let mut length = || 10_f64.powf(0.5 * chance.even());
+        let (a, d, arm) = (rng.place(3.0), rng.place(3.0), rng.place(1.5));
+        let mut length = || 10_f64.powf(0.5 * rng.even());
         let [crank, coupler, rocker] = [length(), length(), length()];
-        let (start, sign) = (180.0 * chance.even(), chance.even().signum());
+        let (start, sign) = (180.0 * rng.even(), rng.even().signum());
         let span = if closed {
             360.0
         } else {
-            200.0 + 110.0 * chance.even()
+            200.0 + 110.0 * rng.even()
         };
         let at = |turn: f64| {
             let b = a + angle::unit(start + turn) * crank;
@@ -121,7 +121,7 @@ fn planted(chance: &mut Chance, count: usize, closed: bool) -> (Vec<Vec2>, Vec<f
         };
         // Even noise from -1 to 1 in each direction has a mean square of 2/3.
         let noise = NOISE * size(&points) * 1.5_f64.sqrt();
-        let points = points.iter().map(|p| *p + chance.place(noise)).collect();
+        let points = points.iter().map(|p| *p + rng.place(noise)).collect();
         return (points, turns);
     }
 }
@@ -144,14 +144,14 @@ fn searched(
         task: &task,
         four_bars: true,
         slider_cranks: false,
-        wishes: Preferences::default(),
+        preferences: Preferences::default(),
         seed: 1,
         threads: 2,
         starts: if is_timed { PathSearch::STARTS } else { 4 },
     };
-    let begin = Instant::now();
+    let start = Instant::now();
     let found = search.run(&mut |_| true).found;
-    let took = begin.elapsed().as_secs_f64();
+    let took = start.elapsed().as_secs_f64();
     let misses = found.iter().map(|proposal| rms(proposal, &task.points));
     (misses.fold(f64::INFINITY, f64::min), took)
 }
@@ -174,8 +174,8 @@ fn rms(proposal: &Proposal, points: &[Vec2]) -> f64 {
 /// The larger side of the box around the points.
 fn size(points: &[Vec2]) -> f64 {
     let side = |of: fn(&Vec2) -> f64| {
-        let most = points.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
-        most - points.iter().map(of).fold(f64::INFINITY, f64::min)
+        let maximum = points.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+        maximum - points.iter().map(of).fold(f64::INFINITY, f64::min)
     };
     side(|p| p.x).max(side(|p| p.y))
 }

@@ -11,7 +11,7 @@ mod chains;
 mod handwritten;
 mod median;
 
-use both::{Agreement, Figures, General, SWEEP, Visitor, angles, by_hand, visit_all};
+use both::{Agreement, Figures, General, SWEEP, Visitor, angles, closed_form, visit_all};
 use krank::solver::{Order, Solver};
 use median::{median, median_time};
 use std::hint::black_box;
@@ -39,8 +39,8 @@ impl Visitor for Ratios {
         let mut samples: [Vec<f64>; WAYS.len() + 1] = Default::default();
         for _ in 0..SAMPLES {
             let [hand, leanest, solved, read, at_once, at_once_read, bounds] = &mut samples;
-            hand.push(time(|| by_hand(&form, &angles)));
-            leanest.push(time(|| by_hand(&lean, &angles)));
+            hand.push(time(|| closed_form(&form, &angles)));
+            leanest.push(time(|| closed_form(&lean, &angles)));
             solved.push(time(|| general.sweep(&angles, &mut state)));
             read.push(time(|| general.sweep_and_read(&angles, &mut state)));
             at_once.push(time(|| general.sweep_in_lanes(&angles, &mut lanes)));
@@ -53,8 +53,8 @@ impl Visitor for Ratios {
         }
         let [hand, ways @ ..] = samples.map(median);
         print!("{name:<14}{hand:>8.1} ns");
-        for way in ways {
-            print!("{way:>9.1} ns {:>5.2}", way / hand);
+        for variant in ways {
+            print!("{variant:>9.1} ns {:>5.2}", variant / hand);
         }
         println!();
     }
@@ -72,11 +72,11 @@ const WAYS: [&str; 6] = [
 
 /// Nanoseconds per position of a sweep.
 fn time(mut sweep: impl FnMut()) -> f64 {
-    let begin = Instant::now();
+    let start = Instant::now();
     for _ in 0..REPEATS {
         sweep();
     }
-    begin.elapsed().as_nanos() as f64 / (f64::from(REPEATS) * SWEEP as f64)
+    start.elapsed().as_nanos() as f64 / (f64::from(REPEATS) * SWEEP as f64)
 }
 
 const CHAINS: [usize; 4] = [1, 10, 100, 1000];
@@ -117,8 +117,8 @@ fn main() {
             "\nmedians per position, and as parts of the closed form's: points and links with both rates"
         );
         print!("{:<14}{:>11}", "", "by hand");
-        for way in WAYS {
-            print!("{way:>12}      ");
+        for variant in WAYS {
+            print!("{variant:>12}      ");
         }
         println!();
         visit_all(&mut Ratios);

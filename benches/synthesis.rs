@@ -6,7 +6,7 @@
 mod median;
 
 use krank::synthesis::functions::{FunctionSearch, chebyshev_pairs};
-use krank::synthesis::{FunctionTask, Given, Output};
+use krank::synthesis::{FunctionTask, GivenNumber, Output};
 use median::median_time;
 use std::hint::black_box;
 
@@ -19,10 +19,10 @@ fn main() {
         pairs: chebyshev_pairs(|x: f64| Some(x.log10()), [1.0, 2.0], count).unwrap_or_default(),
         between: Vec::new(),
         output: Output::Angle,
-        crank_datum: Given::Free,
-        crank_scale: Given::Value(60.0),
-        output_datum: Given::Free,
-        output_scale: Given::Value(60.0 / 2.0_f64.log10()),
+        crank_datum: GivenNumber::Free,
+        crank_scale: GivenNumber::Value(60.0),
+        output_datum: GivenNumber::Free,
+        output_scale: GivenNumber::Value(60.0 / 2.0_f64.log10()),
         size: 100.0,
     };
     for (name, count) in [("five pairs", 5), ("13 pairs", 13)] {

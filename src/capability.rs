@@ -280,7 +280,7 @@ impl TerminalProfile {
 mod tests {
     use super::*;
 
-    fn judge(environment: &[(&str, &str)]) -> TerminalProfile {
+    fn detect(environment: &[(&str, &str)]) -> TerminalProfile {
         TerminalProfile::of(|name| {
             let found = environment.iter().find(|(n, _)| *n == name);
             found.map(|(_, value)| (*value).to_owned())
@@ -293,7 +293,7 @@ mod tests {
         use Glyphs::{Ascii, Braille, Line};
         let utf8 = ("LANG", "en_GB.UTF-8");
         let found = |extra: &[(&str, &str)]| {
-            let all = judge(&[&[utf8], extra].concat());
+            let all = detect(&[&[utf8], extra].concat());
             let found = all.capability(Option::None, Option::None).unwrap();
             (found.glyphs, found.colours, found.modern)
         };
@@ -316,7 +316,7 @@ mod tests {
         assert_eq!(found(&[xterm, posix]), (Ascii, Indexed, true));
         let c_utf8 = ("LC_ALL", "C.utf8");
         assert_eq!(found(&[xterm, c_utf8]), (Braille, Indexed, true));
-        let dumb = judge(&[("TERM", "dumb")]);
+        let dumb = detect(&[("TERM", "dumb")]);
         assert_eq!(dumb.capability(Option::None, Option::None), Option::None);
     }
 
@@ -348,7 +348,7 @@ mod tests {
                 assert_eq!(kind_of(name), kind, "{name}");
             }
         }
-        let colours = |term| judge(&[("TERM", term)]).colours().value;
+        let colours = |term| detect(&[("TERM", term)]).colours().value;
         assert_eq!(colours("vte-256color"), Colours::Indexed);
         assert_eq!(colours("linux-16color"), Colours::Sixteen);
         assert_eq!(colours("linux-m"), Colours::None);
@@ -357,19 +357,19 @@ mod tests {
 
     #[test]
     fn options_override_detected_capability() {
-        let vt = judge(&[("TERM", "vt100")]);
-        let wished = vt.capability(Some(Glyphs::Braille), Some(Colours::True));
-        let wished = wished.unwrap();
+        let vt = detect(&[("TERM", "vt100")]);
+        let requested = vt.capability(Some(Glyphs::Braille), Some(Colours::True));
+        let requested = requested.unwrap();
         assert_eq!(
-            (wished.glyphs, wished.colours),
+            (requested.glyphs, requested.colours),
             (Glyphs::Braille, Colours::True)
         );
-        assert!(!wished.modern, "nobody wishes a VT100 to be another one");
+        assert!(!requested.modern, "nobody wishes a VT100 to be another one");
     }
 
     #[test]
     fn reasons_name_deciding_variable() {
-        let judged = judge(&[
+        let judged = detect(&[
             ("TERM", "xterm"),
             ("LC_ALL", "C"),
             ("LANG", "de_DE.UTF-8"),
@@ -378,9 +378,9 @@ mod tests {
         assert_eq!(judged.glyphs().why, "the locale is not UTF-8");
         assert_eq!(judged.colours().why, "NO_COLOR is set");
         assert_eq!(judged.variables()[1], ("LC_ALL", Some("C")));
-        assert_eq!(judge(&[]).variables()[0], ("TERM", None));
+        assert_eq!(detect(&[]).variables()[0], ("TERM", None));
         assert_eq!(
-            judge(&[("TERM", "vt220")]).colours().why,
+            detect(&[("TERM", "vt220")]).colours().why,
             "TERM=vt220 supports none"
         );
     }
@@ -388,7 +388,7 @@ mod tests {
     #[cfg(feature = "tui")]
     #[test]
     fn background_is_read_from_environment() {
-        let light = |value| judge(&[("COLORFGBG", value)]).has_light_ground();
+        let light = |value| detect(&[("COLORFGBG", value)]).has_light_ground();
         assert_eq!(light("15;0"), Some(false));
         assert_eq!(light("0;15"), Some(true));
         assert_eq!(light("0;default;7"), Some(true));

@@ -68,15 +68,15 @@ const PROGRAMS: [(&str, PictureProtocol); 5] = [
 
 impl TerminalProfile {
     /// Returns the picture protocol: the selected one, or the one detected with certainty.
-    pub(crate) fn pictures(&self, wish: PictureChoice) -> Detected<Option<PictureProtocol>> {
+    pub(crate) fn pictures(&self, requested: PictureChoice) -> Detected<Option<PictureProtocol>> {
         match cfg!(feature = "pictures") {
-            true => self.pictures_wished(wish),
+            true => self.image_protocol(requested),
             false => found(None, words().no_pictures()),
         }
     }
 
-    fn pictures_wished(&self, wish: PictureChoice) -> Detected<Option<PictureProtocol>> {
-        match wish {
+    fn image_protocol(&self, requested: PictureChoice) -> Detected<Option<PictureProtocol>> {
+        match requested {
             PictureChoice::By(protocol) => found(Some(protocol), words().pictures_asked_for()),
             PictureChoice::Never => found(None, words().pictures_unwanted()),
             PictureChoice::Auto => self.pictures_of_terminal(),
@@ -93,13 +93,13 @@ impl TerminalProfile {
         if self.multiplexed || multiplexed {
             return found(None, words().pictures_behind_multiplexer());
         }
-        if let Some((_, protocol)) = TERMS.iter().find(|(begin, _)| term.starts_with(begin)) {
+        if let Some((_, protocol)) = TERMS.iter().find(|(start, _)| term.starts_with(start)) {
             return found(Some(*protocol), format!("TERM={term}"));
         }
         let program = self.program.as_deref().unwrap_or_default();
         if let Some((_, protocol)) = PROGRAMS
             .iter()
-            .find(|(begin, _)| program.starts_with(begin))
+            .find(|(start, _)| program.starts_with(start))
         {
             return found(Some(*protocol), format!("TERM_PROGRAM={program}"));
         }
@@ -111,12 +111,15 @@ impl TerminalProfile {
 mod tests {
     use super::*;
 
-    fn judged(environment: &[(&str, &str)], wish: PictureChoice) -> Option<PictureProtocol> {
+    fn detect_protocol(
+        environment: &[(&str, &str)],
+        requested: PictureChoice,
+    ) -> Option<PictureProtocol> {
         let judgement = TerminalProfile::of(|name| {
             let found = environment.iter().find(|(n, _)| *n == name);
             found.map(|(_, value)| (*value).to_owned())
         });
-        judgement.pictures_wished(wish).value
+        judgement.image_protocol(requested).value
     }
 
     /// A terminal without the protocol shows an image as pages of letters.
@@ -137,7 +140,7 @@ mod tests {
             (&[("TERM", "xterm-kitty"), ("TMUX", "/tmp/tmux")], None),
             (&[], None),
         ] {
-            let of = |wish| judged(environment, wish);
+            let of = |requested| detect_protocol(environment, requested);
             assert_eq!(of(PictureChoice::Auto), protocol, "{environment:?}");
             assert_eq!(of(PictureChoice::By(Sixel)), Some(Sixel));
             assert_eq!(of(PictureChoice::Never), None);

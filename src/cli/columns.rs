@@ -13,7 +13,7 @@ pub(super) fn figures(
     if patterns.is_empty() {
         return Ok(catalogue.usual());
     }
-    let mut figures = Vec::new();
+    let mut quantities = Vec::new();
     let patterns = patterns.iter().flat_map(|list| entries(list));
     let patterns: Vec<&str> = patterns.map(str::trim).collect();
     for (number, pattern) in patterns.iter().enumerate() {
@@ -22,14 +22,14 @@ pub(super) fn figures(
         }
         let found = named(catalogue, "--columns", pattern);
         let around = patterns.get(number.saturating_sub(1)..).unwrap_or_default();
-        let mend = || around.windows(2).take(2).find_map(cut_number);
-        for figure in found.map_err(|fault| mend().unwrap_or(fault))? {
-            if !figures.contains(&figure) {
-                figures.push(figure);
+        let fix = || around.windows(2).take(2).find_map(cut_number);
+        for quantity in found.map_err(|fault| fix().unwrap_or(fault))? {
+            if !quantities.contains(&quantity) {
+                quantities.push(quantity);
             }
         }
     }
-    Ok(figures)
+    Ok(quantities)
 }
 
 /// Returns the error for a formula that a decimal comma cut into two entries.

@@ -36,7 +36,7 @@ impl Failure {
     }
 
     /// Prints the error on standard error.
-    pub(super) fn tell(&self, screen: TextScreen) {
+    pub(super) fn print_error(&self, screen: TextScreen) {
         let text = match self {
             Failure::PipeClosed => return,
             Failure::Scene(diagnostics) => diagnostics.render(screen.ascii, screen.colour),
@@ -50,7 +50,7 @@ impl Failure {
                 error(&words().cannot_write(&path.display(), e), screen)
             }
         };
-        say(&text);
+        print_text(&text);
     }
 }
 
@@ -60,11 +60,11 @@ fn error(message: &str, screen: TextScreen) -> String {
 
 /// Prints a note for the reader of the results on standard error.
 pub(super) fn note(message: &str, screen: TextScreen) {
-    say(&(words().note(&sanitized(message, screen.ascii)) + "\n"));
+    print_text(&(words().note(&sanitized(message, screen.ascii)) + "\n"));
 }
 
 /// Prints a text on standard error.
-pub(super) fn say(text: &str) {
+pub(super) fn print_text(text: &str) {
     // An error of standard error cannot be reported anywhere.
     let _ = io::stderr().write_all(text.as_bytes());
 }

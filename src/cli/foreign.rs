@@ -2,8 +2,8 @@
 
 use crate::cli::failure::{Failure, note};
 use crate::cli::screen::TextScreen;
-use crate::cli::source::keep_file_apart;
-use crate::files::read_ready;
+use crate::cli::source::check_output_differs_from_input;
+use crate::files::read_without_waiting;
 use crate::quantity::{Catalogue, Quantity};
 use crate::report::{ForeignFigures, Measured, NoFigures, TextEncoding};
 use crate::scene::MAX_FILE_SIZE;
@@ -21,7 +21,7 @@ pub(super) fn measured(
     of: Option<&[Quantity]>,
     screen: TextScreen,
 ) -> Result<Measured, Failure> {
-    keep_file_apart(file, output)?;
+    check_output_differs_from_input(file, output)?;
     let found = foreign(file, screen)?.measured(catalogue, of);
     let shown = file.display().to_string();
     found.ok_or_else(|| Failure::Usage(words().no_measurements(&shown)))
@@ -30,7 +30,7 @@ pub(super) fn measured(
 /// Reads values from a file that another program wrote.
 pub(super) fn foreign(path: &Path, screen: TextScreen) -> Result<ForeignFigures, Failure> {
     let shown = path.display().to_string();
-    let bytes = read_ready(path, MAX_FOREIGN_SIZE)
+    let bytes = read_without_waiting(path, MAX_FOREIGN_SIZE)
         .map_err(|e| Failure::Usage(words().cannot_read(&format!("`{shown}`"), &e)))?;
     let too_long = || Failure::Usage(words().too_many_figures(&shown));
     if bytes.len() > MAX_FOREIGN_SIZE {

@@ -77,11 +77,11 @@ impl CsvArgs {
     /// Returns a usage error if an option is given although `format` is not CSV. Returns a usage error if the decimal
     /// mark and the separator are both a comma.
     pub(super) fn dialect(self, format: OutputFormat) -> Result<CsvDialect, Failure> {
-        let asked = [
+        let requested = [
             self.decimal.map(|_| "--decimal"),
             self.separator.map(|_| "--separator"),
         ];
-        match asked.into_iter().flatten().next() {
+        match requested.into_iter().flatten().next() {
             Some(option) if format != OutputFormat::Csv => {
                 Err(Failure::Usage(words().for_csv_alone(option)))
             }

@@ -20,10 +20,10 @@ pub(super) fn settle(
     is_command: impl Fn(&OsStr) -> bool,
 ) -> Vec<OsString> {
     let configured = configured(value_of(&arguments, "--config").map(PathBuf::from));
-    let asked = value_of(&arguments, OPTION);
-    let asked = asked.and_then(|name| value_named(&LANGUAGES, name.to_str()?)?);
+    let requested = value_of(&arguments, OPTION);
+    let requested = requested.and_then(|name| value_named(&LANGUAGES, name.to_str()?)?);
     let env = |name: &str| Some(std::env::var_os(name)?.to_string_lossy().into_owned());
-    let language = asked.or(configured);
+    let language = requested.or(configured);
     language.unwrap_or_else(|| Language::of_locale(env)).speak();
     with_language_moved(arguments, is_command)
 }
@@ -85,11 +85,11 @@ fn with_language_moved(
         }
     }
     let last = others.last().filter(|_| others.len() > 1);
-    let behind = match last.is_some_and(|last| is_option(last)) {
+    let after = match last.is_some_and(|last| is_option(last)) {
         true => place_of_command(&others, is_command),
         false => others.len(),
     };
-    let rest = others.split_off(behind);
+    let rest = others.split_off(after);
     others.extend(moved);
     others.extend(rest);
     others.extend(names);

@@ -21,7 +21,7 @@ mod screen;
 mod source;
 mod workbench;
 
-use crate::files::mend;
+use crate::files::recover_all;
 use crate::scene::sanitized;
 use crate::wording::{Language, words};
 use choice::{OrAuto, one_of};
@@ -98,7 +98,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            failure.tell(screen);
+            failure.print_error(screen);
             failure.code()
         }
     }
@@ -106,7 +106,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 
 /// Completes in-place writes that an earlier process did not finish because it was killed.
 fn finish_interrupted_writes(screen: TextScreen) {
-    for file in output::records().iter().flat_map(|folder| mend(folder)) {
+    for file in output::records()
+        .iter()
+        .flat_map(|folder| recover_all(folder))
+    {
         failure::note(&words().file_was_mended(&file.display()), screen);
     }
 }
@@ -119,13 +122,13 @@ fn refuse(error: &clap::Error, arguments: &[OsString], screen: TextScreen) -> Ex
         text += &version::details();
     }
     if error.use_stderr() {
-        failure::say(&lines_made_harmless(&text, screen));
+        failure::print_text(&lines_made_harmless(&text, screen));
         return ExitCode::from(2);
     }
     match output::write_text(None, &screen.shown(&text)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            failure.tell(screen);
+            failure.print_error(screen);
             failure.code()
         }
     }

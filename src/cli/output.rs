@@ -24,7 +24,7 @@ pub(super) fn file(path: Option<&Path>) -> Option<&Path> {
 }
 
 /// Returns `true` if the output goes directly to a terminal.
-pub(super) fn goes_to_terminal(path: Option<&Path>) -> bool {
+pub(super) fn writes_to_terminal(path: Option<&Path>) -> bool {
     file(path).is_none() && stdout().is_terminal()
 }
 
@@ -52,7 +52,7 @@ pub(super) fn write_text(path: Option<&Path>, text: &str) -> Result<(), Failure>
 
 /// Writes the text of a scene. On a terminal, it is sanitized.
 pub(super) fn write_scene(path: Option<&Path>, text: &str) -> Result<(), Failure> {
-    match goes_to_terminal(path) {
+    match writes_to_terminal(path) {
         true => write_text(None, &shown(text)),
         false => write_text(path, text),
     }

@@ -1,7 +1,7 @@
 //! Common properties of drawings and plots in characters: glyphs and size.
 
 use crate::cli::choice::{OptionValue, OrAuto};
-use crate::cli::output::goes_to_terminal;
+use crate::cli::output::writes_to_terminal;
 use crate::cli::screen;
 use crate::document::with_ascii_letters;
 use crate::drawing::{Blocks, Glyphs};
@@ -67,14 +67,14 @@ impl FromStr for Size {
 }
 
 /// Size if the terminal reports none.
-pub(super) const USUAL: Size = Size { cols: 80, rows: 24 };
+pub(super) const DEFAULT_SIZE: Size = Size { cols: 80, rows: 24 };
 
 /// Height of a character divided by its width, in most fonts.
 pub(super) const ASPECT: f64 = 2.0;
 
 /// Returns the requested glyphs, or those that the locale and the terminal support.
-pub(super) fn glyphs(wish: OrAuto<Glyphs>) -> Glyphs {
-    wish.unwrap_or_else(|| screen::judgement().glyphs().value)
+pub(super) fn glyphs(requested: OrAuto<Glyphs>) -> Glyphs {
+    requested.unwrap_or_else(|| screen::judgement().glyphs().value)
 }
 
 /// Converts letters in a drawing's text to ASCII if its glyphs are ASCII.
@@ -86,11 +86,11 @@ pub(super) fn lettered(text: String, glyphs: Glyphs) -> String {
 }
 
 /// Returns the requested size, or the terminal's size without a line for the prompt.
-pub(super) fn size(wish: Option<Size>, output: Option<&Path>) -> Size {
+pub(super) fn size(requested: Option<Size>, output: Option<&Path>) -> Size {
     let terminal = || {
-        let (cols, rows) = screen::size().filter(|_| goes_to_terminal(output))?;
+        let (cols, rows) = screen::size().filter(|_| writes_to_terminal(output))?;
         let rows = rows.saturating_sub(1).max(1);
         Some(Size { cols, rows })
     };
-    wish.or_else(terminal).unwrap_or(USUAL)
+    requested.or_else(terminal).unwrap_or(DEFAULT_SIZE)
 }

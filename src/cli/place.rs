@@ -41,8 +41,8 @@ pub(super) fn normalize_coordinate(
 ) -> f64 {
     let driver = scene.mechanism.driver();
     let range = solver.motion().range;
-    let turns = matches!(driver.input, Input::Turn(_));
-    let Some(at) = range.meant(typed, turns) else {
+    let is_rotary = matches!(driver.input, Input::Turn(_));
+    let Some(at) = range.equivalent_in_range(typed, is_rotary) else {
         return typed;
     };
     let catalogue = Catalogue::new(scene);
@@ -68,43 +68,43 @@ pub(super) fn out_of_reach(scene: &Scene, solver: &Solver, at: f64) -> Failure {
 
 /// Returns an error if any existing value of a state is not shown. Runs after all other output is
 /// written.
-pub(super) fn nothing_hidden(scene: &Scene, state: &State) -> Result<(), Failure> {
+pub(super) fn check_nothing_hidden(scene: &Scene, state: &State) -> Result<(), Failure> {
     let catalogue = Catalogue::new(scene);
     none_hidden(catalogue.all(), &catalogue, state)
 }
 
 pub(super) fn none_hidden<'q>(
-    figures: impl IntoIterator<Item = &'q Quantity>,
+    quantities: impl IntoIterator<Item = &'q Quantity>,
     catalogue: &Catalogue,
     state: &State,
 ) -> Result<(), Failure> {
-    match Hidden::of(figures, state) {
+    match Hidden::of(quantities, state) {
         None => Ok(()),
         Some(hidden) => Err(Failure::Cannot(hidden.text(&catalogue.driver().unit))),
     }
 }
 
 /// Returns an error if the derivatives by lengths would need too much memory and time.
-pub(super) fn check_derivative_count(scene: &Scene, figures: usize) -> Result<(), Failure> {
+pub(super) fn check_derivative_count(scene: &Scene, count: usize) -> Result<(), Failure> {
     let lengths = scene.mechanism.lengths().len();
-    if lengths.saturating_mul(figures) <= MAX_DERIVATIVES {
+    if lengths.saturating_mul(count) <= MAX_DERIVATIVES {
         return Ok(());
     }
     Err(Failure::Usage(
-        words().too_many_sensitivities(figures, lengths),
+        words().too_many_sensitivities(count, lengths),
     ))
 }
 
 /// Reports the number of values without an error bound.
-pub(super) fn note_unproved(unproved: u64, figures: u64, screen: TextScreen) {
+pub(super) fn note_unproved(unproved: u64, count: u64, screen: TextScreen) {
     if unproved > 0 {
-        note(&words().unproved(&unproved, &figures), screen);
+        note(&words().unproved(&unproved, &count), screen);
     }
 }
 
-pub(super) fn note_lacking(lacking: u64, figures: u64, screen: TextScreen) {
-    if lacking > 0 {
-        note(&words().figures_without_answer(lacking, figures), screen);
+pub(super) fn note_missing_derivatives(missing: u64, count: u64, screen: TextScreen) {
+    if missing > 0 {
+        note(&words().figures_without_answer(missing, count), screen);
     }
 }
 

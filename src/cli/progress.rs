@@ -5,7 +5,7 @@
 //! programs: without a terminal, if the results go to a terminal, on a terminal that cannot move
 //! its cursor back, and in the background.
 
-use crate::cli::failure::say;
+use crate::cli::failure::print_text;
 use crate::cli::screen::TextScreen;
 use crate::wording::words;
 use rustix::process::getpgrp;
@@ -62,9 +62,9 @@ impl Progress {
         total: u64,
         unit: &'static str,
         screen: TextScreen,
-        beside: bool,
+        nearby: bool,
     ) -> Progress {
-        let seen = screen.redraws && !beside;
+        let seen = screen.redraws && !nearby;
         Progress {
             total,
             unit,
@@ -100,7 +100,7 @@ impl Progress {
 
     /// Reports the number of completed items, and updates the line if an update is due. Most calls
     /// are very cheap.
-    pub(super) fn tell(&mut self, done: u64) {
+    pub(super) fn report_progress(&mut self, done: u64) {
         let Some(line) = &self.line else { return };
         let elapsed = self.begin.elapsed();
         if elapsed < self.next {
@@ -146,14 +146,14 @@ impl Progress {
 impl ProgressLine {
     fn show(&mut self, text: String) {
         if self.0 != text && in_the_foreground() {
-            say(&format!("{CLEAR}{text}"));
+            print_text(&format!("{CLEAR}{text}"));
             self.0 = text;
         }
     }
 
     fn clear(&mut self) {
         if !std::mem::take(&mut self.0).is_empty() && in_the_foreground() {
-            say(CLEAR);
+            print_text(CLEAR);
         }
     }
 }
@@ -223,8 +223,8 @@ fn in_the_foreground() -> bool {
 
 /// Returns the terminal's width in columns, or [`WIDTH`] if the terminal reports none.
 fn width() -> usize {
-    let told = tcgetwinsize(io::stderr()).map_or(0, |size| usize::from(size.ws_col));
-    if told == 0 { WIDTH } else { told }
+    let count = tcgetwinsize(io::stderr()).map_or(0, |size| usize::from(size.ws_col));
+    if count == 0 { WIDTH } else { count }
 }
 
 /// The contents of the line.
@@ -245,7 +245,7 @@ impl Counted<'_> {
         let left = format!("  {}", self.left());
         let (done, total) = (in_groups(self.done), in_groups(self.total));
         let count = format!("  {}", words().done_of(&done, &total, self.unit));
-        let room = width.saturating_sub(FREE);
+        let space = width.saturating_sub(FREE);
         let mut tails = Vec::new();
         if !self.best.is_empty() {
             let best = format!("  {}", words().best_so_far(self.best));
@@ -256,21 +256,21 @@ impl Counted<'_> {
         tails.extend([percent.clone() + &left, percent.clone()]);
         // A bar needs at least eleven columns, and a blank after it.
         let length = |tail: &String| tail.chars().count();
-        let fits = |tail: &&String| length(tail) + 12 <= room;
+        let fits = |tail: &&String| length(tail) + 12 <= space;
         match tails.iter().find(fits) {
-            Some(tail) => self.bar(room - length(tail) - 1, ascii) + " " + tail,
-            None => percent.chars().take(room).collect(),
+            Some(tail) => self.bar(space - length(tail) - 1, ascii) + " " + tail,
+            None => percent.chars().take(space).collect(),
         }
     }
 
-    /// Draws a bar of at most `room` columns.
-    fn bar(&self, room: usize, ascii: bool) -> String {
+    /// Draws a bar of at most `space` columns.
+    fn bar(&self, space: usize, ascii: bool) -> String {
         let (full, open, ends) = if ascii {
             ("#", ".", ["[", "]"])
         } else {
             ("\u{2501}", "\u{2500}", ["", ""])
         };
-        let length = room.min(MAX_BAR_LEN) - ends.concat().len();
+        let length = space.min(MAX_BAR_LEN) - ends.concat().len();
         let share = self.done as f64 / self.total.max(1) as f64;
         let filled = ((share * length as f64) as usize).min(length);
         let (full, open) = (full.repeat(filled), open.repeat(length - filled));
@@ -326,8 +326,8 @@ mod tests {
             ..counted(500_000, 3.0)
         };
         let tail = |width| half.line(width, true).split("] ").nth(1).map(str::to_owned);
-        let whole = " 50 %  500,000 of 1,000,000 rows  3 s left  best 12.5 mm";
-        assert_eq!(tail(80).as_deref(), Some(whole));
+        let text = " 50 %  500,000 of 1,000,000 rows  3 s left  best 12.5 mm";
+        assert_eq!(tail(80).as_deref(), Some(text));
         assert_eq!(tail(60).as_deref(), Some(" 50 %  3 s left  best 12.5 mm"));
         assert_eq!(tail(36).as_deref(), Some(" 50 %  best 12.5 mm"));
         assert_eq!(tail(24).as_deref(), Some(" 50 %"));

@@ -1,7 +1,7 @@
 //! Coordinates or times of rows over the motion.
 
 use super::failure::{Failure, note};
-use super::output::{goes_to_terminal, write_to};
+use super::output::{write_to, writes_to_terminal};
 use super::progress::Progress;
 use super::screen::TextScreen;
 use crate::Input;
@@ -62,22 +62,24 @@ pub(super) fn write_rows<T>(
     screen: TextScreen,
     mut write: impl FnMut(&mut dyn Write, &mut dyn FnMut(u64)) -> io::Result<T>,
 ) -> Result<T, Failure> {
-    let is_shown = goes_to_terminal(path);
+    let is_shown = writes_to_terminal(path);
     let mut progress = Progress::new(steps.count(), words().rows(), screen, is_shown);
-    let outcome = write_to(path, |out| write(out, &mut |rows| progress.tell(rows)));
+    let outcome = write_to(path, |out| {
+        write(out, &mut |rows| progress.report_progress(rows))
+    });
     progress.end();
     outcome
 }
 
 /// Returns the clock that maps time to the driver coordinate.
 pub(super) fn clock(scene: &Scene) -> Result<Clock, Failure> {
-    let stands = || Failure::Cannot(words().of_option("--time", &TimeError::StandsStill));
-    Clock::of(scene).ok_or_else(stands)
+    let driver_states = || Failure::Cannot(words().of_option("--time", &TimeError::StandsStill));
+    Clock::of(scene).ok_or_else(driver_states)
 }
 
 /// Notes that rows by coordinate use the scene's constant speed, if the scene has a motion over
 /// time.
-pub(super) fn tell_of_motion(scene: &Scene, screen: TextScreen) {
+pub(super) fn note_constant_speed(scene: &Scene, screen: TextScreen) {
     let unit = match scene.mechanism.driver().input {
         Input::Turn(_) => "rad/s".to_owned(),
         Input::Push(_) => format!("{}/s", scene.unit.symbol()),
@@ -88,9 +90,9 @@ pub(super) fn tell_of_motion(scene: &Scene, screen: TextScreen) {
 }
 
 /// Returns the times of the rows. A missing limit is that of the motion and gets a row of its own.
-pub(super) fn times((begin, end): (f64, f64), ends: RowEnds) -> Result<Steps, Failure> {
+pub(super) fn times((start, end): (f64, f64), ends: RowEnds) -> Result<Steps, Failure> {
     let given = |given: Option<WrittenDecimal>, other| given.map_or_else(|| decimal(other), Ok);
-    let (from, to) = (given(ends.from, begin)?, given(ends.to, end)?);
+    let (from, to) = (given(ends.from, start)?, given(ends.to, end)?);
     let step = given(ends.step, slide_step(from.value(), to.value()))?;
     let steps = Steps::new(from, to, step).map_err(|e| Failure::Usage(e.to_string()))?;
     Ok(match ends.to {
@@ -127,17 +129,17 @@ pub(super) fn last(range: Range, down: bool, from: f64) -> f64 {
 /// Returns the default step of a slide: 1, 2 or 5 times a power of ten, in the direction of the
 /// sweep.
 fn slide_step(from: f64, to: f64) -> f64 {
-    let most = ((to - from) / STEPS_OF_A_SLIDE).abs();
+    let maximum = ((to - from) / STEPS_OF_A_SLIDE).abs();
     // A single row, or limits without a representable distance: any step will do.
-    if !most.is_normal() {
+    if !maximum.is_normal() {
         return 1.0;
     }
-    let ten = most.log10().floor();
+    let ten = maximum.log10().floor();
     let size = [5.0, 2.0, 1.0]
-        .map(|n| format!("{n}e{ten}").parse().unwrap_or(most))
+        .map(|n| format!("{n}e{ten}").parse().unwrap_or(maximum))
         .into_iter()
-        .find(|step: &f64| *step <= most)
-        .unwrap_or(most);
+        .find(|step: &f64| *step <= maximum)
+        .unwrap_or(maximum);
     if to < from { -size } else { size }
 }
 

@@ -26,15 +26,15 @@ impl TextScreen {
 
     /// Detects the terminal behind standard error from the environment.
     pub(super) fn detect() -> Self {
-        TextScreen::judge(&judgement(), stderr().is_terminal())
+        TextScreen::from_profile(&judgement(), stderr().is_terminal())
     }
 
     /// Detects the terminal behind standard output, for text to be read there.
     pub(super) fn of_results() -> Self {
-        TextScreen::judge(&judgement(), stdout().is_terminal())
+        TextScreen::from_profile(&judgement(), stdout().is_terminal())
     }
 
-    fn judge(judgement: &TerminalProfile, terminal: bool) -> Self {
+    fn from_profile(judgement: &TerminalProfile, terminal: bool) -> Self {
         let kind = judgement.kind();
         TextScreen {
             // The Linux console decodes UTF-8, but its fonts lack most characters.
@@ -54,8 +54,8 @@ pub(super) fn judgement() -> TerminalProfile {
 /// Returns the columns and rows of the terminal behind standard output, if known.
 #[cfg(feature = "tui")]
 pub(super) fn size() -> Option<(u16, u16)> {
-    let told = rustix::termios::tcgetwinsize(std::io::stdout()).ok()?;
-    (told.ws_col > 0 && told.ws_row > 0).then_some((told.ws_col, told.ws_row))
+    let text = rustix::termios::tcgetwinsize(std::io::stdout()).ok()?;
+    (text.ws_col > 0 && text.ws_row > 0).then_some((text.ws_col, text.ws_row))
 }
 
 /// Returns `None`: without the workbench, krank cannot query the size.
@@ -71,7 +71,7 @@ mod tests {
     fn screen(variables: &[(&str, &str)], terminal: bool) -> TextScreen {
         let find = |name: &str| variables.iter().find(|(n, _)| *n == name);
         let judgement = TerminalProfile::of(|name| find(name).map(|(_, v)| (*v).to_owned()));
-        TextScreen::judge(&judgement, terminal)
+        TextScreen::from_profile(&judgement, terminal)
     }
 
     #[test]

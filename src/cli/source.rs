@@ -5,7 +5,7 @@ use crate::cli::failure::{Failure, note};
 use crate::cli::output::{self, OutputArgs};
 use crate::cli::screen::TextScreen;
 use crate::document::foreign;
-use crate::files::{is_same_file, limited, read_any};
+use crate::files::{is_same_file, limited, read_any_file};
 use crate::import::{self, Imported};
 use crate::quantity::check_figures;
 use crate::scene::presets::{self, Preset};
@@ -55,42 +55,42 @@ impl SceneArgs {
 /// if the output would overwrite the scene.
 pub(super) fn open_for(
     name: &Path,
-    wishes: &[AssemblyRequest],
+    requests: &[AssemblyRequest],
     output: &OutputArgs,
 ) -> Result<SolvableScene, Failure> {
     let source = find(name)?;
     check_output_differs(&source, output.output.as_deref())?;
-    load(&source, wishes)
+    load(&source, requests)
 }
 
 /// Reads, checks and assembles the scene of a source.
 pub(super) fn load(
     source: &SceneSource,
-    wishes: &[AssemblyRequest],
+    requests: &[AssemblyRequest],
 ) -> Result<SolvableScene, Failure> {
     let scene = read(source)?;
     check_figures(&scene).map_err(Failure::Scene)?;
-    let solver = assembled(&scene, wishes)?;
+    let solver = assembled(&scene, requests)?;
     Ok(SolvableScene { scene, solver })
 }
 
-fn assembled(scene: &Scene, wishes: &[AssemblyRequest]) -> Result<Solver, Failure> {
+fn assembled(scene: &Scene, requests: &[AssemblyRequest]) -> Result<Solver, Failure> {
     let broken = |fault: &Fault| Failure::Scene(scene.explain(fault));
-    if wishes.is_empty() {
+    if requests.is_empty() {
         return Solver::new(&scene.mechanism).map_err(|fault| broken(&fault));
     }
     let plan = Plan::of(&scene.mechanism).map_err(|fault| broken(&fault))?;
     let misread = |e| Failure::Usage(words().of_option("--assembly", &e));
-    let picks = scene.picks(&plan, wishes).map_err(misread)?;
-    Solver::with_assembly(&scene.mechanism, &picks).map_err(|fault| {
+    let choices = scene.picks(&plan, requests).map_err(misread)?;
+    Solver::with_assembly(&scene.mechanism, &choices).map_err(|fault| {
         // A scene that opens in its default assembly is valid, so only the request cannot be met.
         if Solver::new(&scene.mechanism).is_err() {
             return broken(&fault);
         }
-        let wishes: Vec<String> = wishes.iter().map(ToString::to_string).collect();
+        let requests: Vec<String> = requests.iter().map(ToString::to_string).collect();
         let fault = scene.explain(&fault);
         let why = fault.first_words();
-        let option = format!("--assembly {}", wishes.join(","));
+        let option = format!("--assembly {}", requests.join(","));
         Failure::Cannot(words().of_option(&option, &why))
     })
 }
@@ -189,7 +189,7 @@ pub(super) fn standard_input() -> Result<Vec<u8>, Failure> {
 
 /// Reads a scene or a task from a file.
 pub(super) fn contents(path: &Path) -> Result<Vec<u8>, Failure> {
-    let bytes = read_any(path, MAX_FILE_SIZE);
+    let bytes = read_any_file(path, MAX_FILE_SIZE);
     bytes.map_err(|e| unreadable(&format!("`{}`", path.display()), &e))
 }
 
@@ -211,7 +211,10 @@ pub(super) fn check_output_differs(
 }
 
 /// Returns an error if the output is the file of values that is read.
-pub(super) fn keep_file_apart(read: &Path, output: Option<&Path>) -> Result<(), Failure> {
+pub(super) fn check_output_differs_from_input(
+    read: &Path,
+    output: Option<&Path>,
+) -> Result<(), Failure> {
     match is_same_file(Some(read), output::file(output)) {
         false => Ok(()),
         true => Err(Failure::Usage(

@@ -41,12 +41,12 @@ pub(super) fn draw(
     let inside = share_inside(raster, from, step);
     let (step, cut) = (step * inside, cut || inside < 1.0);
     let to = from + step;
-    for &(begin, end) in pieces(cut) {
-        stroke::line(raster, glyphs, from + step * begin, from + step * end, role);
+    for &(start, end) in pieces(cut) {
+        stroke::line(raster, glyphs, from + step * start, from + step * end, role);
     }
     let glyph = head(glyphs, length);
     let (col, row) = cell_of(to);
-    raster.put(col, row, glyph, role);
+    raster.set_cell(col, row, glyph, role);
     let before = match role {
         Role::Acceleration => Some(glyph),
         Role::Force => Some(closing(glyphs, length)),
@@ -57,7 +57,7 @@ pub(super) fn draw(
         let cells = step.x.abs().max(step.y.abs()).max(1.0);
         let (before, above) = cell_of(to - step * (1.0 / cells));
         if (before, above) != cell_of(from) {
-            raster.put(before, above, glyph, role);
+            raster.set_cell(before, above, glyph, role);
         }
     }
 }
@@ -73,7 +73,7 @@ fn share_inside(raster: &Raster, from: Vec2, step: Vec2) -> f64 {
     }
     let share = |from: f64, step: f64, size: f64| {
         // Up to the middle of the outermost cell.
-        let room = if step > 0.0 {
+        let space = if step > 0.0 {
             size - 0.5 - from
         } else {
             0.5 - from
@@ -81,7 +81,7 @@ fn share_inside(raster: &Raster, from: Vec2, step: Vec2) -> f64 {
         if (0.0..size).contains(&(from + step)) {
             1.0
         } else {
-            (room / step).clamp(0.0, 1.0)
+            (space / step).clamp(0.0, 1.0)
         }
     };
     share(from.x, step.x, size.x).min(share(from.y, step.y, size.y))
@@ -143,12 +143,12 @@ pub(super) fn level(glyphs: Glyphs, role: Role, cells: i32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::{Figure, Reach, Shape, WorldView, render};
+    use crate::drawing::{Extents, Figure, Shape, WorldView, render};
 
     /// Renders arrows in twelve directions, which start on a ring around the middle.
     fn rosette(glyphs: Glyphs, role: Role, cut: bool) -> String {
         let corners = [Vec2::new(-14.0, -14.0), Vec2::new(14.0, 14.0)];
-        let view = WorldView::fit(&Reach::of_places(&corners, &[]), 44, 22, 2.0);
+        let view = WorldView::fit(&Extents::of_places(&corners, &[]), 44, 22, 2.0);
         let mut figure = Figure::new();
         for k in 0..12 {
             let direction = crate::angle::unit(f64::from(k) * 30.0);

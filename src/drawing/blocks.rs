@@ -163,7 +163,7 @@ const fn older(dots: usize) -> Option<char> {
 mod tests {
     use super::*;
     use crate::Vec2;
-    use crate::drawing::{Figure, Reach, Shape, WorldView, render};
+    use crate::drawing::{Extents, Figure, Shape, WorldView, render};
     use std::collections::HashSet;
 
     #[test]
@@ -236,7 +236,7 @@ mod tests {
                     role: role_of_plate,
                 });
                 let raster = |figure: &Figure| {
-                    let view = WorldView::fit(&Reach::of_places(&square, &[]), 40, 20, 2.0);
+                    let view = WorldView::fit(&Extents::of_places(&square, &[]), 40, 20, 2.0);
                     render(figure, &view, Glyphs::Blocks(blocks))
                 };
                 let alone = raster(&figure);

@@ -98,10 +98,10 @@ pub(super) fn paced_course(scene: &Scene, solver: &Solver, is_timed: bool) -> Ve
         return course(scene, solver).collect();
     };
     let range = solver.motion().range;
-    let (begin, end) = clock.span(range);
+    let (start, end) = clock.span(range);
     let moments = (0..=SAMPLES).map(|k| {
         let share = f64::from(k) / f64::from(SAMPLES);
-        let moment = clock.moment(begin + (end - begin) * share, range);
+        let moment = clock.moment(start + (end - start) * share, range);
         DriverState {
             at: moment.at,
             pace: Some(moment),

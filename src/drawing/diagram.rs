@@ -2,7 +2,7 @@
 //! accelerations from one pole.
 
 use super::figure::{Figure, Role, Shape};
-use super::reach::Reach;
+use super::reach::Extents;
 use super::render::{Glyphs, render};
 use super::view::WorldView;
 use crate::page::{Artwork, StyleSheet, TextAnchor};
@@ -128,12 +128,12 @@ impl VectorDiagram {
         let mut sheet = DiagramSheet {
             art: Artwork::new(size, title, STYLE),
             scale,
-            taken: TakenPlaces::default(),
+            occupied: TakenPlaces::default(),
         };
         for arrow in &self.arrows {
             let ends = [arrow.from, arrow.to].map(|p| sheet.scale.place(p));
             let along = |k| ends[0] + (ends[1] - ends[0]) * (f64::from(k) / 24.0);
-            (0..=24).for_each(|k| sheet.taken.add(along(k)));
+            (0..=24).for_each(|k| sheet.occupied.add(along(k)));
         }
         for arc in &self.arcs {
             sheet.arc(arc);
@@ -173,10 +173,14 @@ impl VectorDiagram {
                 cut: false,
             });
         }
-        let reach = Reach::of_places(&self.places(), &[]);
-        let (cols, most) = CHARACTERS;
-        let of_rows = |rows| WorldView::fit(&reach, cols, rows, CELL_ASPECT);
-        let drawn = render(&figure, &WorldView::snug(most, of_rows), Glyphs::Ascii);
+        let extents = Extents::of_places(&self.places(), &[]);
+        let (cols, maximum) = CHARACTERS;
+        let of_rows = |rows| WorldView::fit(&extents, cols, rows, CELL_ASPECT);
+        let drawn = render(
+            &figure,
+            &WorldView::lowest_window(maximum, of_rows),
+            Glyphs::Ascii,
+        );
         lines_drawn(&drawn.text())
     }
 
@@ -206,21 +210,21 @@ struct DiagramScale {
 
 impl DiagramScale {
     fn of(diagram: &VectorDiagram) -> DiagramScale {
-        let places = diagram.places();
+        let positions = diagram.places();
         let bound = |of: fn(f64, f64) -> f64, axis: fn(&Vec2) -> f64| {
-            places.iter().map(axis).reduce(of).unwrap_or(0.0)
+            positions.iter().map(axis).reduce(of).unwrap_or(0.0)
         };
         let [low_x, high_x] = [f64::min, f64::max].map(|of| bound(of, |p| p.x));
         let [low_y, high_y] = [f64::min, f64::max].map(|of| bound(of, |p| p.y));
-        let room = SHEET - Vec2::new(2.0, 2.0) * MARGIN;
-        let each = (room.x / (high_x - low_x)).min(room.y / (high_y - low_y));
+        let space = SHEET - Vec2::new(2.0, 2.0) * MARGIN;
+        let each = (space.x / (high_x - low_x)).min(space.y / (high_y - low_y));
         let each = if each.is_finite() && each > 0.0 {
             each
         } else {
             1.0
         };
         // Centred in the sheet's width.
-        let spare = (room.x / each - (high_x - low_x)) * 0.5;
+        let spare = (space.x / each - (high_x - low_x)) * 0.5;
         DiagramScale {
             each,
             corner: Vec2::new(low_x - spare, high_y),
@@ -238,7 +242,7 @@ struct DiagramSheet {
     art: Artwork,
     scale: DiagramScale,
     /// Occupied points, which names should not cover.
-    taken: TakenPlaces,
+    occupied: TakenPlaces,
 }
 
 /// Occupied points of a sheet in square cells, so that only near ones are searched.
@@ -264,22 +268,22 @@ impl TakenPlaces {
     }
 
     /// Returns the distance of a place from the nearest point, at most [`TakenPlaces::FAR`]. Returns
-    /// any distance up to `least` if the point is not farther than that.
-    fn room(&self, seat: Vec2, least: f64) -> f64 {
+    /// any distance up to `minimum` if the point is not farther than that.
+    fn room(&self, seat: Vec2, minimum: f64) -> f64 {
         let [col, row] = TakenPlaces::cell(seat);
-        let mut room = TakenPlaces::FAR;
+        let mut space = TakenPlaces::FAR;
         for dy in [0, -1, 1] {
             for dx in [0, -1, 1] {
                 let cell = [col.saturating_add(dx), row.saturating_add(dy)];
                 for place in self.cells.get(&cell).into_iter().flatten() {
-                    room = room.min((*place - seat).norm());
-                    if room <= least {
-                        return room;
+                    space = space.min((*place - seat).norm());
+                    if space <= minimum {
+                        return space;
                     }
                 }
             }
         }
-        room
+        space
     }
 }
 
@@ -332,7 +336,7 @@ impl DiagramSheet {
             self.art
                 .polyline([tip + back + side, tip, tip + back - side], "arc");
         }
-        ring.into_iter().for_each(|at| self.taken.add(at));
+        ring.into_iter().for_each(|at| self.occupied.add(at));
         let shares = [0.5, 0.35, 0.65, 0.2, 0.8];
         let seats = [1.0, 2.0]
             .into_iter()
@@ -344,11 +348,11 @@ impl DiagramSheet {
     /// Returns the place farthest from everything drawn already; the first of nearly equal places.
     fn freest(&self, seats: Vec<Vec2>) -> Vec2 {
         let mut best = seats.first().copied().unwrap_or(Vec2::ZERO);
-        let mut most = self.taken.room(best, 0.0);
+        let mut maximum = self.occupied.room(best, 0.0);
         for seat in seats {
-            let room = self.taken.room(seat, most + 1.0);
-            if room > most + 1.0 {
-                (best, most) = (seat, room);
+            let space = self.occupied.room(seat, maximum + 1.0);
+            if space > maximum + 1.0 {
+                (best, maximum) = (seat, space);
             }
         }
         best
@@ -357,14 +361,14 @@ impl DiagramSheet {
     fn name(&mut self, at: Vec2, class: &str, text: &str) {
         let half = 0.5 * LETTER * text.chars().count() as f64;
         let size = self.art.size();
-        let inside = |v: f64, room: f64, margin: f64| v.min(room - margin).max(margin);
+        let inside = |v: f64, space: f64, margin: f64| v.min(space - margin).max(margin);
         let at = Vec2::new(
             inside(at.x, size.x, half),
             inside(at.y, size.y, 2.0 * HALF_TEXT),
         );
         let base = at + Vec2::new(0.0, HALF_TEXT);
         self.art.text(base, TextAnchor::Middle, class, text);
-        self.taken.add(at);
+        self.occupied.add(at);
     }
 
     /// Draws the scale bar.
@@ -386,11 +390,13 @@ impl DiagramSheet {
     }
 }
 
-/// Returns the largest of 1, 2 and 5 times a power of ten that is at most `most`.
-fn round_length(most: f64) -> Option<f64> {
-    let power = 10.0_f64.powf(most.log10().floor());
+/// Returns the largest of 1, 2 and 5 times a power of ten that is at most `maximum`.
+fn round_length(maximum: f64) -> Option<f64> {
+    let power = 10.0_f64.powf(maximum.log10().floor());
     let steps = [5.0, 2.0, 1.0].map(|step| step * power);
-    let value = steps.into_iter().find(|&step| step <= most * (1.0 + 1e-9));
+    let value = steps
+        .into_iter()
+        .find(|&step| step <= maximum * (1.0 + 1e-9));
     value.filter(|v| v.is_finite() && *v > 0.0)
 }
 

@@ -24,7 +24,7 @@ pub(super) struct DxfDocument {
 
 impl DxfDocument {
     /// Adds a layer, with the requested name as far as DXF allows. Names differ in more than case.
-    pub(super) fn layer(&mut self, wish: &str) -> DxfLayer {
+    pub(super) fn layer(&mut self, requested: &str) -> DxfLayer {
         let allowed = |c: char| {
             if c.is_ascii_alphanumeric() || "_-$".contains(c) {
                 c
@@ -32,19 +32,19 @@ impl DxfDocument {
                 '_'
             }
         };
-        let wish: String = wish.chars().map(allowed).take(MAX_NAME_LEN).collect();
+        let requested: String = requested.chars().map(allowed).take(MAX_NAME_LEN).collect();
         let is_taken = |name: &String| {
             let mut others = self.layers.iter();
             others.any(|other| other.eq_ignore_ascii_case(name))
         };
-        let mut name = wish.clone();
+        let mut name = requested.clone();
         let mut same = 1;
         while is_taken(&name) {
             let end = match same {
                 1 => "_".to_owned(),
                 same => format!("_{same}"),
             };
-            let kept = wish.chars().take(MAX_NAME_LEN - end.len());
+            let kept = requested.chars().take(MAX_NAME_LEN - end.len());
             name = kept.collect::<String>() + &end;
             same += 1;
         }
@@ -54,7 +54,7 @@ impl DxfDocument {
 
     pub(super) fn line(&mut self, layer: DxfLayer, from: Vec2, to: Vec2) {
         if from.is_finite() && to.is_finite() {
-            self.begin("LINE", layer);
+            self.start_entity("LINE", layer);
             self.place(0, from);
             self.place(1, to);
         }
@@ -76,20 +76,20 @@ impl DxfDocument {
         if corners.len() < 2 {
             return;
         }
-        self.begin("POLYLINE", layer);
+        self.start_entity("POLYLINE", layer);
         self.pair(66, &1);
         self.place(0, Vec2::ZERO);
         self.pair(70, &i32::from(is_closed));
         for &corner in corners {
-            self.begin("VERTEX", layer);
+            self.start_entity("VERTEX", layer);
             self.place(0, corner);
         }
-        self.begin("SEQEND", layer);
+        self.start_entity("SEQEND", layer);
     }
 
     pub(super) fn circle(&mut self, layer: DxfLayer, at: Vec2, radius: f64) {
         if at.is_finite() {
-            self.begin("CIRCLE", layer);
+            self.start_entity("CIRCLE", layer);
             self.place(0, at);
             self.pair(40, &decimal(radius));
         }
@@ -97,7 +97,7 @@ impl DxfDocument {
 
     pub(super) fn point(&mut self, layer: DxfLayer, at: Vec2) {
         if at.is_finite() {
-            self.begin("POINT", layer);
+            self.start_entity("POINT", layer);
             self.place(0, at);
         }
     }
@@ -105,14 +105,14 @@ impl DxfDocument {
     /// Adds a text, such as a name; names are ASCII.
     pub(super) fn text(&mut self, layer: DxfLayer, at: Vec2, height: f64, text: &str) {
         if at.is_finite() {
-            self.begin("TEXT", layer);
+            self.start_entity("TEXT", layer);
             self.place(0, at);
             self.pair(40, &decimal(height));
             self.pair(1, &text);
         }
     }
 
-    fn begin(&mut self, kind: &str, layer: DxfLayer) {
+    fn start_entity(&mut self, kind: &str, layer: DxfLayer) {
         self.pair(0, &kind);
         let name = self.layers.get(layer.0).cloned().unwrap_or_default();
         self.pair(8, &name);

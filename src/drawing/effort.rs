@@ -8,7 +8,7 @@ use crate::study::motor::Duty;
 const POINTS: u32 = 720;
 /// The fraction of the cycle left out next to a dead point, because the torque may grow without
 /// bound there.
-const BESIDE: f64 = 0.02;
+const DEAD_POINT_MARGIN: f64 = 0.02;
 
 /// Returns the plot of a cycle. `coordinate` is the name and the unit of the driver's coordinate,
 /// `effort` those of its torque or force.
@@ -17,10 +17,10 @@ pub fn effort(duty: &Duty, coordinate: [&str; 2], effort: [&str; 2]) -> Plot {
     let [name, unit] = effort;
     let cycle = &duty.cycle;
     let mut pieces = duty.curve(POINTS);
-    if cycle.course.ends_dead {
+    if cycle.course.ends_at_dead_point {
         let (low, high) = (cycle.course.low, cycle.course.high);
-        let beside = BESIDE * (high - low);
-        let is_far = |p: &[f64; 2]| low + beside <= p[0] && p[0] <= high - beside;
+        let nearby = DEAD_POINT_MARGIN * (high - low);
+        let is_far = |p: &[f64; 2]| low + nearby <= p[0] && p[0] <= high - nearby;
         pieces.iter_mut().for_each(|piece| piece.retain(is_far));
         pieces.retain(|piece| !piece.is_empty());
     }

@@ -8,7 +8,7 @@ use super::bounds::Bounds;
 use super::figure::{Figure, Role, Shape};
 use super::legend::LegendEntry;
 use super::overlay::has_rates;
-use super::reach::Reach;
+use super::reach::Extents;
 use super::scale::{self, ArrowScale, MovingArrow};
 use super::view::WorldView;
 use crate::quantity::DriverState;
@@ -26,7 +26,7 @@ pub(super) struct ForceArrows {
 }
 
 /// The fraction of the longest arrow below which an arrow gets no size.
-const TELLING: f64 = 0.05;
+const MIN_SIZED_ARROW: f64 = 0.05;
 
 /// The fraction below which a moment counts as zero, relative to the largest moment, or to the largest force
 /// times the size of the whole drawing.
@@ -34,7 +34,7 @@ const NO_MOMENT: f64 = 1e-9;
 
 /// The forces and moments on the linkage in one state.
 #[derive(Default)]
-struct Found {
+struct StateForces {
     /// Points of application, and forces in N.
     forces: Vec<(Vec2, Vec2)>,
     /// Points, and moments in N m, counter-clockwise.
@@ -46,26 +46,26 @@ impl ForceArrows {
     pub(super) fn of(
         (scene, solver): (&Scene, &Solver),
         course: Vec<DriverState>,
-        reach: &Reach,
+        extents: &Extents,
         tips: &mut Vec<(f64, Bounds)>,
     ) -> ForceArrows {
         let mut state = solver.state();
         let mut all: Vec<MovingArrow> = Vec::new();
         let mut most_moment: f64 = 0.0;
-        for stand in course {
-            if has_rates(stand.solve(solver, Order::Force, &mut state)) {
-                let at = stand.at;
-                let Found { forces, moments } = found(&scene.mechanism, solver, &state);
+        for driver_state in course {
+            if has_rates(driver_state.solve(solver, Order::Force, &mut state)) {
+                let at = driver_state.at;
+                let StateForces { forces, moments } = found(&scene.mechanism, solver, &state);
                 all.extend(forces.into_iter().map(|(from, force)| (at, from, force)));
                 let sizes = moments.iter().map(|(_, moment)| moment.abs());
                 most_moment = sizes.fold(most_moment, f64::max);
             }
         }
-        let scale = ArrowScale::of_motion(&all, scale::longest(reach), tips);
-        let lever = reach.bounds().size().norm() * scene.unit.metres();
+        let scale = ArrowScale::of_motion(&all, scale::longest(extents), tips);
+        let lever = extents.bounds().size().norm() * scene.unit.metres();
         ForceArrows {
             scale: Some(scale),
-            least_moment: NO_MOMENT * most_moment.max(scale.most() * lever),
+            least_moment: NO_MOMENT * most_moment.max(scale.longest_magnitude() * lever),
         }
     }
 
@@ -80,7 +80,7 @@ impl ForceArrows {
     ) {
         let Some(scale) = self.scale else { return };
         let role = Role::Force;
-        let Found { forces, moments } = found(&scene.mechanism, solver, state);
+        let StateForces { forces, moments } = found(&scene.mechanism, solver, state);
         for (from, force) in forces {
             let (to, cut) = scale.tip(from, force, zoom);
             figure.add(Shape::Arrow {
@@ -89,7 +89,7 @@ impl ForceArrows {
                 role,
                 cut,
             });
-            if force.norm() >= TELLING * scale.most() {
+            if force.norm() >= MIN_SIZED_ARROW * scale.longest_magnitude() {
                 let text = format!("{} N", rounded(force.norm()));
                 let at = to;
                 figure.add(Shape::Label { at, text, role });
@@ -106,15 +106,15 @@ impl ForceArrows {
 
     /// Returns the legend entry of the arrows for a drawing with this window.
     pub(super) fn legend(&self, view: &WorldView, zoom: f64) -> Option<LegendEntry> {
-        let scale = self.scale.filter(|scale| scale.most() > 0.0)?;
+        let scale = self.scale.filter(|scale| scale.longest_magnitude() > 0.0)?;
         let cells = view.cells_along(scale.per(zoom));
         Some(LegendEntry::arrow(Role::Force, "F", "N", cells))
     }
 }
 
 /// Returns all known forces and moments in a state.
-fn found(mechanism: &Mechanism, solver: &Solver, state: &State) -> Found {
-    let mut found = Found::default();
+fn found(mechanism: &Mechanism, solver: &Solver, state: &State) -> StateForces {
+    let mut found = StateForces::default();
     joints(mechanism, state, &mut found);
     guides(mechanism, state, &mut found);
     drive(mechanism, state, &mut found);
@@ -123,22 +123,22 @@ fn found(mechanism: &Mechanism, solver: &Solver, state: &State) -> Found {
     found
 }
 
-fn joints(mechanism: &Mechanism, state: &State, found: &mut Found) {
+fn joints(mechanism: &Mechanism, state: &State, found: &mut StateForces) {
     for link in mechanism.link_ids() {
         for point in mechanism.pins(link) {
-            let is_told = match mechanism.partner(link, point) {
+            let is_shown = match mechanism.partner(link, point) {
                 Some(Body::Link(other)) => link < other,
                 Some(Body::Ground) => true,
                 // The arrows of guides and of the driver show this force already.
                 None => !mechanism.is_guided_alone(point),
             };
-            let force = state.joint_force(link, point).filter(|_| is_told);
+            let force = state.joint_force(link, point).filter(|_| is_shown);
             found.forces.extend(state.position(point).zip(force));
         }
     }
 }
 
-fn guides(mechanism: &Mechanism, state: &State, found: &mut Found) {
+fn guides(mechanism: &Mechanism, state: &State, found: &mut StateForces) {
     for (id, slide) in mechanism.slide_ids().zip(mechanism.slides()) {
         if let (Some(normal), Some(travel)) = (state.normal(id), state.travel(id)) {
             let at = state.position(slide.slider.point());
@@ -151,7 +151,7 @@ fn guides(mechanism: &Mechanism, state: &State, found: &mut Found) {
 }
 
 /// Adds the driver's moment about its pivot, or its force along its guide.
-fn drive(mechanism: &Mechanism, state: &State, found: &mut Found) {
+fn drive(mechanism: &Mechanism, state: &State, found: &mut StateForces) {
     let Some(drive) = state.drive() else { return };
     match mechanism.driver().input {
         Input::Turn(link) => {
@@ -167,7 +167,7 @@ fn drive(mechanism: &Mechanism, state: &State, found: &mut Found) {
 }
 
 /// Adds the loads at points and on links. Springs are drawn as springs and get no arrows.
-fn loads(mechanism: &Mechanism, solver: &Solver, state: &State, found: &mut Found) {
+fn loads(mechanism: &Mechanism, solver: &Solver, state: &State, found: &mut StateForces) {
     for (load, acted) in mechanism.loads().iter().zip(solver.acted(state)) {
         if load.ends().is_some() {
             continue;
@@ -209,14 +209,14 @@ pub(super) fn rounded(size: f64) -> String {
 mod tests {
     use super::*;
     use crate::drawing::tests::stage::DrawingStage;
-    use crate::drawing::{Glyphs, Layers, Overlay, Raster, Wanted, linkage, render};
+    use crate::drawing::{Glyphs, Layers, Overlay, OverlayRequest, Raster, linkage, render};
     use crate::scene::presets;
     use crate::solver::testing::falsified;
 
     fn forces(stage: &DrawingStage) -> Overlay {
-        stage.overlay(&Wanted {
+        stage.overlay(&OverlayRequest {
             forces: true,
-            ..Wanted::default()
+            ..OverlayRequest::default()
         })
     }
 
@@ -275,10 +275,10 @@ mod tests {
         scales.push(load.norm() / 500.0);
         let spread = scales.iter().map(|s| (s / scales[0] - 1.0).abs());
         assert!(spread.fold(0.0, f64::max) < 1e-9, "{scales:?}");
-        let told = sizes(&shapes);
+        let lines = sizes(&shapes);
         assert!(
-            told.contains(&"500 N") && told.contains(&"6.45 N m"),
-            "{told:?}"
+            lines.contains(&"500 N") && lines.contains(&"6.45 N m"),
+            "{lines:?}"
         );
     }
 
@@ -335,10 +335,10 @@ mod tests {
         let state = stage.state(stage.scene.mechanism.driver().start);
         let mut slides = stage.scene.mechanism.slide_ids();
         let moment = slides.find_map(|slide| state.moment(slide)).unwrap();
-        let told = format!("{} N m", rounded(moment.abs()));
+        let shown_text = format!("{} N m", rounded(moment.abs()));
         assert!(
-            sizes(&added(&stage, &state)).contains(&told.as_str()),
-            "{told}"
+            sizes(&added(&stage, &state)).contains(&shown_text.as_str()),
+            "{shown_text}"
         );
     }
 
@@ -374,14 +374,14 @@ mod tests {
             let mut figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
             let (scene, solver) = (&stage.scene, &stage.solver);
             overlay.add_to(&mut figure, scene, solver, &state, 1.0);
-            let mut bare = Figure::new();
+            let mut plain = Figure::new();
             let kept = figure.shapes().iter().filter(|shape| !is_size(shape));
-            kept.for_each(|shape| bare.add(shape.clone()));
-            let reach = overlay.reach(&stage.reach).unwrap_or(stage.reach);
+            kept.for_each(|shape| plain.add(shape.clone()));
+            let extents = overlay.extents(&stage.reach).unwrap_or(stage.reach);
             for (cols, rows) in [(46, 18), (80, 24), (120, 40)] {
-                let view = WorldView::fit(&reach, cols, rows, 2.0);
+                let view = WorldView::fit(&extents, cols, rows, 2.0);
                 let [with, without] =
-                    [&figure, &bare].map(|figure| render(figure, &view, Glyphs::Ascii));
+                    [&figure, &plain].map(|figure| render(figure, &view, Glyphs::Ascii));
                 let count = |raster: &Raster, is: &dyn Fn(Role) -> bool| {
                     let cells = raster.lines().flatten();
                     cells.filter(|cell| is(cell.role)).count()

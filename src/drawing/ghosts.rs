@@ -28,7 +28,9 @@ pub(super) fn add_moved(
     let size = points()
         .map(|p| now.position(p).norm())
         .fold(f64::MIN_POSITIVE, f64::max);
-    let moved = |m: &Member| (now.position(m.point) - other.position(m.point)).norm() > SEEN * size;
+    let moved = |m: &Member| {
+        (now.position(m.point) - other.position(m.point)).norm() > SAME_PLACE_DISTANCE * size
+    };
     let roles = roles(mechanism);
     for link in mechanism.links() {
         let solid = || link.members.iter().filter(|m| link.com != Some(m.point));
@@ -83,4 +85,4 @@ pub fn add_other(figure: &mut Figure, scene: &Scene, state: &State, scale: f64) 
 }
 
 /// The distance below which two places look the same, as a fraction of the largest coordinate.
-const SEEN: f64 = 1e-6;
+const SAME_PLACE_DISTANCE: f64 = 1e-6;

@@ -118,12 +118,12 @@ const OVER_ARROW: i32 = 9;
 /// Cost per character that hides part of the ground or of a guide.
 const OVER_GROUND: i32 = 3;
 /// Cost of a mark directly before or after the label.
-const TOUCHING: i32 = 5;
+const MARK_COST: i32 = 5;
 /// Cost of a line directly before or after the label.
-const BESIDE_LINE: i32 = 3;
+const LINE_COST: i32 = 3;
 /// Maximum cost of a label. A more expensive one is left out, because it would hide more than it
 /// shows.
-const TOO_MUCH: i32 = 20;
+const MAX_COST: i32 = 20;
 /// Maximum cost if the names together are longer than the lines: only names in free space help
 /// then.
 const MAX_COST_CROWDED: i32 = 3;
@@ -142,7 +142,7 @@ impl Labels {
         let limit = if length > lines {
             MAX_COST_CROWDED
         } else {
-            TOO_MUCH
+            MAX_COST
         };
         let mut count = 0;
         for (at, text, role) in labels {
@@ -174,7 +174,7 @@ impl Labels {
 impl Labels {
     /// Returns the placed names of a figure, their points, and the column and row offsets of their
     /// first characters from the point's cell.
-    pub(super) fn standing<'f>(
+    pub(super) fn placed_names<'f>(
         &self,
         figure: &'f Figure,
         view: &WorldView,
@@ -203,15 +203,15 @@ fn names(figure: &Figure) -> impl Iterator<Item = (Vec2, &str, Role)> + Clone {
 fn write(raster: &mut Raster, col: i32, row: i32, text: &str, role: Role) {
     let mut end = col;
     for glyph in text.chars() {
-        raster.put(end, row, glyph, role);
+        raster.set_cell(end, row, glyph, role);
         end += 1;
     }
-    for beside in [col - 1, end] {
+    for nearby in [col - 1, end] {
         if raster
-            .cell(beside, row)
+            .cell(nearby, row)
             .is_some_and(|c| c.role == Role::Ground)
         {
-            raster.put(beside, row, CharCell::EMPTY.glyph, Role::Empty);
+            raster.set_cell(nearby, row, CharCell::EMPTY.glyph, Role::Empty);
         }
     }
 }
@@ -304,10 +304,10 @@ fn cover_for(
         let role = raster.cell(c, row).map_or(Role::Empty, |cell| cell.role);
         sum += match role {
             Role::Empty => 0,
-            role if role.is_mark() => TOUCHING,
+            role if role.is_mark() => MARK_COST,
             role if role.is_behind() && role != Role::Spring => 0,
-            role if role.is_body() => BESIDE_LINE,
-            Role::Spring | Role::Velocity | Role::Acceleration | Role::Force => BESIDE_LINE,
+            role if role.is_body() => LINE_COST,
+            Role::Spring | Role::Velocity | Role::Acceleration | Role::Force => LINE_COST,
             // `B` next to `C` would read as one name.
             _ => return None,
         };
@@ -338,7 +338,7 @@ impl Labels {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::{Glyphs, Reach, render, render_into};
+    use crate::drawing::{Extents, Glyphs, render, render_into};
     use proptest::prelude::*;
 
     const MARKS: [Role; 3] = [Role::Joint, Role::GroundPin, Role::Slider];
@@ -355,7 +355,7 @@ mod tests {
 
     fn view() -> WorldView {
         let corners = [Vec2::ZERO, Vec2::new(30.0, 10.0)];
-        WorldView::fit(&Reach::of_places(&corners, &[]), 40, 12, 2.0)
+        WorldView::fit(&Extents::of_places(&corners, &[]), 40, 12, 2.0)
     }
 
     fn count(raster: &Raster, role: Role) -> usize {
@@ -369,11 +369,11 @@ mod tests {
             points in prop::collection::vec((0.0..30.0, 0.0..10.0), 1..20),
         ) {
             let mut figure = Figure::new();
-            let places: Vec<_> = points.iter().map(|&(x, y)| Vec2::new(x, y)).collect();
-            places.iter().for_each(|&at| figure.add(mark(at)));
-            let bare = render(&figure, &view(), Glyphs::Ascii);
+            let positions: Vec<_> = points.iter().map(|&(x, y)| Vec2::new(x, y)).collect();
+            positions.iter().for_each(|&at| figure.add(mark(at)));
+            let plain = render(&figure, &view(), Glyphs::Ascii);
             let mut named = 0;
-            for &at in &places {
+            for &at in &positions {
                 let before = count(&render(&figure, &view(), Glyphs::Ascii), Role::Label);
                 figure.add(label(at, "Q7"));
                 let raster = render(&figure, &view(), Glyphs::Ascii);
@@ -381,7 +381,7 @@ mod tests {
                 prop_assert!(added == 0 || added == 2, "a name is whole or absent");
                 named += added;
                 for role in MARKS {
-                    prop_assert_eq!(count(&raster, role), count(&bare, role));
+                    prop_assert_eq!(count(&raster, role), count(&plain, role));
                 }
             }
             prop_assert!(named >= 2, "the first finds a place");
@@ -394,10 +394,10 @@ mod tests {
         let (from, to, role) = (Vec2::new(15.0, 5.0), Vec2::new(30.0, 10.0), Role::Link(0));
         figure.add(Shape::Line { from, to, role });
         figure.add(mark(from));
-        let bare = count(&render(&figure, &view(), Glyphs::Ascii), Role::Link(0));
+        let plain = count(&render(&figure, &view(), Glyphs::Ascii), Role::Link(0));
         figure.add(label(from, "name"));
         let raster = render(&figure, &view(), Glyphs::Ascii);
-        assert_eq!(count(&raster, Role::Link(0)), bare);
+        assert_eq!(count(&raster, Role::Link(0)), plain);
         assert_eq!(count(&raster, Role::Label), 4);
     }
 

@@ -78,7 +78,7 @@ pub fn legend_lines(
     keys: &[LegendEntry],
     glyphs: Glyphs,
     width: usize,
-    most: usize,
+    maximum: usize,
 ) -> Vec<Vec<LegendPiece>> {
     let mut lines: Vec<Vec<LegendPiece>> = Vec::new();
     let length =
@@ -89,12 +89,12 @@ pub fn legend_lines(
         if wanted > width {
             continue;
         }
-        let room = |line: &&mut Vec<LegendPiece>| length(line) + GAP.len() + wanted <= width;
-        if let Some(line) = lines.last_mut().filter(room) {
+        let space = |line: &&mut Vec<LegendPiece>| length(line) + GAP.len() + wanted <= width;
+        if let Some(line) = lines.last_mut().filter(space) {
             let (text, role) = (GAP.to_owned(), Role::Empty);
             line.push(LegendPiece { text, role });
             line.extend(pieces);
-        } else if lines.len() < most {
+        } else if lines.len() < maximum {
             lines.push(pieces);
         }
     }
@@ -106,8 +106,8 @@ pub fn legend_lines(
 fn round_up(value: f64) -> Option<f64> {
     let power = 10.0_f64.powf(value.log10().floor());
     let steps = [1.0, 2.0, 5.0, 10.0].map(|step| step * power);
-    let least = steps.into_iter().find(|&step| step >= value);
-    least.filter(|v| v.is_finite() && *v > 0.0)
+    let minimum = steps.into_iter().find(|&step| step >= value);
+    minimum.filter(|v| v.is_finite() && *v > 0.0)
 }
 
 /// Formats a round value without trailing zeros.
@@ -140,7 +140,8 @@ mod tests {
 
     #[test]
     fn legend_gives_scale_of_arrows() {
-        let shown = |glyphs, width, most| text(&legend_lines(&entries(), glyphs, width, most));
+        let shown =
+            |glyphs, width, maximum| text(&legend_lines(&entries(), glyphs, width, maximum));
         let velocity = "v 500 mm/s = ----->";
         let acceleration = "a 10000 mm/s^2 = -- >>";
         assert_eq!(

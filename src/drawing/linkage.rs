@@ -5,7 +5,7 @@ mod stops;
 use super::figure::{Figure, Role, Shape};
 use super::lit;
 use super::outline::{self, Corner};
-use super::reach::Reach;
+use super::reach::Extents;
 use super::roles::{link_roles, roles};
 use crate::quantity::Subject;
 use crate::scene::{Scene, Vector, VectorKind};
@@ -24,7 +24,7 @@ pub struct Layers {
     /// Centres of mass.
     pub centres: bool,
     /// The highlighted part, which is always named.
-    pub lit: Option<Subject>,
+    pub highlighted: Option<Subject>,
 }
 
 impl Default for Layers {
@@ -34,25 +34,25 @@ impl Default for Layers {
             points: true,
             links: false,
             centres: false,
-            lit: None,
+            highlighted: None,
         }
     }
 }
 
 /// Builds the figure of a scene in a state; only the ground if there is no assembly.
 #[must_use]
-pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> Figure {
+pub fn linkage(scene: &Scene, extents: &Extents, state: &State, layers: Layers) -> Figure {
     let assembled = state.condition() != Condition::NoAssembly;
-    let lit = layers
-        .lit
-        .and_then(|lit| lit::shown_as(lit, &scene.mechanism));
+    let highlighted = layers
+        .highlighted
+        .and_then(|highlighted| lit::shown_as(highlighted, &scene.mechanism));
     let mut sketch = LinkageSketch {
         roles: roles(&scene.mechanism),
         links: link_roles(&scene.mechanism),
-        lit,
+        highlighted,
         scene,
         mechanism: &scene.mechanism,
-        reach,
+        reach: extents,
         state: state.known(),
         layers,
         figure: Figure::new(),
@@ -66,7 +66,7 @@ pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> F
         sketch.marks(&[Role::CentreOfMass, Role::Rider]);
         sketch.slides();
         sketch.stops();
-        sketch.lit_line();
+        sketch.draw_highlighted_line();
         sketch.marks(&[Role::Joint]);
     }
     sketch.ground_pins();
@@ -84,10 +84,10 @@ struct LinkageSketch<'a> {
     /// Roles by link, without highlighting.
     links: Vec<Role>,
     /// The highlighted point, link or slide, or the line between two points.
-    lit: Option<Subject>,
+    highlighted: Option<Subject>,
     scene: &'a Scene,
     mechanism: &'a Mechanism,
-    reach: &'a Reach,
+    reach: &'a Extents,
     state: Known<'a>,
     layers: Layers,
     figure: Figure,
@@ -102,7 +102,7 @@ impl LinkageSketch<'_> {
             let overhang = 0.04 * self.reach.bounds().size().norm();
             let from = slide.through + slide.direction() * (low - overhang);
             let to = slide.through + slide.direction() * (high + overhang);
-            let role = self.lit_or(Role::Guide, Subject::Slide(id));
+            let role = self.highlight_or(Role::Guide, Subject::Slide(id));
             self.figure.add(Shape::Guide { from, to, role });
             if self.layers.ground {
                 self.figure.add(self.hatching(from, to));
@@ -146,7 +146,7 @@ impl LinkageSketch<'_> {
     }
 
     fn link_role(&self, id: LinkId) -> Role {
-        self.lit_or(self.links[id.index()], Subject::Link(id))
+        self.highlight_or(self.links[id.index()], Subject::Link(id))
     }
 
     fn springs(&mut self) {
@@ -186,9 +186,9 @@ impl LinkageSketch<'_> {
             };
             let along = self.state.travel(id).guide;
             self.figure.add(Shape::Block { at, along });
-            let role = self.lit_or(Role::Slider, Subject::Slide(id));
+            let role = self.highlight_or(Role::Slider, Subject::Slide(id));
             let point = slide.slider.point();
-            let is_lit = role == Role::Lit || self.lit == Some(Subject::Point(point));
+            let is_lit = role == Role::Lit || self.highlighted == Some(Subject::Point(point));
             if (has_pin || is_lit) && !self.is_driven(point) {
                 self.mark(point, at, role);
             }
@@ -220,7 +220,7 @@ impl LinkageSketch<'_> {
             if let Some(input) = self.input_at(id) {
                 let role = match input {
                     Input::Turn(_) => Role::DriverPin,
-                    Input::Push(slide) => self.lit_or(Role::DriverPin, Subject::Slide(slide)),
+                    Input::Push(slide) => self.highlight_or(Role::DriverPin, Subject::Slide(slide)),
                 };
                 self.mark(id, self.state.position(id), role);
             }
@@ -240,9 +240,9 @@ impl LinkageSketch<'_> {
         if let Some((low, high)) = self.reach.travel(id) {
             let (from, to) = (self.on_guide(id, low), self.on_guide(id, high));
             let role = self.link_role(on);
-            let bare = outline::beyond(&self.body(on), from, to);
-            let stands_apart = bare == [(from, to)];
-            for (from, to) in bare {
+            let plain = outline::beyond(&self.body(on), from, to);
+            let stands_apart = plain == [(from, to)];
+            for (from, to) in plain {
                 self.figure.add(Shape::Line { from, to, role });
             }
             if stands_apart {
@@ -260,8 +260,8 @@ impl LinkageSketch<'_> {
         let along = members.filter_map(|m| {
             let offset = m.local - slide.through;
             let position = offset.dot(slide.direction());
-            let beside = offset.cross(slide.direction()).abs();
-            (position > 0.0 && position <= shortest && beside < 1e-3 * position).then_some(position)
+            let nearby = offset.cross(slide.direction()).abs();
+            (position > 0.0 && position <= shortest && nearby < 1e-3 * position).then_some(position)
         });
         let mouth = along.fold(0.0, f64::max);
         let mouth = if mouth > 0.0 { mouth } else { 0.85 * shortest };
@@ -272,12 +272,12 @@ impl LinkageSketch<'_> {
     fn cylinder(&mut self, id: SlideId, on: LinkId, mouth: f64) {
         let (foot, rim) = (self.on_guide(id, 0.0), self.on_guide(id, mouth));
         let eye = self.state.position(self.mechanism.slide(id).slider.point());
-        let role = self.lit_or(Role::Driver, Subject::Slide(id));
+        let role = self.highlight_or(Role::Driver, Subject::Slide(id));
         let (from, to) = (rim, eye);
         self.figure.add(Shape::Rod { from, to, role });
         let role = match role {
             Role::Lit => role,
-            _ => self.lit_or(role, Subject::Link(on)),
+            _ => self.highlight_or(role, Subject::Link(on)),
         };
         let (from, to) = (foot, rim);
         self.figure.add(Shape::Barrel { from, to, role });
@@ -306,7 +306,7 @@ impl LinkageSketch<'_> {
         for &shown in roles {
             for id in self.mechanism.point_ids() {
                 let role = self.roles[id.index()];
-                let is_lit = self.lit == Some(Subject::Point(id));
+                let is_lit = self.highlighted == Some(Subject::Point(id));
                 let is_shown = self.layers.centres || role != Role::CentreOfMass || is_lit;
                 if role == shown && is_shown && !self.is_driven(id) {
                     self.mark(id, self.state.position(id), role);
@@ -316,22 +316,22 @@ impl LinkageSketch<'_> {
     }
 
     fn mark(&mut self, point: PointId, at: Vec2, role: Role) {
-        let role = self.lit_or(role, Subject::Point(point));
+        let role = self.highlight_or(role, Subject::Point(point));
         self.figure.add(Shape::Mark { at, role });
     }
 
     /// Returns the highlight role if `part` is highlighted, or else `role`.
-    fn lit_or(&self, role: Role, part: Subject) -> Role {
-        match self.lit {
-            Some(lit) if lit == part => Role::Lit,
+    fn highlight_or(&self, role: Role, part: Subject) -> Role {
+        match self.highlighted {
+            Some(highlighted) if highlighted == part => Role::Lit,
             _ => role,
         }
     }
 
     /// Draws a highlighted line that is not part of the drawing: a vector between two points, or
     /// the vector of a slide on a moving link.
-    fn lit_line(&mut self) {
-        let ends = match self.lit {
+    fn draw_highlighted_line(&mut self) {
+        let ends = match self.highlighted {
             Some(Subject::Between(from, to)) => {
                 Some([from, to].map(|point| self.state.position(point)))
             }
@@ -374,8 +374,8 @@ impl LinkageSketch<'_> {
 
     /// Adds the name of a part if it is wanted or highlighted; a highlighted name is in brackets.
     fn name(&mut self, part: Subject, is_wanted: bool, at: Vec2, name: &str, role: Role) {
-        let (text, role) = match self.lit {
-            Some(lit) if lit == part => (lit::bracketed(name), Role::Lit),
+        let (text, role) = match self.highlighted {
+            Some(highlighted) if highlighted == part => (lit::bracketed(name), Role::Lit),
             _ if is_wanted => (name.to_owned(), role),
             _ => return,
         };
@@ -384,7 +384,7 @@ impl LinkageSketch<'_> {
 
     fn name_of_lit_line(&mut self) {
         let scene = self.scene;
-        let (at, name) = match self.lit {
+        let (at, name) = match self.highlighted {
             Some(Subject::Slide(id)) => {
                 let slider = self.mechanism.slide(id).slider.point();
                 (self.state.position(slider), scene.slide_name(id))
@@ -397,8 +397,8 @@ impl LinkageSketch<'_> {
             }
             _ => return,
         };
-        if let (Some(lit), false) = (self.lit, name.is_empty()) {
-            self.name(lit, true, at, name, Role::Label);
+        if let (Some(highlighted), false) = (self.highlighted, name.is_empty()) {
+            self.name(highlighted, true, at, name, Role::Label);
         }
     }
 }

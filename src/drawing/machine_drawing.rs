@@ -3,7 +3,7 @@
 use super::dxf::{DxfDocument, DxfLayer};
 use super::outline::hull;
 use super::overlay::Overlay;
-use super::reach::Reach;
+use super::reach::Extents;
 use crate::scene::{Scene, Unit};
 use crate::solver::{Known, State};
 use crate::{Body, Link, LinkId, Mechanism, PointId, SlideId, Vec2};
@@ -18,13 +18,18 @@ const LETTERS: f64 = 0.02;
 /// Each link has a layer of its name. Further layers are `ground` (pivots and guides), `joints` (a
 /// circle for every pin, a point for any other point), `paths` and `names`.
 #[must_use]
-pub fn machine_drawing(scene: &Scene, reach: &Reach, state: &State, overlay: &Overlay) -> String {
+pub fn machine_drawing(
+    scene: &Scene,
+    extents: &Extents,
+    state: &State,
+    overlay: &Overlay,
+) -> String {
     let mut drawing = MachineDrawing {
         mechanism: &scene.mechanism,
-        reach,
+        reach: extents,
         state: state.known(),
         millimetres: scene.unit.in_units_of(Unit::Millimetre),
-        diagonal: reach.bounds().size().norm(),
+        diagonal: extents.bounds().size().norm(),
         document: DxfDocument::default(),
     };
     let links: Vec<(LinkId, DxfLayer)> = scene
@@ -53,7 +58,7 @@ pub fn machine_drawing(scene: &Scene, reach: &Reach, state: &State, overlay: &Ov
 
 struct MachineDrawing<'a> {
     mechanism: &'a Mechanism,
-    reach: &'a Reach,
+    reach: &'a Extents,
     state: Known<'a>,
     /// Millimetres per unit of length of the scene.
     millimetres: f64,
@@ -63,8 +68,8 @@ struct MachineDrawing<'a> {
 }
 
 impl MachineDrawing<'_> {
-    fn on_paper(&self, place: Vec2) -> Vec2 {
-        place * self.millimetres
+    fn on_paper(&self, position: Vec2) -> Vec2 {
+        position * self.millimetres
     }
 
     fn place(&self, point: PointId) -> Vec2 {
@@ -96,8 +101,8 @@ impl MachineDrawing<'_> {
     }
 
     fn name(&mut self, layer: DxfLayer, point: PointId, name: &str) {
-        let beside = Vec2::new(LETTERS, LETTERS) * self.diagonal;
-        let at = self.on_paper(self.state.position(point) + beside);
+        let nearby = Vec2::new(LETTERS, LETTERS) * self.diagonal;
+        let at = self.on_paper(self.state.position(point) + nearby);
         let height = LETTERS * self.diagonal * self.millimetres;
         self.document.text(layer, at, height, name);
     }

@@ -8,7 +8,7 @@
 //! terminal: a raster is printed as text, or copied cell by cell.
 //!
 //! ```
-//! use krank::drawing::{Glyphs, Layers, Reach, WorldView, linkage, render};
+//! use krank::drawing::{Glyphs, Layers, Extents, WorldView, linkage, render};
 //! use krank::scene::{Scene, presets};
 //! use krank::solver::{Order, Solver};
 //!
@@ -16,7 +16,7 @@
 //! let scene = Scene::parse(preset.text, preset.name)?;
 //! let solver = Solver::new(&scene.mechanism)?;
 //! // Once for a scene, and once for a size: the window holds the whole motion, so it never jumps.
-//! let reach = Reach::of(&scene, &solver);
+//! let reach = Extents::of(&scene, &solver);
 //! let view = WorldView::fit(&reach, 80, 24, 2.0);
 //!
 //! let mut state = solver.state();
@@ -81,12 +81,12 @@ pub use labels::Labels;
 pub use legend::{LegendEntry, LegendPiece, legend_lines};
 pub use linkage::{Layers, linkage};
 pub use machine_drawing::machine_drawing;
-pub use overlay::{Overlay, Wanted};
+pub use overlay::{Overlay, OverlayRequest};
 pub use picture::{COLUMN, artwork, svg, svg_on};
 pub use plot::{Chart, Datum, DecadeAxis};
 pub use points::{moving_points, usual_arrows, usual_traces};
 pub use raster::{CharCell, Raster};
-pub use reach::Reach;
+pub use reach::Extents;
 pub use render::{Glyphs, render, render_into};
 pub use roles::{link_roles, vector_roles};
 pub use trade_off::trade_off;

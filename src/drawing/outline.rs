@@ -53,11 +53,11 @@ fn lines(points: &[Corner]) -> Vec<(Vec2, Vec2)> {
 pub(super) fn beyond(points: &[Corner], from: Vec2, to: Vec2) -> Vec<(Vec2, Vec2)> {
     let along = to - from;
     let length = along.norm();
-    let beside = |p: Vec2| (p - from).cross(along).abs() > FLAT * length * length;
+    let nearby = |p: Vec2| (p - from).cross(along).abs() > FLAT * length * length;
     let share = |p: Vec2| (p - from).dot(along) / along.norm2();
     let mut covered: Vec<(f64, f64)> = lines(points)
         .into_iter()
-        .filter(|&(a, b)| !(beside(a) || beside(b)))
+        .filter(|&(a, b)| !(nearby(a) || nearby(b)))
         .map(|(a, b)| (share(a).min(share(b)), share(a).max(share(b))))
         .collect();
     covered.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -68,16 +68,16 @@ pub(super) fn beyond(points: &[Corner], from: Vec2, to: Vec2) -> Vec<(Vec2, Vec2
         return vec![(from, to)];
     }
     covered.push((1.0, 1.0));
-    let mut bare = Vec::new();
+    let mut plain = Vec::new();
     let mut reached = 0.0_f64;
     for (start, end) in covered {
         let start = start.min(1.0);
         if start > reached + FLAT {
-            bare.push((from + along * reached, from + along * start));
+            plain.push((from + along * reached, from + along * start));
         }
         reached = reached.max(end);
     }
-    bare
+    plain
 }
 
 /// Returns the lines of a link in addition to its hull's outline; for collinear points, all lines.

@@ -7,7 +7,7 @@ use super::figure::{Figure, Role, Shape};
 use super::force_arrows::ForceArrows;
 use super::ghosts::add_moved;
 use super::legend::LegendEntry;
-use super::reach::Reach;
+use super::reach::Extents;
 use super::scale::{self, ArrowScale, MovingArrow};
 use super::view::WorldView;
 use crate::scene::Scene;
@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 /// The parts of an overlay to compute; none by default.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Wanted {
+pub struct OverlayRequest {
     /// The points with traces.
     pub traces: Vec<PointId>,
     /// The points with velocity arrows.
@@ -32,13 +32,13 @@ pub struct Wanted {
     pub is_timed: bool,
 }
 
-impl Wanted {
+impl OverlayRequest {
     /// Returns `true` if no part is requested.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        let none = Wanted {
+        let none = OverlayRequest {
             is_timed: self.is_timed,
-            ..Wanted::default()
+            ..OverlayRequest::default()
         };
         *self == none
     }
@@ -74,7 +74,12 @@ struct Arrows {
 impl Overlay {
     /// Computes the requested overlay: solves the motion once, to the required order.
     #[must_use]
-    pub fn of(scene: &Scene, solver: &Solver, reach: &Reach, wanted: &Wanted) -> Overlay {
+    pub fn of(
+        scene: &Scene,
+        solver: &Solver,
+        extents: &Extents,
+        wanted: &OverlayRequest,
+    ) -> Overlay {
         let mut overlay = Overlay {
             unit: scene.unit.symbol(),
             count: scene.mechanism.points().len(),
@@ -84,11 +89,11 @@ impl Overlay {
             && wanted.velocities.is_empty()
             && wanted.accelerations.is_empty())
         {
-            overlay.follow(scene, solver, reach, wanted);
+            overlay.follow(scene, solver, extents, wanted);
         }
         if wanted.forces {
             let course = paced_course(scene, solver, wanted.is_timed);
-            overlay.forces = ForceArrows::of((scene, solver), course, reach, &mut overlay.tips);
+            overlay.forces = ForceArrows::of((scene, solver), course, extents, &mut overlay.tips);
         }
         overlay.ghosts = ghosts(scene, solver, wanted.ghosts);
         overlay
@@ -99,7 +104,13 @@ impl Overlay {
         &self.traces
     }
 
-    fn follow(&mut self, scene: &Scene, solver: &Solver, reach: &Reach, wanted: &Wanted) {
+    fn follow(
+        &mut self,
+        scene: &Scene,
+        solver: &Solver,
+        extents: &Extents,
+        wanted: &OverlayRequest,
+    ) {
         let mut traces = vec![Vec::new(); wanted.traces.len()];
         let mut rates = [Vec::new(), Vec::new()];
         let mut state = solver.state();
@@ -107,8 +118,8 @@ impl Overlay {
             self.traced.clone_from(&wanted.traces);
             self.course = Some(Course::of(scene, solver));
         }
-        for stand in course(scene, solver).filter(|_| !wanted.traces.is_empty()) {
-            let _ = stand.solve(solver, Order::Position, &mut state);
+        for driver_state in course(scene, solver).filter(|_| !wanted.traces.is_empty()) {
+            let _ = driver_state.solve(solver, Order::Position, &mut state);
             for (trace, &point) in traces.iter_mut().zip(&wanted.traces) {
                 trace.push(state.known().position(point));
             }
@@ -121,10 +132,13 @@ impl Overlay {
             (false, true) => Order::Velocity,
             (_, false) => Order::Acceleration,
         };
-        let stands =
+        let driver_states =
             (order > Order::Position).then(|| paced_course(scene, solver, wanted.is_timed));
-        for stand in stands.into_iter().flatten() {
-            let (at, condition) = (stand.at, stand.solve(solver, order, &mut state));
+        for driver_state in driver_states.into_iter().flatten() {
+            let (at, condition) = (
+                driver_state.at,
+                driver_state.solve(solver, order, &mut state),
+            );
             if has_rates(condition) {
                 let state = state.known();
                 let from = |p: &PointId| state.position(*p);
@@ -135,7 +149,7 @@ impl Overlay {
             }
         }
         self.traces = traces.into_iter().map(Arc::from).collect();
-        let longest = scale::longest(reach);
+        let longest = scale::longest(extents);
         let [velocities, accelerations] = rates;
         let mut arrows = |points: &[PointId], rates: &[MovingArrow]| Arrows {
             points: points.to_vec(),
@@ -147,8 +161,8 @@ impl Overlay {
 
     /// Returns the extents enlarged by the tips of all arrows; `None` if there are no arrows.
     #[must_use]
-    pub fn reach(&self, reach: &Reach) -> Option<Reach> {
-        (!self.tips.is_empty()).then(|| reach.with_arrows(&self.tips))
+    pub fn extents(&self, extents: &Extents) -> Option<Extents> {
+        (!self.tips.is_empty()).then(|| extents.with_arrows(&self.tips))
     }
 
     /// Adds the overlay to the figure of the linkage in a state. Arrows keep their size on a
@@ -277,9 +291,9 @@ mod tests {
     use crate::solver::Range;
 
     /// Requests all parts of an overlay.
-    fn everything(stage: &DrawingStage) -> Wanted {
+    fn everything(stage: &DrawingStage) -> OverlayRequest {
         let points = usual_arrows(&stage.scene.mechanism);
-        Wanted {
+        OverlayRequest {
             traces: usual_traces(&stage.scene),
             velocities: points.clone(),
             accelerations: points,
@@ -304,9 +318,9 @@ mod tests {
         let stage = DrawingStage::preset("hoecken");
         let traces_of = usual_traces(&stage.scene);
         assert_eq!(stage.names(&traces_of), ["P"]);
-        let overlay = stage.overlay(&Wanted {
+        let overlay = stage.overlay(&OverlayRequest {
             traces: traces_of,
-            ..Wanted::default()
+            ..OverlayRequest::default()
         });
         let mut figure = Figure::new();
         let state = stage.solver.state();
@@ -336,9 +350,9 @@ mod tests {
         for stage in DrawingStage::presets() {
             let points = usual_traces(&stage.scene);
             assert!(!points.is_empty(), "{}", stage.name);
-            let overlay = stage.overlay(&Wanted {
+            let overlay = stage.overlay(&OverlayRequest {
                 traces: points.clone(),
-                ..Wanted::default()
+                ..OverlayRequest::default()
             });
             let start = stage.scene.mechanism.driver().start;
             let mut state = stage.solver.state();
@@ -375,9 +389,9 @@ mod tests {
     fn arrow_scale_is_constant_over_motion() {
         let stage = DrawingStage::preset("four-bar");
         let b = moving_points(&stage.scene.mechanism).next().unwrap();
-        let overlay = stage.overlay(&Wanted {
+        let overlay = stage.overlay(&OverlayRequest {
             velocities: vec![b],
-            ..Wanted::default()
+            ..OverlayRequest::default()
         });
         let mut state = stage.solver.state();
         for at in [0.0, 60.0, 200.0] {
@@ -459,18 +473,18 @@ mod tests {
     fn arrow_tips_stay_inside_view() {
         for stage in DrawingStage::presets() {
             let overlay = stage.overlay(&everything(&stage));
-            let reach = overlay.reach(&stage.reach).expect("something moves");
-            let whole = WorldView::fit(&reach, 80, 24, 2.0);
+            let extents = overlay.extents(&stage.reach).expect("something moves");
+            let complete = WorldView::fit(&extents, 80, 24, 2.0);
             let mut state = stage.solver.state();
             for DriverState { at, .. } in course(&stage.scene, &stage.solver).step_by(31) {
                 let _ = stage.solver.solve(at, Order::Acceleration, &mut state);
-                let along = WorldView::along(&reach, at, 80, 24, 2.0);
-                let pose = WorldView::pose(&reach, at, 80, 24, 2.0);
+                let along = WorldView::along(&extents, at, 80, 24, 2.0);
+                let pose = WorldView::pose(&extents, at, 80, 24, 2.0);
                 let mut figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
                 overlay.add_to(&mut figure, &stage.scene, &stage.solver, &state, 1.0);
                 for shape in figure.shapes() {
                     if let Shape::Arrow { to, .. } = *shape {
-                        for view in [whole, along, pose] {
+                        for view in [complete, along, pose] {
                             let tip = view.cell(to);
                             let inside =
                                 (0.0..80.0).contains(&tip.x) && (0.0..24.0).contains(&tip.y);
@@ -517,9 +531,9 @@ mod tests {
     fn ghosts_are_spread_over_the_motion() {
         let count = |preset: &str, ghosts| {
             let stage = DrawingStage::preset(preset);
-            let wanted = Wanted {
+            let wanted = OverlayRequest {
                 ghosts,
-                ..Wanted::default()
+                ..OverlayRequest::default()
             };
             stage
                 .overlay(&wanted)

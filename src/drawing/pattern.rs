@@ -13,7 +13,7 @@ const CORE: f64 = 1.0;
 /// Squared radius of a disc, smaller than a ring because a coupler point is not a joint.
 const SMALL: f64 = 4.6;
 /// Half the size of a mark, in dots.
-const REACH: i32 = 3;
+const HALF_MARK: i32 = 3;
 
 /// Half the size of a block, in dots, along and across its guide.
 pub(super) const BLOCK: Vec2 = Vec2 { x: 6.0, y: 4.0 };
@@ -26,19 +26,27 @@ const TEETH: u32 = 8;
 const STRAIGHT: f64 = 0.15;
 
 /// A coordinate beyond any raster.
-const FAR: f64 = 1e6;
+const OFF_RASTER: f64 = 1e6;
 
 /// Returns the corner between four dots that is nearest to a point in cell coordinates, counted in
 /// dots. A point that is not a number gives a corner far outside.
 pub(super) fn corner(at: Vec2) -> (i32, i32) {
-    let index = |v: f64| if v.is_nan() { FAR } else { v.clamp(-FAR, FAR) }.round() as i32;
+    let index = |v: f64| {
+        if v.is_nan() {
+            OFF_RASTER
+        } else {
+            v.clamp(-OFF_RASTER, OFF_RASTER)
+        }
+        .round() as i32
+    };
     (index(at.x * FINE.x), index(at.y * FINE.y))
 }
 
 /// Returns the dots around a point, with their squared distances from it.
 fn around(at: Vec2) -> impl Iterator<Item = (i32, i32, f64)> {
     let (x, y) = corner(at);
-    let dots = (-REACH..REACH).flat_map(|dy| (-REACH..REACH).map(move |dx| (dx, dy)));
+    let dots =
+        (-HALF_MARK..HALF_MARK).flat_map(|dy| (-HALF_MARK..HALF_MARK).map(move |dx| (dx, dy)));
     dots.map(move |(dx, dy)| {
         let from = Vec2::new(f64::from(dx) + 0.5, f64::from(dy) + 0.5);
         (x + dx, y + dy, from.norm2())
@@ -76,9 +84,9 @@ pub(super) fn block(raster: &mut Raster, at: Vec2, along: Vec2, half: Vec2, role
     let reach = (half.x + half.y) as i32;
     for (dx, dy) in (-reach..reach).flat_map(|dy| (-reach..reach).map(move |dx| (dx, dy))) {
         let from = Vec2::new(f64::from(dx) + 0.5, f64::from(dy) + 0.5);
-        let (on, beside) = (from.dot(along).abs(), from.cross(along).abs());
-        if on < half.x && beside < half.y {
-            if on < half.x - 1.0 && beside < half.y - 1.0 {
+        let (on, nearby) = (from.dot(along).abs(), from.cross(along).abs());
+        if on < half.x && nearby < half.y {
+            if on < half.x - 1.0 && nearby < half.y - 1.0 {
                 stroke::clear(raster, x + dx, y + dy, role);
             } else {
                 stroke::dot(raster, x + dx, y + dy, role);
@@ -146,7 +154,7 @@ fn chord(corners: &[Vec2], y: f64) -> Option<(f64, f64)> {
 pub(super) fn zigzag(a: Vec2, b: Vec2, reach: f64) -> impl Iterator<Item = Vec2> {
     let along = b - a;
     let across = along.perp() * (reach / along.norm());
-    let begins = std::iter::once(a);
+    let starts = std::iter::once(a);
     let teeth = (0..=TEETH).map(move |k| {
         let share = STRAIGHT + (1.0 - 2.0 * STRAIGHT) * f64::from(k) / f64::from(TEETH);
         let side = match k {
@@ -156,7 +164,7 @@ pub(super) fn zigzag(a: Vec2, b: Vec2, reach: f64) -> impl Iterator<Item = Vec2>
         };
         a + along * share + across * side
     });
-    begins.chain(teeth).chain(std::iter::once(b))
+    starts.chain(teeth).chain(std::iter::once(b))
 }
 
 #[cfg(test)]
@@ -201,13 +209,13 @@ mod tests {
     fn plate_pattern_is_sparse_and_fixed_to_screen() {
         let corners = [(0.0, 0.0), (12.0, 0.0), (12.0, 5.0), (0.0, 5.0)];
         let corners = corners.map(|(x, y)| Vec2::new(x, y));
-        let whole = drawn(|raster| plate(raster, &corners, Role::Plate(0)));
-        assert_eq!(dots(&whole), 12 * 5);
+        let text = drawn(|raster| plate(raster, &corners, Role::Plate(0)));
+        assert_eq!(dots(&text), 12 * 5);
         let moved = corners.map(|c| c - Vec2::new(3.3, 0.0));
         let left = drawn(|raster| plate(raster, &moved, Role::Plate(0)));
-        for (one, other) in whole.lines().zip(left.lines()) {
+        for (one, other) in text.lines().zip(left.lines()) {
             let same = one.chars().zip(other.chars()).take_while(|(a, b)| a == b);
-            assert!(same.count() >= 8, "{whole}{left}");
+            assert!(same.count() >= 8, "{text}{left}");
         }
     }
 

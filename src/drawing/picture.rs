@@ -74,11 +74,11 @@ pub fn artwork(
         f64::from(view.rows()) * cell.y,
     );
     let below = if legend.is_empty() { 0.0 } else { LEGEND };
-    let whole = Vec2::new(size.x.max(1.0), (size.y + below).max(1.0));
+    let complete = Vec2::new(size.x.max(1.0), (size.y + below).max(1.0));
     let mut picture = Picture {
         view,
         cell,
-        art: Artwork::new(whole, title, STYLE),
+        art: Artwork::new(complete, title, STYLE),
     };
     for shape in draw_order(figure) {
         picture.shape(shape);
@@ -146,8 +146,8 @@ impl Picture<'_> {
             }
             Shape::Block { at, along } => self.block(at, along),
             Shape::Trace { ref course, role } => {
-                let places: Vec<Vec2> = course.iter().map(|&p| self.place(p)).collect();
-                self.art.polyline(fewer(&places), &class(role));
+                let positions: Vec<Vec2> = course.iter().map(|&p| self.place(p)).collect();
+                self.art.polyline(fewer(&positions), &class(role));
             }
             Shape::Arrow {
                 from,
@@ -199,8 +199,8 @@ impl Picture<'_> {
         // User units count downwards, so `perp` points to the right.
         let tooth = (unit.perp() - unit) * (TOOTH * FRAC_1_SQRT_2);
         // Limits the number of teeth of lines far larger than the paper.
-        let most = (self.art.size().norm() * 4.0 / TOOTH).min(10_000.0);
-        let count = (along.norm() / TOOTH).min(most).floor();
+        let maximum = (self.art.size().norm() * 4.0 / TOOTH).min(10_000.0);
+        let count = (along.norm() / TOOTH).min(maximum).floor();
         let places = std::iter::successors(Some(1.0), |k| Some(k + 1.0));
         let mut teeth = Vec::new();
         for k in places.take_while(|&k| k <= count) {
@@ -224,9 +224,9 @@ impl Picture<'_> {
             return;
         }
         let class = class(role);
-        for &(begin, end) in arrow::pieces(cut) {
+        for &(start, end) in arrow::pieces(cut) {
             self.art
-                .polyline([from + step * begin, from + step * end], &class);
+                .polyline([from + step * start, from + step * end], &class);
         }
         let back = unit(step) * HEAD;
         let side = back.perp() * 0.4;
@@ -234,8 +234,8 @@ impl Picture<'_> {
             Role::Acceleration => &[0.0, 0.8],
             _ => &[0.0],
         };
-        for &behind in heads {
-            let tip = to - back * behind;
+        for &after in heads {
+            let tip = to - back * after;
             let barbs = [tip - back + side, tip, tip - back - side];
             self.art.polyline(barbs, &format!("{class} head"));
         }
@@ -269,14 +269,14 @@ impl Picture<'_> {
     fn names(&mut self, figure: &Figure, labels: &mut Labels) {
         let mut raster = Raster::new();
         render_into(figure, self.view, Glyphs::Braille, labels, &mut raster);
-        for (text, point, col, row) in labels.standing(figure, self.view) {
+        for (text, point, col, row) in labels.placed_names(figure, self.view) {
             let away = Vec2::new(f64::from(col) - 0.5, f64::from(row) + 0.25);
             let away = Vec2::new(away.x * self.cell.x, away.y * self.cell.y);
             let at = self.place(point) + away;
-            let (size, room) = (self.art.size(), LETTER * text.chars().count() as f64);
-            let inside = |v: f64, least: f64, most: f64| v.min(most).max(least);
+            let (size, space) = (self.art.size(), LETTER * text.chars().count() as f64);
+            let inside = |v: f64, minimum: f64, maximum: f64| v.min(maximum).max(minimum);
             let at = Vec2::new(
-                inside(at.x, 1.0, size.x - room),
+                inside(at.x, 1.0, size.x - space),
                 inside(at.y, LINE, size.y - 0.3 * LINE),
             );
             self.art.text(at, TextAnchor::Start, "halo", text);
@@ -309,9 +309,9 @@ impl Picture<'_> {
 const OFF: f64 = 0.1;
 
 /// Returns the chain without invisible corners; gaps are kept.
-fn fewer(places: &[Vec2]) -> Vec<Vec2> {
+fn fewer(positions: &[Vec2]) -> Vec<Vec2> {
     let mut kept = Vec::new();
-    for run in places.split(|p| !p.is_finite()) {
+    for run in positions.split(|p| !p.is_finite()) {
         if !kept.is_empty() {
             kept.push(GAP);
         }
@@ -320,8 +320,8 @@ fn fewer(places: &[Vec2]) -> Vec<Vec2> {
             let chord = run[to] - run[from];
             let near = |p: &Vec2| (*p - run[from]).cross(chord).abs() <= OFF * chord.norm();
             // A reversal along the same line is a corner too.
-            let goes_on = (run[to - 1] - run[from]).norm() <= chord.norm();
-            if !(goes_on && run[from + 1..to].iter().all(near)) {
+            let continues = (run[to - 1] - run[from]).norm() <= chord.norm();
+            if !(continues && run[from + 1..to].iter().all(near)) {
                 kept.push(run[from]);
                 from = to - 1;
             }
@@ -346,7 +346,9 @@ fn unit(v: Vec2) -> Vec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::{Layers, Overlay, Reach, Wanted, linkage, usual_arrows, usual_traces};
+    use crate::drawing::{
+        Extents, Layers, Overlay, OverlayRequest, linkage, usual_arrows, usual_traces,
+    };
     use crate::scene::{Scene, presets};
     use crate::solver::{Order, Solver};
 
@@ -354,9 +356,9 @@ mod tests {
     fn document(text: &str, title: &str, zoom: f64) -> String {
         let scene = Scene::parse(text, "test").unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
-        let reach = Reach::of(&scene, &solver);
+        let extents = Extents::of(&scene, &solver);
         let points = usual_arrows(&scene.mechanism);
-        let wanted = Wanted {
+        let wanted = OverlayRequest {
             is_timed: false,
             traces: usual_traces(&scene),
             velocities: points.clone(),
@@ -364,7 +366,7 @@ mod tests {
             forces: true,
             ghosts: 3,
         };
-        let overlay = Overlay::of(&scene, &solver, &reach, &wanted);
+        let overlay = Overlay::of(&scene, &solver, &extents, &wanted);
         let mut state = solver.state();
         let _ = solver.solve(scene.mechanism.driver().start, Order::Force, &mut state);
         let layers = Layers {
@@ -372,9 +374,9 @@ mod tests {
             centres: true,
             ..Layers::default()
         };
-        let mut figure = linkage(&scene, &reach, &state, layers);
+        let mut figure = linkage(&scene, &extents, &state, layers);
         overlay.add_to(&mut figure, &scene, &solver, &state, zoom);
-        let view = WorldView::snug(50, |rows| WorldView::fit(&reach, 100, rows, 2.0))
+        let view = WorldView::lowest_window(50, |rows| WorldView::fit(&extents, 100, rows, 2.0))
             .zoomed(zoom, Vec2::ZERO);
         svg(&figure, &view, title, &overlay.legend(&view, zoom))
     }

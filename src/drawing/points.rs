@@ -35,8 +35,8 @@ pub fn usual_traces(scene: &Scene) -> Vec<PointId> {
         return scene.traces.clone();
     }
     let mechanism = &scene.mechanism;
-    let led = led_by_ground(mechanism);
-    let free = |id: &PointId| !led[id.index()];
+    let guided = grounded_links(mechanism);
+    let free = |id: &PointId| !guided[id.index()];
     let curves: Vec<PointId> = moving_points(mechanism)
         .filter(free)
         .take(MAX_TRACES)
@@ -50,22 +50,22 @@ pub fn usual_traces(scene: &Scene) -> Vec<PointId> {
 
 /// Returns, for every point, `true` if its link has a ground pin or slides along the ground, or if
 /// it slides along the ground itself.
-fn led_by_ground(mechanism: &Mechanism) -> Vec<bool> {
-    let mut led = vec![false; mechanism.points().len()];
+fn grounded_links(mechanism: &Mechanism) -> Vec<bool> {
+    let mut guided = vec![false; mechanism.points().len()];
     for link in mechanism.links() {
         let is_pinned = |p: PointId| mechanism.point(p).ground.is_some();
         if link.members.iter().any(|m| is_pinned(m.point)) {
             link.members
                 .iter()
-                .for_each(|m| led[m.point.index()] = true);
+                .for_each(|m| guided[m.point.index()] = true);
         }
     }
     for slide in mechanism.slides().iter().filter(|s| s.on == Body::Ground) {
-        led[slide.slider.point().index()] = true;
+        guided[slide.slider.point().index()] = true;
         if let Slider::Link { link, .. } = slide.slider {
             let members = mechanism.link(link).members.iter();
-            members.for_each(|m| led[m.point.index()] = true);
+            members.for_each(|m| guided[m.point.index()] = true);
         }
     }
-    led
+    guided
 }

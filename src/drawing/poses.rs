@@ -31,7 +31,7 @@ pub(super) struct Poses {
     /// The extents of the single pose at each place.
     alone: Vec<Bounds>,
     /// The smoothed extents that the window is fitted to at each place.
-    calm: Vec<Bounds>,
+    smoothed: Vec<Bounds>,
     /// The extents of arrow tips at each place; empty without arrows.
     tips: Vec<Bounds>,
 }
@@ -54,9 +54,9 @@ impl Poses {
             closed,
             ..Poses::default()
         };
-        let known = met.iter().filter(|(_, room)| !room.is_empty());
+        let known = met.iter().filter(|(_, space)| !space.is_empty());
         let met: Vec<(f64, Bounds)> = known
-            .filter_map(|&(at, room)| Some((poses.place(at)?, room)))
+            .filter_map(|&(at, space)| Some((poses.place(at)?, space)))
             .collect();
         if met.is_empty() {
             return Poses::default();
@@ -66,91 +66,91 @@ impl Poses {
             let nearest = met
                 .iter()
                 .min_by(|a, b| poses.far(a.0, place).total_cmp(&poses.far(b.0, place)));
-            nearest.map_or_else(Bounds::default, |&(_, room)| room)
+            nearest.map_or_else(Bounds::default, |&(_, space)| space)
         });
         let alone: Vec<Bounds> = alone.collect();
         let means = poses.means(&alone, NEARBY);
         // Extents between two places are interpolated, so each must contain every pose up to the
         // other.
-        let held = poses.gathered(&met, 1.0).into_iter().zip(&alone);
+        let held = poses.union_near(&met, 1.0).into_iter().zip(&alone);
         let beyond = held.zip(&means).map(|((held, alone), mean)| Bounds {
             low: (held.with(*alone).low - mean.low).map(|by| by.min(0.0)),
             high: (held.with(*alone).high - mean.high).map(|by| by.max(0.0)),
         });
         let beyond: Vec<Bounds> = beyond.collect();
-        let beyond = poses.means(&poses.most(&beyond, CLOSE), CLOSE);
-        let calm = means.iter().zip(&beyond).map(|(mean, beyond)| Bounds {
+        let beyond = poses.means(&poses.union_within(&beyond, CLOSE), CLOSE);
+        let smoothed = means.iter().zip(&beyond).map(|(mean, beyond)| Bounds {
             low: mean.low + beyond.low,
             high: mean.high + beyond.high,
         });
-        poses.calm = calm.collect();
+        poses.smoothed = smoothed.collect();
         poses.alone = alone;
         poses
     }
 
     /// Adds the extents of arrow tips at these coordinates.
     pub(super) fn with_tips(mut self, tips: &[(f64, Bounds)]) -> Poses {
-        if self.calm.is_empty() {
+        if self.smoothed.is_empty() {
             return self;
         }
-        let known = tips.iter().filter(|(_, room)| !room.is_empty());
-        let known = known.filter_map(|&(at, room)| Some((self.place(at)?, room)));
+        let known = tips.iter().filter(|(_, space)| !space.is_empty());
+        let known = known.filter_map(|&(at, space)| Some((self.place(at)?, space)));
         // One coordinate may have hundreds of arrows; their extents are united first.
         let mut met: Vec<(f64, Bounds)> = Vec::new();
-        for (place, room) in known {
+        for (place, space) in known {
             match met.last_mut() {
-                Some((last, all)) if *last == place => *all = all.with(room),
-                _ => met.push((place, room)),
+                Some((last, all)) if *last == place => *all = all.with(space),
+                _ => met.push((place, space)),
             }
         }
-        let held = self.gathered(&met, 1.0);
-        self.tips = self.means(&self.most(&held, CLOSE), CLOSE);
+        let held = self.union_near(&met, 1.0);
+        self.tips = self.means(&self.union_within(&held, CLOSE), CLOSE);
         self
     }
 
     /// Adds further extents at every place, as a function of the coordinate.
-    pub(super) fn beside(mut self, other: impl Fn(f64) -> Bounds) -> Poses {
-        for place in 0..self.calm.len() {
-            let there = other(self.coordinate(place as f64));
-            self.alone[place] = self.alone[place].with(there);
-            self.calm[place] = self.calm[place].with(there);
+    pub(super) fn with_extents(mut self, other: impl Fn(f64) -> Bounds) -> Poses {
+        for index in 0..self.smoothed.len() {
+            let there = other(self.coordinate(index as f64));
+            self.alone[index] = self.alone[index].with(there);
+            self.smoothed[index] = self.smoothed[index].with(there);
         }
         self
     }
 
     /// Returns for each place the union of the extents met within `near` places.
-    fn gathered(&self, met: &[(f64, Bounds)], near: f64) -> Vec<Bounds> {
-        let mut rooms = vec![Bounds::default(); PLACES + 1];
-        for &(at, room) in met {
-            for (place, gathered) in rooms.iter_mut().enumerate() {
-                if self.far(at, place as f64) <= near + 1e-9 {
-                    *gathered = gathered.with(room);
+    fn union_near(&self, met: &[(f64, Bounds)], near: f64) -> Vec<Bounds> {
+        let mut spaces = vec![Bounds::default(); PLACES + 1];
+        for &(at, space) in met {
+            for (index, gathered) in spaces.iter_mut().enumerate() {
+                if self.far(at, index as f64) <= near + 1e-9 {
+                    *gathered = gathered.with(space);
                 }
             }
         }
-        rooms
+        spaces
     }
 
     /// Returns for each place the union of extents within `near` places.
-    fn most(&self, rooms: &[Bounds], near: usize) -> Vec<Bounds> {
-        let met = rooms.iter().enumerate();
-        let met: Vec<(f64, Bounds)> = met.map(|(at, room)| (at as f64, *room)).collect();
-        self.gathered(&met, near as f64)
+    fn union_within(&self, spaces: &[Bounds], near: usize) -> Vec<Bounds> {
+        let met = spaces.iter().enumerate();
+        let met: Vec<(f64, Bounds)> = met.map(|(at, space)| (at as f64, *space)).collect();
+        self.union_near(&met, near as f64)
     }
 
     /// Returns for each place the mean of extents over `near` places on either side.
-    fn means(&self, rooms: &[Bounds], near: usize) -> Vec<Bounds> {
-        let mean = |place| mean(rooms, place, near, self.closed);
+    fn means(&self, spaces: &[Bounds], near: usize) -> Vec<Bounds> {
+        let mean = |index| mean(spaces, index, near, self.closed);
         (0..=PLACES).map(mean).collect()
     }
 
     /// Returns the distance of two places, cyclic for a closed motion.
     fn far(&self, a: f64, b: f64) -> f64 {
-        let apart = (a - b).abs();
+        let distance = (a - b).abs();
         if self.closed {
-            apart.min(PLACES as f64 - apart)
+            distance.min(PLACES as f64 - distance)
         } else {
-            apart
+            distance
         }
     }
 
@@ -162,7 +162,7 @@ impl Poses {
     /// Returns coordinates along the motion, each in the middle of one of `count` parts; none
     /// without a motion.
     pub(super) fn steps(&self, count: usize) -> impl Iterator<Item = f64> {
-        let count = if self.calm.is_empty() { 0 } else { count };
+        let count = if self.smoothed.is_empty() { 0 } else { count };
         let places = (0..count).map(move |k| (k as f64 + 0.5) / count as f64 * PLACES as f64);
         places.map(|place| self.coordinate(place))
     }
@@ -170,7 +170,7 @@ impl Poses {
     /// Returns how much of the motion lies before a coordinate, from 0 to 1; `None` without a
     /// motion.
     pub(super) fn share(&self, at: f64) -> Option<f64> {
-        self.calm.last()?;
+        self.smoothed.last()?;
         Some(self.place(at)? / PLACES as f64)
     }
 
@@ -197,8 +197,8 @@ impl Poses {
     }
 
     /// Returns the extents for a window at a coordinate; `None` if no pose of the motion is known.
-    pub(super) fn room(&self, at: f64) -> Option<PoseExtents> {
-        let last = self.calm.len().checked_sub(1)?;
+    pub(super) fn extents_at(&self, at: f64) -> Option<PoseExtents> {
+        let last = self.smoothed.len().checked_sub(1)?;
         let place = self.place(at)?;
         #[expect(
             clippy::cast_possible_truncation,
@@ -206,13 +206,13 @@ impl Poses {
             reason = "between 0 and the last place"
         )]
         let before = (place as usize).min(last);
-        let between = |rooms: &[Bounds]| {
-            let [from, to] = [before, (before + 1).min(last)].map(|at| rooms.get(at).copied());
+        let between = |spaces: &[Bounds]| {
+            let [from, to] = [before, (before + 1).min(last)].map(|at| spaces.get(at).copied());
             let [from, to] = [from, to].map(Option::unwrap_or_default);
             from.towards(to, place - before as f64)
         };
         Some(PoseExtents {
-            linkage: between(&self.calm),
+            linkage: between(&self.smoothed),
             tips: between(&self.tips),
         })
     }
@@ -220,15 +220,15 @@ impl Poses {
     /// Returns a sample of poses spread over the motion: the extents of each alone, and those for a
     /// window.
     pub(super) fn some(&self) -> impl Iterator<Item = (Bounds, PoseExtents)> {
-        let rooms = self
-            .calm
+        let spaces = self
+            .smoothed
             .iter()
             .enumerate()
-            .map(|(place, calm)| PoseExtents {
-                linkage: *calm,
-                tips: self.tips.get(place).copied().unwrap_or_default(),
+            .map(|(index, smoothed)| PoseExtents {
+                linkage: *smoothed,
+                tips: self.tips.get(index).copied().unwrap_or_default(),
             });
-        self.alone.iter().copied().zip(rooms).step_by(SOME)
+        self.alone.iter().copied().zip(spaces).step_by(SOME)
     }
 }
 
@@ -236,20 +236,20 @@ impl Poses {
 const SOME: usize = 4;
 
 /// Returns the mean of the extents around a place.
-fn mean(rooms: &[Bounds], place: usize, near: usize, closed: bool) -> Bounds {
+fn mean(spaces: &[Bounds], index: usize, near: usize, closed: bool) -> Bounds {
     let (mut low, mut high, mut count) = (Vec2::ZERO, Vec2::ZERO, 0.0);
     for k in 0..=2 * near {
         let there = if closed {
             // The last place equals the first.
-            Some((place + PLACES + k - near) % PLACES)
+            Some((index + PLACES + k - near) % PLACES)
         } else {
-            (place + k)
+            (index + k)
                 .checked_sub(near)
-                .filter(|&there| there < rooms.len())
+                .filter(|&there| there < spaces.len())
         };
-        if let Some(there) = there.filter(|&there| !rooms[there].is_empty()) {
-            low += rooms[there].low;
-            high += rooms[there].high;
+        if let Some(there) = there.filter(|&there| !spaces[there].is_empty()) {
+            low += spaces[there].low;
+            high += spaces[there].high;
             count += 1.0;
         }
     }
@@ -292,9 +292,9 @@ mod tests {
                 .collect();
             let poses = Poses::new([30.0, span], closed, &met);
             for &(at, pose) in &met {
-                let room = poses.room(at).expect("there are poses").linkage;
-                prop_assert!(room.low.x <= pose.low.x + 1e-9 && pose.high.x <= room.high.x + 1e-9);
-                prop_assert!(room.low.y <= pose.low.y + 1e-9 && pose.high.y <= room.high.y + 1e-9);
+                let space = poses.extents_at(at).expect("there are poses").linkage;
+                prop_assert!(space.low.x <= pose.low.x + 1e-9 && pose.high.x <= space.high.x + 1e-9);
+                prop_assert!(space.low.y <= pose.low.y + 1e-9 && pose.high.y <= space.high.y + 1e-9);
             }
         }
     }
@@ -304,20 +304,26 @@ mod tests {
         let met: Vec<(f64, Bounds)> = (0..=240)
             .map(|k| {
                 let at = f64::from(k) * 1.5;
-                let place = crate::angle::unit(at);
-                (at, point(place.x, place.y))
+                let position = crate::angle::unit(at);
+                (at, point(position.x, position.y))
             })
             .collect();
         let poses = Poses::new([0.0, 360.0], true, &met);
-        let (end, start) = (poses.room(359.999_999).unwrap(), poses.room(0.0).unwrap());
+        let (end, start) = (
+            poses.extents_at(359.999_999).unwrap(),
+            poses.extents_at(0.0).unwrap(),
+        );
         let (end, start) = (end.linkage, start.linkage);
         assert!((end.low - start.low).norm() < 1e-6);
-        let (again, first) = (poses.room(725.0).unwrap(), poses.room(5.0).unwrap());
+        let (again, first) = (
+            poses.extents_at(725.0).unwrap(),
+            poses.extents_at(5.0).unwrap(),
+        );
         let (again, first) = (again.linkage, first.linkage);
         assert!((again.low - first.low).norm() < 1e-9 && (again.high - first.high).norm() < 1e-9);
         for none in [Poses::default(), Poses::new([0.0, 1.0], false, &[])] {
-            assert_eq!(none.room(3.0), None);
+            assert_eq!(none.extents_at(3.0), None);
         }
-        assert_eq!(poses.room(f64::NAN), None);
+        assert_eq!(poses.extents_at(f64::NAN), None);
     }
 }

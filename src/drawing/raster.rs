@@ -67,7 +67,7 @@ impl Raster {
     }
 
     /// Sets a cell; does nothing outside.
-    pub(super) fn put(&mut self, col: i32, row: i32, glyph: char, role: Role) {
+    pub(super) fn set_cell(&mut self, col: i32, row: i32, glyph: char, role: Role) {
         if let Some(i) = self.index(col, row) {
             self.cells[i] = CharCell { glyph, role };
         }

@@ -2,7 +2,7 @@
 
 use super::bounds::Bounds;
 use super::poses::Poses;
-use super::view::Nearness;
+use super::view::WindowZoom;
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Range, Solver, State};
 use crate::{Body, SlideId, Vec2};
@@ -15,7 +15,7 @@ const SAMPLES: u16 = 240;
 /// The extents of a linkage over its whole motion. Views are fitted to them, and they determine the
 /// length of guides.
 #[derive(Clone, Debug)]
-pub struct Reach {
+pub struct Extents {
     /// The extents of all points in all states.
     moving: Bounds,
     /// The extents of the ground points.
@@ -32,7 +32,7 @@ pub struct Reach {
     /// The length of the longest name, in cells.
     name: f64,
     /// The zoom of following windows, cached for each size.
-    near: RefCell<Vec<Nearness>>,
+    near: RefCell<Vec<WindowZoom>>,
 }
 
 /// The cells to keep free around a part.
@@ -51,91 +51,91 @@ const MAX_SIZES: usize = 64;
 /// make the linkage small.
 const MAX_NAME_LEN: f64 = 4.0;
 
-impl Reach {
+impl Extents {
     /// Computes the extents of a scene, following its motion once.
     #[must_use]
-    pub fn of(scene: &Scene, solver: &Solver) -> Reach {
-        let mut reach = Reach::at_rest(scene);
+    pub fn of(scene: &Scene, solver: &Solver) -> Extents {
+        let mut extents = Extents::initial(scene);
         let mut state = solver.state();
         let mut met = Vec::new();
         let (low, high, closed) = ends(scene, solver);
         for at in samples(low, high, closed) {
             if solver.solve(at, Order::Position, &mut state) != Condition::NoAssembly {
-                met.push((at, reach.include(scene, &state)));
+                met.push((at, extents.include(scene, &state)));
             }
         }
-        reach.include_guides(scene);
-        reach.poses = Poses::new([low, high - low], closed, &met);
-        reach
+        extents.include_guides(scene);
+        extents.poses = Poses::new([low, high - low], closed, &met);
+        extents
     }
 
     /// Returns the extents enlarged by some more states.
     #[must_use]
-    pub fn with<'s>(&self, scene: &Scene, states: impl IntoIterator<Item = &'s State>) -> Reach {
-        let mut room = Bounds::default();
+    pub fn with<'s>(&self, scene: &Scene, states: impl IntoIterator<Item = &'s State>) -> Extents {
+        let mut space = Bounds::default();
         for state in states {
             for point in scene.mechanism.point_ids() {
-                room.include(state.known().position(point));
+                space.include(state.known().position(point));
             }
         }
-        let mut reach = self.anew();
-        reach.moving = reach.moving.with(room);
-        reach.poses = reach.poses.beside(|_| room);
-        reach
+        let mut extents = self.without_cache();
+        extents.moving = extents.moving.with(space);
+        extents.poses = extents.poses.with_extents(|_| space);
+        extents
     }
 
     /// Returns a copy with an empty cache.
-    fn anew(&self) -> Reach {
-        Reach {
+    fn without_cache(&self) -> Extents {
+        Extents {
             near: RefCell::default(),
             ..self.clone()
         }
     }
 
     /// Returns the extents enlarged by arrow tips. They belong to the drawing, not to the linkage,
-    /// and are not part of [`Reach::bounds`].
-    pub(super) fn with_arrows(&self, tips: &[(f64, Bounds)]) -> Reach {
-        let mut reach = self.anew();
+    /// and are not part of [`Extents::bounds`].
+    pub(super) fn with_arrows(&self, tips: &[(f64, Bounds)]) -> Extents {
+        let mut extents = self.without_cache();
         let all = tips.iter().map(|(_, tips)| *tips);
-        reach.arrows = all.fold(reach.arrows, Bounds::with);
-        reach.poses = reach.poses.with_tips(tips);
-        reach
+        extents.arrows = all.fold(extents.arrows, Bounds::with);
+        extents.poses = extents.poses.with_tips(tips);
+        extents
     }
 
     /// Returns the extents enlarged by some points drawn at the driver's coordinate `at`.
     #[must_use]
-    pub fn with_places(&self, at: f64, places: impl IntoIterator<Item = Vec2>) -> Reach {
-        let mut room = Bounds::default();
+    pub fn with_places(&self, at: f64, places: impl IntoIterator<Item = Vec2>) -> Extents {
+        let mut space = Bounds::default();
         let mut count = 0;
-        for place in places {
-            room.include(place);
+        for position in places {
+            space.include(position);
             count += 1;
         }
         match count {
             0 => self.clone(),
-            _ => self.with_arrows(&[(at, room)]),
+            _ => self.with_arrows(&[(at, space)]),
         }
     }
 
     /// Returns the extents enlarged by another scene at corresponding driver coordinates. `scale`
     /// converts its lengths to this scene's unit, and `driver` its driver coordinate.
     #[must_use]
-    pub fn beside(&self, other: &Reach, scale: f64, driver: f64) -> Reach {
-        let scaled = |room: Bounds| Bounds {
-            low: room.low * scale,
-            high: room.high * scale,
+    pub fn union(&self, other: &Extents, scale: f64, driver: f64) -> Extents {
+        let scaled = |space: Bounds| Bounds {
+            low: space.low * scale,
+            high: space.high * scale,
         };
-        let whole = scaled(other.bounds());
-        let mut reach = self.anew();
-        reach.moving = reach.moving.with(whole);
-        reach.poses = reach.poses.beside(|at| {
-            let room = other.poses.room(at / driver);
-            room.map_or(whole, |room| scaled(room.linkage))
+        let complete = scaled(other.bounds());
+        let mut extents = self.without_cache();
+        extents.moving = extents.moving.with(complete);
+        extents.poses = extents.poses.with_extents(|at| {
+            let space = other.poses.extents_at(at / driver);
+            space.map_or(complete, |space| scaled(space.linkage))
         });
-        reach
+        extents
     }
 
-    fn at_rest(scene: &Scene) -> Reach {
+    fn initial(scene: &Scene) -> Extents {
         let mechanism = &scene.mechanism;
         let mut ground = Bounds::default();
         let fixed = mechanism.points().iter().filter_map(|p| p.ground);
@@ -144,7 +144,7 @@ impl Reach {
         let longest = names.map(|n| n.chars().count()).max().unwrap_or(0);
         let on_ground = mechanism.slides().iter().find(|s| s.on == Body::Ground);
         let anchor = fixed.clone().next().or(on_ground.map(|s| s.through));
-        Reach {
+        Extents {
             moving: Bounds::default(),
             ground,
             guides: Bounds::default(),
@@ -211,8 +211,8 @@ impl Reach {
 
     /// Returns the extents for a window that follows the linkage: those of one part of the motion
     /// with its arrow tips. Guides may end outside.
-    pub(super) fn parts_near(&self, room: Bounds, tips: Bounds) -> [(Bounds, Margin); 4] {
-        self.parts_in([room, self.guides.within(room), tips], 0.0)
+    pub(super) fn parts_near(&self, space: Bounds, tips: Bounds) -> [(Bounds, Margin); 4] {
+        self.parts_in([space, self.guides.within(space), tips], 0.0)
     }
 
     fn parts_in(&self, [moving, guides, arrows]: [Bounds; 3], spare: f64) -> [(Bounds, Margin); 4] {
@@ -239,9 +239,9 @@ impl Reach {
     /// depends on the window's size alone.
     pub(super) fn nearness(
         &self,
-        is_it: impl Fn(&Nearness) -> bool,
-        find: impl FnOnce() -> Nearness,
-    ) -> Nearness {
+        is_it: impl Fn(&WindowZoom) -> bool,
+        find: impl FnOnce() -> WindowZoom,
+    ) -> WindowZoom {
         if let Some(known) = self.near.borrow().iter().find(|known| is_it(known)) {
             return *known;
         }
@@ -279,10 +279,10 @@ fn samples(low: f64, high: f64, closed: bool) -> impl Iterator<Item = f64> {
     })
 }
 
-impl Reach {
+impl Extents {
     /// Creates the extents of fixed points and of one point that takes the places `moving` over a
     /// turn, without a linkage.
-    pub(crate) fn of_places(moving: &[Vec2], ground: &[Vec2]) -> Reach {
+    pub(crate) fn of_places(moving: &[Vec2], ground: &[Vec2]) -> Extents {
         let around = |points: &[Vec2]| {
             let mut bounds = Bounds::default();
             points.iter().for_each(|&p| bounds.include(p));
@@ -293,7 +293,7 @@ impl Reach {
             (driver, around(&[at]))
         });
         let poses: Vec<(f64, Bounds)> = poses.collect();
-        Reach {
+        Extents {
             moving: around(moving),
             ground: around(ground),
             guides: Bounds::default(),

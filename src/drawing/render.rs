@@ -196,7 +196,7 @@ fn draw(symbols: &mut Symbols<'_>, shape: &Shape) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::Reach;
+    use crate::drawing::Extents;
     use proptest::prelude::*;
 
     fn place() -> impl Strategy<Value = Vec2> {
@@ -279,13 +279,13 @@ mod tests {
         ) {
             let mut figure = Figure::new();
             shapes.into_iter().for_each(|shape| figure.add(shape));
-            let reach = Reach::of_places(&points, &points);
-            let whole = WorldView::fit(&reach, cols, rows, 2.0);
+            let extents = Extents::of_places(&points, &points);
+            let complete = WorldView::fit(&extents, cols, rows, 2.0);
             let views = [
-                whole,
-                WorldView::along(&reach, at, cols, rows, 2.0),
-                WorldView::pose(&reach, at, cols, rows, 2.0),
-                whole.centred_on(centre),
+                complete,
+                WorldView::along(&extents, at, cols, rows, 2.0),
+                WorldView::pose(&extents, at, cols, rows, 2.0),
+                complete.centred_on(centre),
             ];
             let (mut labels, mut raster) = (Labels::default(), Raster::new());
             for view in views {
@@ -299,7 +299,7 @@ mod tests {
     /// Returns a view of 20 x 10 cells in which one unit of length is one column.
     fn view() -> WorldView {
         let corners = [Vec2::ZERO, Vec2::new(12.0, 10.0)];
-        WorldView::fit(&Reach::of_places(&corners, &[]), 20, 10, 2.0)
+        WorldView::fit(&Extents::of_places(&corners, &[]), 20, 10, 2.0)
     }
 
     fn line(from: Vec2, to: Vec2, role: Role) -> Shape {
@@ -363,7 +363,7 @@ mod tests {
         };
         let (rising, falling) = ((0.0, 0.0, 12.0, 10.0), (0.0, 10.0, 12.0, 0.0));
         let both = dots(&[rising, falling]);
-        let apart = dots(&[rising]).into_iter().zip(dots(&[falling]));
-        assert_eq!(both, apart.map(|(a, b)| a | b).collect::<Vec<_>>());
+        let distance = dots(&[rising]).into_iter().zip(dots(&[falling]));
+        assert_eq!(both, distance.map(|(a, b)| a | b).collect::<Vec<_>>());
     }
 }

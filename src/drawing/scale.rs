@@ -1,7 +1,7 @@
 //! Scales arrows by one factor over the whole motion.
 
 use super::bounds::Bounds;
-use super::reach::Reach;
+use super::reach::Extents;
 use crate::Vec2;
 
 /// The longest arrow as a fraction of the diagonal of all the linkage's positions.
@@ -9,7 +9,7 @@ const MAX_LEN: f64 = 0.2;
 
 /// The factor by which the longest arrow may exceed the upper quartile; longer ones are cut. Rates
 /// and forces grow without bound close to a dead point, and would make the others invisible.
-const OUTSTANDING: f64 = 3.0;
+const OUTLIER_FACTOR: f64 = 3.0;
 
 /// The scale of arrows of one kind.
 #[derive(Clone, Copy, Debug, Default)]
@@ -24,8 +24,8 @@ pub(super) struct ArrowScale {
 pub(super) type MovingArrow = (f64, Vec2, Vec2);
 
 /// Returns the length of the longest arrow in a drawing of these extents.
-pub(super) fn longest(reach: &Reach) -> f64 {
-    MAX_LEN * reach.bounds().size().norm()
+pub(super) fn longest(extents: &Extents) -> f64 {
+    MAX_LEN * extents.bounds().size().norm()
 }
 
 impl ArrowScale {
@@ -46,9 +46,13 @@ impl ArrowScale {
     }
 
     fn of(sizes: impl Iterator<Item = f64>, longest: f64) -> ArrowScale {
-        let most = usual_most(sizes.collect());
-        let per = if most > 0.0 { longest / most } else { 0.0 };
-        ArrowScale { most, per }
+        let maximum = typical_max(sizes.collect());
+        let per = if maximum > 0.0 {
+            longest / maximum
+        } else {
+            0.0
+        };
+        ArrowScale { most: maximum, per }
     }
 
     /// Returns the length of an arrow of magnitude 1, on a drawing enlarged by `zoom`.
@@ -57,7 +61,7 @@ impl ArrowScale {
     }
 
     /// Returns the magnitude that the longest arrow shows.
-    pub(super) fn most(self) -> f64 {
+    pub(super) fn longest_magnitude(self) -> f64 {
         self.most
     }
 
@@ -71,14 +75,14 @@ impl ArrowScale {
     }
 }
 
-/// Returns the largest size, limited to [`OUTSTANDING`] times the upper quartile.
-fn usual_most(mut sizes: Vec<f64>) -> f64 {
+/// Returns the largest size, limited to [`OUTLIER_FACTOR`] times the upper quartile.
+fn typical_max(mut sizes: Vec<f64>) -> f64 {
     sizes.retain(|size| size.is_finite());
     sizes.sort_by(f64::total_cmp);
     let largest = sizes.last().copied().unwrap_or(0.0);
     let usual = sizes.get(sizes.len() * 3 / 4).copied().unwrap_or(0.0);
     if usual > 0.0 {
-        largest.min(OUTSTANDING * usual)
+        largest.min(OUTLIER_FACTOR * usual)
     } else {
         largest
     }

@@ -14,7 +14,7 @@ use crate::Vec2;
 
 /// The slope, in rows per column, from which a shallow line climbs by slashes; below it, by half
 /// rows. `__/__/` looks like a staircase below about a third, `__--` like a comb above it.
-const CLIMB: f64 = 0.36;
+const MIN_SLASH_SLOPE: f64 = 0.36;
 
 /// Draws the line from `a` to `b`, in cell coordinates.
 pub(super) fn line(raster: &mut Raster, glyphs: Glyphs, a: Vec2, b: Vec2, role: Role) {
@@ -83,7 +83,7 @@ pub(super) fn clip_to(a: Vec2, b: Vec2, [low, high]: [Vec2; 2]) -> Option<(Vec2,
 /// A line as a function of the column if it is shallow, or of the row if it is steep.
 #[derive(Clone, Copy)]
 struct LineFunction {
-    steep: bool,
+    is_steep: bool,
     /// The smaller and the larger end along the main axis, and the other coordinate at the smaller.
     from: f64,
     to: f64,
@@ -109,7 +109,7 @@ impl LineFunction {
             (b.y - a.y) / (b.x - a.x)
         };
         LineFunction {
-            steep,
+            is_steep: steep,
             from: a.x,
             to: b.x,
             side: a.y + NUDGE,
@@ -145,7 +145,7 @@ impl LineFunction {
 
     /// Returns column and row from the coordinates along and across the line.
     fn cell(&self, main: i32, side: i32) -> (i32, i32) {
-        if self.steep {
+        if self.is_steep {
             (side, main)
         } else {
             (main, side)
@@ -163,7 +163,7 @@ impl LineFunction {
     /// lower edge. Any other line joins the nearest corners on both sides of the cell: by a slash,
     /// or by `_` if they are at the same height.
     fn shallow(&self, col: i32, flat: char) -> (i32, char) {
-        if self.rate.abs() < CLIMB {
+        if self.rate.abs() < MIN_SLASH_SLOPE {
             let halves = (self.middle(col) * 2.0).round() as i32;
             return if halves.rem_euclid(2) == 1 {
                 (halves.div_euclid(2), flat)
@@ -209,14 +209,14 @@ fn strokes(raster: &mut Raster, a: Vec2, b: Vec2, role: Role, (flat, upright): (
     };
     let course = LineFunction::new(a, b);
     for cell in course.cells() {
-        let (side, glyph) = if course.steep {
+        let (side, glyph) = if course.is_steep {
             course.steep(cell, upright)
         } else {
             course.shallow(cell, flat)
         };
         let (col, row) = course.cell(cell, side);
         if !dashes::of_cells(role).is_some_and(|dashes| dashes.is_gap(cell)) {
-            raster.put(col, row, glyph, role);
+            raster.set_cell(col, row, glyph, role);
         }
     }
 }
@@ -229,7 +229,7 @@ fn points(raster: &mut Raster, a: Vec2, b: Vec2, glyph: char, role: Role) {
     for (col, row) in cells(raster, a, b) {
         let place = if is_steep { row } else { col };
         if !dashes.is_some_and(|dashes| dashes.is_gap(place)) {
-            raster.put(col, row, glyph, role);
+            raster.set_cell(col, row, glyph, role);
         }
     }
 }
@@ -306,7 +306,7 @@ pub(super) fn dot(raster: &mut Raster, x: i32, y: i32, role: Role) {
     let kept = pattern(old.glyph).filter(|_| !hides);
     let pattern = BLANK + (kept.unwrap_or(0) | DOTS[in_row][in_col]);
     if let Some(glyph) = char::from_u32(pattern) {
-        raster.put(col, row, glyph, role);
+        raster.set_cell(col, row, glyph, role);
     }
 }
 
@@ -322,7 +322,7 @@ pub(super) fn clear(raster: &mut Raster, x: i32, y: i32, role: Role) {
     let left = kept & !DOTS[in_row][in_col];
     if let Some(glyph) = char::from_u32(BLANK + left) {
         // Fonts show the pattern without dots in various ways, so a blank replaces it.
-        raster.put(col, row, if left == 0 { ' ' } else { glyph }, role);
+        raster.set_cell(col, row, if left == 0 { ' ' } else { glyph }, role);
     }
 }
 

@@ -10,7 +10,7 @@ use super::view::WorldView;
 use crate::Vec2;
 
 /// Minimum number of rows for the triangle under a ground pin.
-const ROOMY_ROWS: u16 = 16;
+const MIN_ROWS_WITH_TRIANGLE: u16 = 16;
 
 /// Distance of the strokes of hatching, in cells.
 const HATCHING: usize = 2;
@@ -23,7 +23,7 @@ const BARREL: f64 = 0.35;
 const INCLINED: std::ops::Range<f64> = 0.2..0.98;
 
 /// Additional width of a highlighted bar, in dots.
-const LIT: u8 = 2;
+const HIGHLIGHT_WIDTH: u8 = 2;
 
 /// Distance of a guide's rails from its middle, in cell widths: just outside the block.
 const RAIL: f64 = (pattern::BLOCK.y + 1.5) / stroke::FINE.x;
@@ -39,12 +39,19 @@ pub(super) struct Symbols<'a> {
 }
 
 /// A coordinate beyond any raster, and small enough for integer arithmetic.
-const FAR: f64 = 1e6;
+const OFF_RASTER: f64 = 1e6;
 
 /// Returns the cell that contains a point in cell coordinates. A far or undefined point gives a
 /// cell outside any raster.
 pub(super) fn cell_of(at: Vec2) -> (i32, i32) {
-    let index = |v: f64| if v.is_nan() { FAR } else { v.clamp(-FAR, FAR) }.floor() as i32;
+    let index = |v: f64| {
+        if v.is_nan() {
+            OFF_RASTER
+        } else {
+            v.clamp(-OFF_RASTER, OFF_RASTER)
+        }
+        .floor() as i32
+    };
     (index(at.x), index(at.y))
 }
 
@@ -54,7 +61,7 @@ impl Symbols<'_> {
     pub(super) fn support(&mut self, at: Vec2) {
         let middle = self.view.cell(at);
         let (col, row) = cell_of(middle);
-        let roomy = self.view.rows() >= ROOMY_ROWS;
+        let roomy = self.view.rows() >= MIN_ROWS_WITH_TRIANGLE;
         if self.glyphs.is_dotted() {
             self.dotted_support(middle, roomy);
             return;
@@ -101,7 +108,11 @@ impl Symbols<'_> {
     /// Draws a straight piece of a link, as wide as the window allows.
     pub(super) fn bar(&mut self, a: Vec2, b: Vec2, role: Role) {
         if self.glyphs.is_dotted() && role.is_body() {
-            let more = if role == Role::Lit { LIT } else { 0 };
+            let more = if role == Role::Lit {
+                HIGHLIGHT_WIDTH
+            } else {
+                0
+            };
             stroke::bar(self.raster, a, b, self.view.weight() + more, role);
         } else {
             self.line(a, b, role);
@@ -114,7 +125,7 @@ impl Symbols<'_> {
 
     fn stamp(&mut self, col: i32, row: i32, glyphs: &str, role: Role) {
         for (i, glyph) in (0..).zip(glyphs.chars()) {
-            self.raster.put(col + i, row, glyph, role);
+            self.raster.set_cell(col + i, row, glyph, role);
         }
     }
 
@@ -138,15 +149,15 @@ impl Symbols<'_> {
         if !self.has_large_marks() {
             return self.bar(a, b, role);
         }
-        let beside = self.beside(a, b) * RAIL;
-        for rail in [beside, Vec2::ZERO - beside] {
+        let nearby = self.cell_offset(a, b) * RAIL;
+        for rail in [nearby, Vec2::ZERO - nearby] {
             self.line(a + rail, b + rail, role);
         }
     }
 
     /// Returns a vector of one cell width to the right of a direction; not finite for a direction
     /// of zero length.
-    fn beside(&self, a: Vec2, b: Vec2) -> Vec2 {
+    fn cell_offset(&self, a: Vec2, b: Vec2) -> Vec2 {
         let aspect = self.view.aspect();
         let along = Vec2::new(b.x - a.x, (b.y - a.y) * aspect);
         // Rows count downwards, so `perp` points to the right.
@@ -158,7 +169,7 @@ impl Symbols<'_> {
     pub(super) fn hatching(&mut self, from: Vec2, to: Vec2) {
         let (a, b) = (self.view.cell(from), self.view.cell(to));
         if self.has_large_marks() {
-            let rail = self.beside(a, b) * RAIL;
+            let rail = self.cell_offset(a, b) * RAIL;
             return self.dotted_hatching(a + rail, b + rail);
         }
         if self.glyphs.is_dotted() {
@@ -180,7 +191,7 @@ impl Symbols<'_> {
         };
         let cells = stroke::cells(self.raster, a + offset, b + offset);
         for (col, row) in cells.step_by(HATCHING) {
-            self.raster.put(col, row, glyph, Role::Ground);
+            self.raster.set_cell(col, row, glyph, Role::Ground);
         }
     }
 
@@ -208,27 +219,27 @@ impl Symbols<'_> {
     /// at any angle, a rotated box of so few cells does not. In dots it lies along an inclined
     /// guide.
     pub(super) fn block(&mut self, at: Vec2, along: Vec2) {
-        let place = self.view.cell(at);
+        let position = self.view.cell(at);
         let along = Vec2::new(along.x, -along.y);
         let along = along / along.norm();
         if self.has_large_marks() {
             if along.is_finite() {
-                pattern::block(self.raster, place, along, pattern::BLOCK, Role::Slider);
+                pattern::block(self.raster, position, along, pattern::BLOCK, Role::Slider);
             }
             return;
         }
         if self.glyphs.is_dotted() && INCLINED.contains(&along.y.abs()) {
-            let place = self.pin_place(place);
+            let position = self.pin_place(position);
             pattern::block(
                 self.raster,
-                place,
+                position,
                 along,
                 pattern::SMALL_BLOCK,
                 Role::Slider,
             );
             return;
         }
-        let (col, row) = cell_of(place);
+        let (col, row) = cell_of(position);
         self.stamp(col - 1, row, "[ ]", Role::Slider);
     }
 
@@ -260,7 +271,7 @@ impl Symbols<'_> {
         for ((col, row), glyph) in
             stroke::cells(self.raster, a, b).zip(['/', '\\'].into_iter().cycle())
         {
-            self.raster.put(col, row, glyph, Role::Spring);
+            self.raster.set_cell(col, row, glyph, Role::Spring);
         }
     }
 
@@ -297,7 +308,7 @@ impl Symbols<'_> {
             }
         };
         for (col, row) in stroke::cells(self.raster, a, b) {
-            self.raster.put(col, row, glyph, role);
+            self.raster.set_cell(col, row, glyph, role);
         }
     }
 
@@ -314,26 +325,26 @@ impl Symbols<'_> {
 
     /// Draws the mark of a point, a single cell in characters.
     pub(super) fn mark(&mut self, at: Vec2, role: Role) {
-        let place = self.view.cell(at);
+        let position = self.view.cell(at);
         if self.has_large_marks() {
             match role {
                 Role::Joint | Role::GroundPin | Role::Slider => {
-                    return pattern::ring(self.raster, place, role);
+                    return pattern::ring(self.raster, position, role);
                 }
                 Role::DriverPin => {
-                    pattern::ring(self.raster, place, role);
-                    return pattern::core(self.raster, place, role);
+                    pattern::ring(self.raster, position, role);
+                    return pattern::core(self.raster, position, role);
                 }
                 Role::Lit => {
-                    pattern::ring(self.raster, place, role);
-                    return pattern::disc(self.raster, place, role);
+                    pattern::ring(self.raster, position, role);
+                    return pattern::disc(self.raster, position, role);
                 }
-                Role::Rider => return pattern::disc(self.raster, place, role),
+                Role::Rider => return pattern::disc(self.raster, position, role),
                 _ => {}
             }
         }
-        let (col, row) = cell_of(place);
-        self.raster.put(col, row, glyph_of(role), role);
+        let (col, row) = cell_of(position);
+        self.raster.set_cell(col, row, glyph_of(role), role);
     }
 }
 
@@ -359,24 +370,24 @@ fn glyph_of(role: Role) -> char {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::{Blocks, Figure, Reach, Shape, render};
+    use crate::drawing::{Blocks, Extents, Figure, Shape, render};
     use std::collections::BTreeSet;
 
     /// Returns the rows of a role, relative to the row of the path of a horizontal guide's block.
     fn rows(size: (u16, u16), glyphs: Glyphs, wanted: Role) -> BTreeSet<i32> {
         let (from, to) = (Vec2::ZERO, Vec2::new(30.0, 0.0));
-        let reach = Reach::of_places(&[from, to, Vec2::new(0.0, 12.0)], &[from]);
-        let view = WorldView::fit(&reach, size.0, size.1, 2.0);
+        let extents = Extents::of_places(&[from, to, Vec2::new(0.0, 12.0)], &[from]);
+        let view = WorldView::fit(&extents, size.0, size.1, 2.0);
         let mut figure = Figure::new();
         let (at, along, role) = (to * 0.5, to, Role::Guide);
         figure.add(Shape::Guide { from, to, role });
         figure.add(Shape::Hatching { from, to });
         figure.add(Shape::Block { at, along });
         let raster = render(&figure, &view, glyphs);
-        let way = cell_of(view.cell(from)).1;
+        let path = cell_of(view.cell(from)).1;
         let lines = (0..).zip(raster.lines());
         let inked = lines.filter(|(_, line)| line.iter().any(|cell| cell.role == wanted));
-        inked.map(|(row, _)| row - way).collect()
+        inked.map(|(row, _)| row - path).collect()
     }
 
     /// Regression: in a large view, too, a guide was a line through its block and pin.

@@ -10,7 +10,7 @@ use crate::solver::{Condition, Order, Range, State};
 use stage::DrawingStage;
 
 /// Returns the figure of a linkage with all names and centres of mass.
-fn whole(stage: &DrawingStage, state: &State) -> Figure {
+fn full_figure(stage: &DrawingStage, state: &State) -> Figure {
     linkage(&stage.scene, &stage.reach, state, EVERYTHING)
 }
 
@@ -19,7 +19,7 @@ const EVERYTHING: Layers = Layers {
     points: true,
     links: true,
     centres: true,
-    lit: None,
+    highlighted: None,
 };
 
 fn cell(view: &WorldView, at: Vec2) -> (i32, i32) {
@@ -32,7 +32,7 @@ fn ascii_drawings_are_ascii() {
     for stage in DrawingStage::presets() {
         let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
         for state in stage.motion().step_by(20) {
-            let text = render(&whole(&stage, &state), &view, Glyphs::Ascii).text();
+            let text = render(&full_figure(&stage, &state), &view, Glyphs::Ascii).text();
             assert!(text.is_ascii(), "{}\n{text}", stage.name);
         }
     }
@@ -45,7 +45,7 @@ fn drawing_without_assembly_shows_only_ground() {
     let mut state = stage.solver.state();
     let condition = stage.solver.solve(180.0, Order::Position, &mut state);
     assert_eq!(condition, Condition::NoAssembly);
-    let figure = whole(&stage, &state);
+    let figure = full_figure(&stage, &state);
     let is_moving = |shape: &Shape| {
         matches!(
             shape,
@@ -82,7 +82,7 @@ fn drawing_does_not_depend_on_scale_or_origin() {
         let mut state = stage.solver.state();
         let _ = stage.solver.solve(60.0, Order::Position, &mut state);
         let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
-        render(&whole(stage, &state), &view, Glyphs::Ascii).text()
+        render(&full_figure(stage, &state), &view, Glyphs::Ascii).text()
     };
     let plain = picture(&four_bar(1.0, 0.0, 0.0));
     for (scale, x, y) in [
@@ -127,10 +127,10 @@ fn compared_scene_is_drawn_in_unit_of_this_one() {
         assert!(ghost.iter().any(there), "{corner:?}");
     }
     // The extents of both are those of the larger one.
-    let both = stage.reach.beside(&stage.reach, 25.4, 1.0).bounds();
+    let both = stage.reach.union(&stage.reach, 25.4, 1.0).bounds();
     let size = stage.reach.bounds().size() * 25.4;
     assert!((both.high - both.low).x >= size.x * (1.0 - 1e-12));
-    let same = stage.reach.beside(&stage.reach, 1.0, 1.0).bounds();
+    let same = stage.reach.union(&stage.reach, 1.0, 1.0).bounds();
     assert_eq!(same, stage.reach.bounds());
     // Without an assembly there is no ghost.
     let mut nothing = Figure::new();
@@ -180,11 +180,11 @@ fn driver_with_three_points_is_a_plate() {
     let stage = DrawingStage::of("a triangle drives", text);
     let mut state = stage.solver.state();
     let _ = stage.solver.solve(60.0, Order::Position, &mut state);
-    let lit = Some(crate::quantity::Subject::Driver);
+    let highlighted = Some(crate::quantity::Subject::Driver);
     for layers in [
         Layers::default(),
         Layers {
-            lit,
+            highlighted,
             ..Layers::default()
         },
     ] {
@@ -204,7 +204,7 @@ fn driver_with_three_points_is_a_plate() {
         let document = svg(&figure, &view, "a plate", &[]);
         let closed = document.lines().filter(|line| line.contains("Z\""));
         let classes: Vec<&str> = closed.filter_map(|line| line.split('"').nth(1)).collect();
-        let edge = if layers.lit.is_some() {
+        let edge = if layers.highlighted.is_some() {
             "link"
         } else {
             "driver"

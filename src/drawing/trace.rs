@@ -26,21 +26,21 @@ pub(super) fn draw(
     let Some(mut last) = places.next() else {
         return;
     };
-    for place in places {
+    for position in places {
         // A line from or to a point that is not finite has no parts.
         match glyphs {
             Glyphs::Braille | Glyphs::Blocks(_) => {
-                for (x, y) in stroke::parts(raster, last, place, stroke::FINE) {
+                for (x, y) in stroke::parts(raster, last, position, stroke::FINE) {
                     stroke::dot(raster, x, y, role);
                 }
             }
             Glyphs::Ascii | Glyphs::Line => {
-                for (col, half) in stroke::parts(raster, last, place, HALVES) {
+                for (col, half) in stroke::parts(raster, last, position, HALVES) {
                     point(raster, col, half, role);
                 }
             }
         }
-        last = place;
+        last = position;
     }
 }
 
@@ -57,13 +57,13 @@ fn point(raster: &mut Raster, col: i32, half: i32, role: Role) {
     };
     let is_trace = matches!(old.role, Role::Trace | Role::Trail);
     let shared = is_trace && [other, BOTH].contains(&old.glyph);
-    raster.put(col, row, if shared { BOTH } else { here }, role);
+    raster.set_cell(col, row, if shared { BOTH } else { here }, role);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::{Figure, Reach, Shape, render};
+    use crate::drawing::{Extents, Figure, Shape, render};
     use std::sync::Arc;
 
     /// Returns a circle of radius 8, with a gap from 0 to 45 degrees.
@@ -77,7 +77,7 @@ mod tests {
 
     fn picture(glyphs: Glyphs) -> String {
         let corners = [Vec2::new(-8.0, -8.0), Vec2::new(8.0, 8.0)];
-        let view = WorldView::fit(&Reach::of_places(&corners, &[]), 26, 12, 2.0);
+        let view = WorldView::fit(&Extents::of_places(&corners, &[]), 26, 12, 2.0);
         let mut figure = Figure::new();
         let (course, role) = (circle(), Role::Trace);
         figure.add(Shape::Trace { course, role });
@@ -103,7 +103,7 @@ mod tests {
         let course = course.map(|(x, y)| Vec2::new(x, y)).into();
         let role = Role::Trace;
         figure.add(Shape::Trace { course, role });
-        let view = WorldView::fit(&Reach::of_places(&[Vec2::ZERO], &[]), 9, 4, 2.0);
+        let view = WorldView::fit(&Extents::of_places(&[Vec2::ZERO], &[]), 9, 4, 2.0);
         for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
             assert_eq!(render(&figure, &view, glyphs).text().lines().count(), 4);
         }

@@ -51,9 +51,9 @@ mod tests {
 
     #[test]
     fn powers_of_ten_are_formatted_in_round_units() {
-        let told: Vec<_> = (0..5).chain([9, 10]).map(time).collect();
+        let lines: Vec<_> = (0..5).chain([9, 10]).map(time).collect();
         assert_eq!(
-            told,
+            lines,
             ["1 ns", "10 ns", "100 ns", "1 us", "10 us", "1 s", "10 s"]
         );
     }

@@ -3,9 +3,9 @@
 mod along;
 
 use super::bounds::Bounds;
-use super::reach::{Margin, Reach};
+use super::reach::{Extents, Margin};
 use crate::Vec2;
-pub(super) use along::Nearness;
+pub(super) use along::WindowZoom;
 
 /// A window of `cols` x `rows` cells on the world, with the same scale along both axes.
 ///
@@ -42,14 +42,14 @@ impl WorldView {
     /// `aspect` is the height of a cell divided by its width; 2 suits most terminals and replaces a
     /// value that is not positive and finite.
     #[must_use]
-    pub fn fit(reach: &Reach, cols: u16, rows: u16, aspect: f64) -> WorldView {
+    pub fn fit(extents: &Extents, cols: u16, rows: u16, aspect: f64) -> WorldView {
         let mut view = WorldView::around(
-            &reach.parts(),
-            reach.bounds().centre(),
+            &extents.parts(),
+            extents.bounds().centre(),
             (cols, rows),
             aspect,
         );
-        view.anchor = Some(reach.anchor());
+        view.anchor = Some(extents.anchor());
         view.rest();
         view
     }
@@ -124,12 +124,14 @@ impl WorldView {
     /// Returns the lowest window of at most `most` rows in which the drawing has the same size as
     /// with `most` rows. `of_rows` returns the window with a number of rows.
     #[must_use]
-    pub fn snug(most: u16, of_rows: impl Fn(u16) -> WorldView) -> WorldView {
-        let highest = of_rows(most);
+    pub fn lowest_window(maximum: u16, of_rows: impl Fn(u16) -> WorldView) -> WorldView {
+        let highest = of_rows(maximum);
         // A rounding error does not count as a smaller drawing.
-        let least = highest.scale.x * (1.0 - 1e-9);
-        let mut lower = (MIN_HEIGHT..most).map(of_rows);
-        lower.find(|view| view.scale.x >= least).unwrap_or(highest)
+        let minimum = highest.scale.x * (1.0 - 1e-9);
+        let mut lower = (MIN_HEIGHT..maximum).map(of_rows);
+        lower
+            .find(|view| view.scale.x >= minimum)
+            .unwrap_or(highest)
     }
 
     /// Returns the window enlarged by `zoom` about its middle, then moved over the world by
@@ -246,10 +248,10 @@ fn largest_scale(spans: &[AxisSpan], cells: f64) -> f64 {
     let mut scale = f64::INFINITY;
     for first in spans {
         for last in spans {
-            let room = (cells - first.before - last.after).max(1.0);
+            let space = (cells - first.before - last.after).max(1.0);
             let length = last.high - first.low;
             if length > 0.0 {
-                scale = scale.min(room / length);
+                scale = scale.min(space / length);
             }
         }
     }
@@ -278,9 +280,9 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn reach(points: &[(f64, f64)], ground: &[(f64, f64)]) -> Reach {
+    fn extents(points: &[(f64, f64)], ground: &[(f64, f64)]) -> Extents {
         let place = |p: &[(f64, f64)]| p.iter().map(|&(x, y)| Vec2::new(x, y)).collect::<Vec<_>>();
-        Reach::of_places(&place(points), &place(ground))
+        Extents::of_places(&place(points), &place(ground))
     }
 
     proptest! {
@@ -294,8 +296,8 @@ mod tests {
             let size = 10_f64.powf(size);
             let shift = shift * size;
             let scaled: Vec<_> = points.iter().map(|p| (p.0 * size + shift, p.1 * size)).collect();
-            let reach = reach(&scaled, &scaled[..1]);
-            let view = WorldView::fit(&reach, cols, rows, aspect);
+            let extents = extents(&scaled, &scaled[..1]);
+            let view = WorldView::fit(&extents, cols, rows, aspect);
             for &(x, y) in &scaled {
                 let at = view.cell(Vec2::new(x, y));
                 prop_assert!(at.x >= 0.0 && at.x <= f64::from(cols), "{at:?}");
@@ -317,8 +319,8 @@ mod tests {
             (cols, rows) in (1_u16..400, 1_u16..200),
             (x, y) in (-60.0..60.0, -60.0..60.0),
         ) {
-            let reach = reach(&points, &points[..1]);
-            let view = WorldView::fit(&reach, cols, rows, 2.0);
+            let extents = extents(&points, &points[..1]);
+            let view = WorldView::fit(&extents, cols, rows, 2.0);
             let shift = Vec2::new(x, y);
             let zoomed = view.zoomed(zoom, shift);
             prop_assert_eq!((zoomed.cols(), zoomed.rows()), (cols, rows));
@@ -335,19 +337,19 @@ mod tests {
 
     #[test]
     fn snug_view_is_lower_at_same_scale() {
-        let reach = reach(&[(0.0, 0.0), (40.0, 5.0)], &[(0.0, 0.0)]);
-        let of_rows = |rows| WorldView::fit(&reach, 80, rows, 2.0);
-        let (snug, high) = (WorldView::snug(40, of_rows), of_rows(40));
+        let extents = extents(&[(0.0, 0.0), (40.0, 5.0)], &[(0.0, 0.0)]);
+        let of_rows = |rows| WorldView::fit(&extents, 80, rows, 2.0);
+        let (snug, high) = (WorldView::lowest_window(40, of_rows), of_rows(40));
         assert!(snug.rows() < 20, "{snug:?}");
         assert!((snug.cells_along(1.0) / high.cells_along(1.0) - 1.0).abs() < 1e-6);
-        assert_eq!(WorldView::snug(3, of_rows).rows(), 3);
+        assert_eq!(WorldView::lowest_window(3, of_rows).rows(), 3);
     }
 
     #[test]
     fn first_ground_point_is_in_middle_of_a_cell() {
-        let reach = reach(&[(-3.0, -1.0), (9.7, 5.1)], &[(0.4, 0.3), (7.0, 0.3)]);
+        let extents = extents(&[(-3.0, -1.0), (9.7, 5.1)], &[(0.4, 0.3), (7.0, 0.3)]);
         for (cols, rows) in [(80, 24), (79, 23), (40, 12), (5, 3)] {
-            let at = WorldView::fit(&reach, cols, rows, 2.0).cell(Vec2::new(0.4, 0.3));
+            let at = WorldView::fit(&extents, cols, rows, 2.0).cell(Vec2::new(0.4, 0.3));
             assert!((at.x.fract() - 0.5).abs() < 1e-9, "{at:?}");
             assert!((at.y.fract() - 0.5).abs() < 1e-9, "{at:?}");
         }
@@ -355,8 +357,8 @@ mod tests {
 
     #[test]
     fn view_has_room_for_support_below_lowest_pin() {
-        let reach = reach(&[(0.0, 0.0), (9.0, 9.0)], &[(0.0, 0.0)]);
-        let at = WorldView::fit(&reach, 60, 30, 2.0).cell(Vec2::ZERO);
+        let extents = extents(&[(0.0, 0.0), (9.0, 9.0)], &[(0.0, 0.0)]);
+        let at = WorldView::fit(&extents, 60, 30, 2.0).cell(Vec2::ZERO);
         assert!(at.y.floor() + 2.0 < 30.0, "{at:?}");
     }
 
@@ -365,7 +367,7 @@ mod tests {
         for (cols, rows) in [(0, 0), (1, 1), (0, 9), (u16::MAX, 1)] {
             for points in [&[][..], &[(5.0, 5.0)], &[(1.0, 1.0), (1.0, 2.0)]] {
                 for aspect in [2.0, 0.0, -1.0, f64::NAN, f64::INFINITY] {
-                    let view = WorldView::fit(&reach(points, points), cols, rows, aspect);
+                    let view = WorldView::fit(&extents(points, points), cols, rows, aspect);
                     let at = view.cell(Vec2::new(5.0, 5.0));
                     assert!(at.is_finite(), "{cols} x {rows}, {points:?}: {at:?}");
                 }

@@ -25,12 +25,12 @@ impl Output {
         if fs::metadata(name).is_ok_and(|found| found.permissions().readonly()) {
             return Err(WriteError::ReadOnly);
         }
-        let mut beside = OsString::from(name);
-        beside.push(format!(".krank-{}", std::process::id()));
-        let beside = PathBuf::from(beside);
+        let mut nearby = OsString::from(name);
+        nearby.push(format!(".krank-{}", std::process::id()));
+        let nearby = PathBuf::from(nearby);
         Ok(Output {
-            draft: Some(File::create_new(&beside)?),
-            beside,
+            draft: Some(File::create_new(&nearby)?),
+            beside: nearby,
             target: name.to_owned(),
         })
     }

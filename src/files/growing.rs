@@ -54,7 +54,7 @@ impl AppendFile {
     ///
     /// # Errors
     /// Returns an error if another process is writing the file, or an I/O error.
-    pub(crate) fn begin(
+    pub(crate) fn create(
         name: &Path,
         head: &str,
         records: Option<PathBuf>,
@@ -175,24 +175,24 @@ impl ResumableFile {
         let mut options = OpenOptions::new();
         let options = options.read(true).write(true).create(true).truncate(false);
         let file = options.open(path)?;
-        if lock::take(&file) == LockOutcome::Others || !is_at(&file, path) {
+        if lock::take(&file) == LockOutcome::OtherSessions || !is_at(&file, path) {
             return Err(WriteError::Busy);
         }
         let mut reader = BufReader::new(file);
-        let mut begin = Vec::new();
-        let most = u64::try_from(head.len()).unwrap_or(u64::MAX);
-        reader.by_ref().take(most).read_to_end(&mut begin)?;
-        if !head.as_bytes().starts_with(&begin) {
+        let mut start = Vec::new();
+        let maximum = u64::try_from(head.len()).unwrap_or(u64::MAX);
+        reader.by_ref().take(maximum).read_to_end(&mut start)?;
+        if !head.as_bytes().starts_with(&start) {
             return Ok(None);
         }
         let mut grown = ResumableFile {
             name: path.to_owned(),
             file: reader.get_ref().try_clone()?,
-            end: most,
+            end: maximum,
             lines: 0,
             samples: Vec::new(),
         };
-        if begin.len() < head.len() {
+        if start.len() < head.len() {
             grown.file.set_len(0)?;
             grown.file.rewind()?;
             grown.file.write_all(head.as_bytes())?;
@@ -229,7 +229,7 @@ impl ResumableFile {
     ///
     /// # Errors
     /// Returns an I/O error.
-    pub(crate) fn go_on(self) -> Result<AppendFile, WriteError> {
+    pub(crate) fn resume(self) -> Result<AppendFile, WriteError> {
         self.file.set_len(self.end)?;
         Ok(AppendFile {
             name: self.name,
@@ -261,10 +261,10 @@ mod tests {
             if is_linked {
                 fs::hard_link(&path, &second).unwrap();
             }
-            let begin = || AppendFile::begin(&path, "head\n", Some(records.clone())).unwrap();
-            drop(begin());
+            let start = || AppendFile::create(&path, "head\n", Some(records.clone())).unwrap();
+            drop(start());
             assert_eq!(fs::read_to_string(&path).unwrap(), "old");
-            let mut file = begin();
+            let mut file = start();
             assert_eq!(fs::read_to_string(&path).unwrap(), "old");
             file.write("0\n").unwrap();
             assert_eq!(fs::read_to_string(&path).unwrap(), "head\n0\n");
@@ -278,13 +278,13 @@ mod tests {
                 fs::remove_dir_all(&records).unwrap();
             }
         }
-        begin_without_rows(&path);
+        write_without_rows(&path);
         fs::remove_file(&path).unwrap();
     }
 
     /// Writes a file without rows, as a study without designs does.
-    fn begin_without_rows(path: &Path) {
-        let file = AppendFile::begin(path, "head\n", None).unwrap();
+    fn write_without_rows(path: &Path) {
+        let file = AppendFile::create(path, "head\n", None).unwrap();
         file.finish().unwrap();
         assert_eq!(fs::read_to_string(path).unwrap(), "head\n");
     }
@@ -292,8 +292,8 @@ mod tests {
     /// Regression: rows were written to a deleted file, or after a hole in a truncated one.
     #[test]
     fn disturbed_file_gets_no_more_rows() {
-        type Deed = fn(&Path);
-        let deeds: [(Deed, Option<&str>); 4] = [
+        type FileOperation = fn(&Path);
+        let actions: [(FileOperation, Option<&str>); 4] = [
             (|path| fs::write(path, "").unwrap(), Some("")),
             (|path| fs::remove_file(path).unwrap(), None),
             (
@@ -311,16 +311,16 @@ mod tests {
                 Some("head\n0\nforeign\n"),
             ),
         ];
-        for (number, (deed, left)) in deeds.into_iter().enumerate() {
+        for (number, (deed, left)) in actions.into_iter().enumerate() {
             for is_resumed in [false, true] {
                 let path = place(&format!("disturbed-{number}-{is_resumed}"));
-                let mut file = AppendFile::begin(&path, "head\n", None).unwrap();
+                let mut file = AppendFile::create(&path, "head\n", None).unwrap();
                 file.write("0\n").unwrap();
                 if is_resumed {
                     file.finish().unwrap();
                     let grown = ResumableFile::open(&path, "head\n").unwrap().unwrap();
                     assert_eq!(grown.lines, 1);
-                    file = grown.go_on().unwrap();
+                    file = grown.resume().unwrap();
                 }
                 deed(&path);
                 let refused = file.write("1\n");
@@ -336,23 +336,23 @@ mod tests {
     #[test]
     fn truncated_file_resumes_after_last_complete_row() {
         let path = place("cut");
-        let whole = "head\n0\n1\n2\n3\n4\n";
-        for cut in 0..=whole.len() {
-            fs::write(&path, &whole[..cut]).unwrap();
+        let text = "head\n0\n1\n2\n3\n4\n";
+        for cut in 0..=text.len() {
+            fs::write(&path, &text[..cut]).unwrap();
             let grown = ResumableFile::open(&path, "head\n").unwrap().unwrap();
-            let lines = whole[..cut].lines().count().saturating_sub(1) as u64;
-            let is_cut = cut > 5 && !whole[..cut].ends_with('\n');
+            let lines = text[..cut].lines().count().saturating_sub(1) as u64;
+            let is_cut = cut > 5 && !text[..cut].ends_with('\n');
             assert_eq!(grown.lines, lines - u64::from(is_cut), "{cut}");
             for (number, line) in &grown.samples {
                 assert_eq!(*line, format!("{number}\n"));
             }
             let from = grown.lines;
-            let mut file = grown.go_on().unwrap();
+            let mut file = grown.resume().unwrap();
             for k in from..5 {
                 file.write(&format!("{k}\n")).unwrap();
             }
             file.finish().unwrap();
-            assert_eq!(fs::read_to_string(&path).unwrap(), whole, "{cut}");
+            assert_eq!(fs::read_to_string(&path).unwrap(), text, "{cut}");
         }
         fs::write(&path, "hear\n0\n").unwrap();
         assert!(ResumableFile::open(&path, "head\n").unwrap().is_none());

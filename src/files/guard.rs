@@ -15,8 +15,8 @@ use std::path::PathBuf;
 /// # Errors
 /// Returns an I/O error, or a message with the kind of file.
 #[cfg(feature = "tui")]
-pub(crate) fn read_file(path: &Path, most: usize) -> io::Result<Vec<u8>> {
-    super::limited(open_to_read(path)?, most)
+pub(crate) fn read_file(path: &Path, maximum: usize) -> io::Result<Vec<u8>> {
+    super::limited(open_to_read(path)?, maximum)
 }
 
 /// Opens a regular file for reading.

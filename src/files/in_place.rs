@@ -53,27 +53,27 @@ struct RecordSpan {
 /// Returns an I/O error. The file then has its old content, or the next start completes the write.
 pub(super) fn write_into(target: &Path, new: &mut File, folder: &Path) -> io::Result<()> {
     let mut file = open_file(target, OFlags::RDWR | OFlags::NOFOLLOW)?;
-    make_private(folder)?;
+    create_private_folder(folder)?;
     let (record, path) = RewriteRecord::keep(folder, target, &mut file, new)?;
-    let done = record.put(record.new, &file);
+    let done = record.write_span(record.new, &file);
     if done.is_err() {
         // The space for the old text is available, because the file occupied it before.
-        record.put(record.old, &file)?;
+        record.write_span(record.old, &file)?;
     }
     fs::remove_file(path)?;
     done
 }
 
 /// Completes interrupted writes. Returns the files that have their new text now.
-pub(crate) fn mend(folder: &Path) -> Vec<PathBuf> {
+pub(crate) fn recover_all(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let paths = entries.map(|entry| entry.path());
     let records = paths.filter(|path| path.extension().is_some_and(|end| end == ENDS));
-    records.filter_map(|path| mend_one(&path).ok()?).collect()
+    records.filter_map(|path| recover(&path).ok()?).collect()
 }
 
 /// Completes one interrupted write. A record that cannot be processed now stays for another start.
-fn mend_one(path: &Path) -> io::Result<Option<PathBuf>> {
+fn recover(path: &Path) -> io::Result<Option<PathBuf>> {
     let file = open_file(path, OFlags::RDWR | OFlags::NOFOLLOW)?;
     // Without links, the record was already processed by another start.
     if lock::take(&file) != LockOutcome::Ours || file.metadata()?.nlink() == 0 {
@@ -82,7 +82,7 @@ fn mend_one(path: &Path) -> io::Result<Option<PathBuf>> {
     let record = RewriteRecord::read(file)?;
     let torn = match open_file(&record.target, OFlags::RDWR | OFlags::NOFOLLOW) {
         Ok(file) if record.is_torn(&file)? => {
-            record.put(record.new, &file)?;
+            record.write_span(record.new, &file)?;
             true
         }
         // The file has one of the two texts, or was changed by another program since.
@@ -138,8 +138,8 @@ impl RewriteRecord {
         let target = words.next().and_then(name_of_digits);
         let ((old, new), target) = lengths.zip(target).ok_or_else(broken)?;
         let from = u64::try_from(head.len()).unwrap_or(u64::MAX);
-        let whole = from.checked_add(old).and_then(|n| n.checked_add(new));
-        if whole != Some(file.metadata()?.len()) {
+        let complete = from.checked_add(old).and_then(|n| n.checked_add(new));
+        if complete != Some(file.metadata()?.len()) {
             return Err(broken());
         }
         let spans = [(from, old), (from + old, new)];
@@ -153,7 +153,7 @@ impl RewriteRecord {
     }
 
     /// Writes one of the texts into a file.
-    fn put(&self, text: RecordSpan, file: &File) -> io::Result<()> {
+    fn write_span(&self, text: RecordSpan, file: &File) -> io::Result<()> {
         // Reserve space first, so that a full disk is detected before anything changes.
         reserve(file, text.length.max(1))?;
         let mut block = vec![0; BLOCK];
@@ -225,7 +225,7 @@ fn name_of_digits(digits: &str) -> Option<PathBuf> {
 }
 
 /// Creates a folder that other users cannot read.
-pub(crate) fn make_private(folder: &Path) -> io::Result<()> {
+pub(crate) fn create_private_folder(folder: &Path) -> io::Result<()> {
     DirBuilder::new().recursive(true).mode(0o700).create(folder)
 }
 

@@ -39,20 +39,20 @@ mod stamp;
 mod target;
 
 #[cfg(not(unix))]
-pub(crate) use elsewhere::{Output, mend};
+pub(crate) use elsewhere::{Output, recover_all};
 pub(crate) use growing::{AppendFile, ResumableFile};
 #[cfg(feature = "tui")]
 pub(crate) use guard::{from_home, open_to_read, read_file};
-pub(crate) use reading::{limited, read_any, read_ready};
+pub(crate) use reading::{limited, read_any_file, read_without_waiting};
 pub(crate) use same::is_same_file;
 #[cfg(feature = "tui")]
 pub(crate) use stamp::Stamp;
 #[cfg(feature = "tui")]
 pub(crate) use {
-    draft::DraftFile, in_place::make_private, lock::is_held, output::Saving, output::save,
+    draft::DraftFile, in_place::create_private_folder, lock::is_held, output::Saving, output::save,
 };
 #[cfg(unix)]
-pub(crate) use {in_place::mend, output::Output};
+pub(crate) use {in_place::recover_all, output::Output};
 
 use crate::wording::words;
 use std::io;

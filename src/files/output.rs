@@ -5,7 +5,7 @@ use super::draft::DraftFile;
 #[cfg(feature = "tui")]
 use super::guard;
 use super::guard::open_file;
-use super::in_place::{make_private, write_into};
+use super::in_place::{create_private_folder, write_into};
 use super::lock::{self, LockOutcome};
 use super::stamp::Stamp;
 use super::target::Target;
@@ -175,11 +175,11 @@ impl OutputMode {
                 draft: DraftFile::new(folder_of(&target))?,
                 target,
             },
-            Target::File(target, found) => match beside(&target, &found)? {
+            Target::File(target, found) => match draft_for(&target, &found)? {
                 Some(draft) => OutputMode::Over { draft, target },
                 None => {
                     let folder = records.ok_or(WriteError::NoJournal)?.to_owned();
-                    make_private(&folder)?;
+                    create_private_folder(&folder)?;
                     let draft = DraftFile::private(&folder)?;
                     OutputMode::Into {
                         draft,
@@ -209,7 +209,7 @@ impl Write for Output {
 
 /// Creates a draft with all metadata of the file; returns `None` if the file would lose something
 /// by replacement, or if its folder accepts no new file.
-fn beside(target: &Path, found: &Metadata) -> Result<Option<DraftFile>, WriteError> {
+fn draft_for(target: &Path, found: &Metadata) -> Result<Option<DraftFile>, WriteError> {
     if found.nlink() > 1 {
         return Ok(None);
     }
@@ -246,7 +246,7 @@ pub(crate) struct Saving<'a> {
     /// The folder for records of files written in place.
     pub(crate) records: Option<&'a Path>,
     /// Whether writing a read-only file was confirmed.
-    pub(crate) though_read_only: bool,
+    pub(crate) overwrites_read_only: bool,
     /// Maximum number of bytes read from an existing file; one more is read to detect a longer
     /// file.
     pub(crate) most: usize,
@@ -276,7 +276,7 @@ pub(crate) fn save(
         Target::Stream(path) => return Err(Target::no_file(path)),
     };
     let bytes = compose(old)?;
-    if target.is_read_only() && !saving.though_read_only {
+    if target.is_read_only() && !saving.overwrites_read_only {
         return Err(WriteError::ReadOnly);
     }
     let mut output = Output::of(target, saving.records)?;

@@ -9,8 +9,8 @@ use std::path::Path;
 ///
 /// # Errors
 /// Returns an I/O error.
-pub(crate) fn read_any(path: &Path, most: usize) -> io::Result<Vec<u8>> {
-    limited(File::open(path)?, most)
+pub(crate) fn read_any_file(path: &Path, maximum: usize) -> io::Result<Vec<u8>> {
+    limited(File::open(path)?, maximum)
 }
 
 /// Reads a file up to one byte more than `most`. A pipe without a writer is an error: nothing waits
@@ -19,15 +19,15 @@ pub(crate) fn read_any(path: &Path, most: usize) -> io::Result<Vec<u8>> {
 /// # Errors
 /// Returns an I/O error, or an error for a pipe without a writer.
 #[cfg(unix)]
-pub(crate) fn read_ready(path: &Path, most: usize) -> io::Result<Vec<u8>> {
+pub(crate) fn read_without_waiting(path: &Path, maximum: usize) -> io::Result<Vec<u8>> {
     use rustix::fs::{Mode, OFlags, fcntl_getfl, fcntl_setfl, open};
     use std::os::unix::fs::FileTypeExt;
     let flags = OFlags::RDONLY | OFlags::NONBLOCK | OFlags::NOCTTY | OFlags::CLOEXEC;
     let mut file = File::from(open(path, flags, Mode::empty())?);
     let mut first = [0; 1];
-    let mut begun = 0;
+    let mut started = 0;
     if file.metadata()?.file_type().is_fifo() {
-        begun = match file.read(&mut first) {
+        started = match file.read(&mut first) {
             Ok(0) => {
                 return Err(io::Error::other(
                     crate::wording::words().pipe_without_writer(),
@@ -40,19 +40,20 @@ pub(crate) fn read_ready(path: &Path, most: usize) -> io::Result<Vec<u8>> {
         };
     }
     fcntl_setfl(&file, fcntl_getfl(&file)? - OFlags::NONBLOCK)?;
-    limited(first[..begun].chain(file), most)
+    limited(first[..started].chain(file), maximum)
 }
 
 #[cfg(not(unix))]
-pub(crate) use read_any as read_ready;
+pub(crate) use read_any_file as read_without_waiting;
 
 /// Reads up to one byte more than `most`, so that endless input ends.
 ///
 /// # Errors
 /// Returns an I/O error.
-pub(crate) fn limited(from: impl Read, most: usize) -> io::Result<Vec<u8>> {
+pub(crate) fn limited(from: impl Read, maximum: usize) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    let most = u64::try_from(most).unwrap_or(u64::MAX);
-    from.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+    let maximum = u64::try_from(maximum).unwrap_or(u64::MAX);
+    from.take(maximum.saturating_add(1))
+        .read_to_end(&mut bytes)?;
     Ok(bytes)
 }

@@ -156,7 +156,7 @@ fn recovery_completes_only_interrupted_writes() {
         for present in all {
             fs::write(&file, &present).unwrap();
             fs::write(records.join("krank-1-1.writing"), &record).unwrap();
-            let mended = mend(&records);
+            let mended = recover_all(&records);
             let now = fs::read_to_string(&file).unwrap();
             let was_whole = present == old || present == new;
             assert_eq!(now, if was_whole { present.as_str() } else { new });
@@ -166,7 +166,7 @@ fn recovery_completes_only_interrupted_writes() {
         // A later write by another program is kept.
         fs::write(&file, "something else altogether").unwrap();
         fs::write(records.join("krank-1-1.writing"), &record).unwrap();
-        assert!(mend(&records).is_empty());
+        assert!(recover_all(&records).is_empty());
         assert_eq!(
             fs::read_to_string(&file).unwrap(),
             "something else altogether"
@@ -179,7 +179,7 @@ fn recovery_completes_only_interrupted_writes() {
         "krank-writing 1 9 9 2f\nab",
     ] {
         fs::write(records.join("odd.writing"), foreign).unwrap();
-        assert!(mend(&records).is_empty());
+        assert!(recover_all(&records).is_empty());
         assert_eq!(names(&records), ["odd.writing"]);
     }
     fs::remove_dir_all(folder).unwrap();
@@ -266,7 +266,7 @@ mod saving {
         Saving {
             to: file,
             records: None,
-            though_read_only: false,
+            overwrites_read_only: false,
             most: 1 << 20,
         }
     }
@@ -281,11 +281,11 @@ mod saving {
         assert!(matches!(refused, Err(WriteError::ReadOnly)), "{refused:?}");
         assert!(matches!(Output::to(&file, None), Err(WriteError::ReadOnly)));
         assert_eq!(fs::read_to_string(&file).unwrap(), "old");
-        let meant = Saving {
-            though_read_only: true,
+        let intended = Saving {
+            overwrites_read_only: true,
             ..to(&file)
         };
-        save(meant, |_| Ok(b"new".to_vec())).unwrap();
+        save(intended, |_| Ok(b"new".to_vec())).unwrap();
         assert_eq!(fs::read_to_string(&file).unwrap(), "new");
         assert_eq!(fs::metadata(&file).unwrap().mode() & 0o777, 0o444);
         fs::remove_dir_all(folder).unwrap();
@@ -351,7 +351,7 @@ fn foreign_write_during_save_is_kept() {
     let saving = Saving {
         to: &file,
         records: None,
-        though_read_only: false,
+        overwrites_read_only: false,
         most: 100,
     };
     let foreign = |_| {
@@ -400,7 +400,7 @@ fn file_being_written_by_another_is_rejected() {
     let held = Output::to(&file, None).unwrap();
     for name in [&file, &link] {
         assert!(matches!(Output::to(name, None), Err(WriteError::Busy)));
-        let growing = AppendFile::begin(name, "head\n", None);
+        let growing = AppendFile::create(name, "head\n", None);
         assert!(matches!(growing, Err(WriteError::Busy)));
         assert!(matches!(
             ResumableFile::open(name, "ol"),

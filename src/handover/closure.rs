@@ -25,7 +25,7 @@ pub(super) enum ScriptResidual {
 
 /// The pose of a link, in terms of the unknowns.
 #[derive(Clone)]
-struct Stance {
+struct LinkPose {
     /// A reference point of the link and its place, from which the other points are computed.
     seen_from: Option<(PointId, ScriptTerm)>,
     direction: ScriptTerm,
@@ -33,7 +33,7 @@ struct Stance {
 
 /// The unknowns of a group.
 struct Unknowns {
-    stances: Vec<(LinkId, Stance)>,
+    link_poses: Vec<(LinkId, LinkPose)>,
     /// Pins that are not on any link of the group.
     pins: Vec<(PointId, ScriptTerm)>,
     seeds: Vec<f64>,
@@ -41,7 +41,7 @@ struct Unknowns {
 
 impl ScriptPlacement<'_> {
     /// Closes the rest of a group by Newton's method.
-    pub(super) fn close_coupled(&mut self, links: &[LinkId], points: &[PointId]) {
+    pub(super) fn solve_rest_by_newton(&mut self, links: &[LinkId], points: &[PointId]) {
         let unknowns = self.unknowns(links, points, "z");
         if unknowns.seeds.is_empty() {
             return;
@@ -55,15 +55,15 @@ impl ScriptPlacement<'_> {
             misfits,
         }));
         for (point, place) in found.pins {
-            self.put(point, place);
+            self.place_point(point, place);
         }
-        for (link, stance) in found.stances {
+        for (link, link_pose) in found.link_poses {
             if !self.is_aimed(link) {
-                self.aim(link, stance.direction);
+                self.aim(link, link_pose.direction);
             }
-            if let Some((point, place)) = stance.seen_from {
+            if let Some((point, place)) = link_pose.seen_from {
                 if !self.is_known(point) {
-                    self.put(point, place);
+                    self.place_point(point, place);
                 }
                 self.hold(link, point);
             }
@@ -72,16 +72,16 @@ impl ScriptPlacement<'_> {
 
     /// Returns the unknowns of the unplaced links, as elements of the list `list`.
     fn unknowns(&self, links: &[LinkId], points: &[PointId], list: &str) -> Unknowns {
-        let mut work = self.solver.state();
+        let mut workspace = self.solver.state();
         let start = self.mechanism().driver().start;
-        let _ = self.solver.solve(start, Order::Position, &mut work);
-        let state = work.state().known();
+        let _ = self.solver.solve(start, Order::Position, &mut workspace);
+        let state = workspace.state().known();
         let mut seeds: Vec<f64> = Vec::new();
         let mut next = |seed: f64| {
             seeds.push(if seed.is_finite() { seed } else { 0.0 });
             self.language.element(list, seeds.len() - 1)
         };
-        let mut stances = Vec::new();
+        let mut link_poses = Vec::new();
         for &link in links.iter().filter(|&&link| !self.is_placed(link)) {
             let known = self.known_member(link);
             let seen_from = known.or_else(|| self.members(link).first().copied());
@@ -99,9 +99,9 @@ impl ScriptPlacement<'_> {
                 Some(direction) => direction,
                 None => ScriptTerm::of(format!("turn({})", next(state.angle(link)))),
             };
-            stances.push((
+            link_poses.push((
                 link,
-                Stance {
+                LinkPose {
                     seen_from,
                     direction,
                 },
@@ -120,7 +120,7 @@ impl ScriptPlacement<'_> {
             })
             .collect();
         Unknowns {
-            stances,
+            link_poses,
             pins,
             seeds,
         }
@@ -129,12 +129,12 @@ impl ScriptPlacement<'_> {
     fn misfits(&self, unknowns: &Unknowns) -> Vec<ScriptResidual> {
         let mut misfits = Vec::new();
         let mut placed: Vec<(PointId, ScriptTerm)> = unknowns.pins.clone();
-        for (link, stance) in &unknowns.stances {
-            let Some((seen_from, _)) = stance.seen_from else {
+        for (link, link_pose) in &unknowns.link_poses {
+            let Some((seen_from, _)) = link_pose.seen_from else {
                 continue;
             };
             for point in self.members(*link) {
-                let place = self.seen(*link, stance, self.local(*link, point));
+                let place = self.place_on_link(*link, link_pose, self.local(*link, point));
                 let other = placed.iter().find(|(p, _)| *p == point);
                 match other {
                     _ if self.is_known(point) && point != seen_from => {
@@ -151,13 +151,13 @@ impl ScriptPlacement<'_> {
             self.misfits_of_slide(id, unknowns, &placed, &mut misfits);
         }
         for (turned, from) in self.mechanism().elbows() {
-            let stance = |link: LinkId| unknowns.stances.iter().find(|(l, _)| *l == link);
-            let stances = [turned, from].map(|link| (stance(link), link));
-            if stances.iter().all(|(sought, _)| sought.is_none()) {
+            let link_pose = |link: LinkId| unknowns.link_poses.iter().find(|(l, _)| *l == link);
+            let link_poses = [turned, from].map(|link| (link_pose(link), link));
+            if link_poses.iter().all(|(sought, _)| sought.is_none()) {
                 continue;
             }
-            let [link, from] = stances.map(|(sought, link)| match sought {
-                Some((_, stance)) => Some(stance.direction.clone()),
+            let [link, from] = link_poses.map(|(sought, link)| match sought {
+                Some((_, link_pose)) => Some(link_pose.direction.clone()),
                 None => self.direction(Body::Link(link)),
             });
             // If both directions are known, or one follows the other, this equation is trivial.
@@ -171,12 +171,12 @@ impl ScriptPlacement<'_> {
     }
 
     /// Returns a place on a link, in terms of the unknowns.
-    fn seen(&self, link: LinkId, stance: &Stance, place: ScriptTerm) -> ScriptTerm {
-        match &stance.seen_from {
+    fn place_on_link(&self, link: LinkId, link_pose: &LinkPose, place: ScriptTerm) -> ScriptTerm {
+        match &link_pose.seen_from {
             None => place,
             Some((point, at)) => {
                 let offset = place.minus(self.local(link, *point));
-                at.clone().plus(stance.direction.clone().times(offset))
+                at.clone().plus(link_pose.direction.clone().times(offset))
             }
         }
     }
@@ -190,14 +190,14 @@ impl ScriptPlacement<'_> {
     ) {
         let slide = self.mechanism().slide(id);
         let point = slide.slider.point();
-        let stance = |link: LinkId| unknowns.stances.iter().find(|(l, _)| *l == link);
+        let link_pose = |link: LinkId| unknowns.link_poses.iter().find(|(l, _)| *l == link);
         let sought = placed.iter().find(|(p, _)| *p == point);
         let on = match slide.on {
-            Body::Link(link) => stance(link),
+            Body::Link(link) => link_pose(link),
             Body::Ground => None,
         };
         let sliding = match slide.slider {
-            Slider::Link { link, .. } => stance(link),
+            Slider::Link { link, .. } => link_pose(link),
             Slider::Pin(_) => None,
         };
         if sought.is_none() && on.is_none() && sliding.is_none() {
@@ -209,9 +209,9 @@ impl ScriptPlacement<'_> {
             None => return,
         };
         let guide = match on {
-            Some((link, stance)) => Some((
-                self.seen(*link, stance, self.through(id)),
-                stance.direction.clone(),
+            Some((link, link_pose)) => Some((
+                self.place_on_link(*link, link_pose, self.through(id)),
+                link_pose.direction.clone(),
             )),
             None => self.guide_of_body(slide.on, id),
         };
@@ -226,14 +226,14 @@ impl ScriptPlacement<'_> {
             let q = self.coordinate(Input::Push(id));
             misfits.push(ScriptResidual::One(ahead.minus(q)));
         }
-        if let (Slider::Link { turn, .. }, Some((link, stance))) = (slide.slider, sliding)
+        if let (Slider::Link { turn, .. }, Some((link, link_pose))) = (slide.slider, sliding)
             && !self.is_aimed(*link)
         {
             let wanted = body.times(ScriptTerm::of(format!(
                 "turn({})",
                 number(slide.angle + turn)
             )));
-            let lock = format!("across({}, {wanted})", stance.direction);
+            let lock = format!("across({}, {wanted})", link_pose.direction);
             misfits.push(ScriptResidual::One(ScriptTerm::of(lock)));
         }
     }

@@ -84,12 +84,12 @@ impl Writing<'_> {
         let points = self.points();
         let comment = self.language.comment();
         let title = sanitized(&self.scene.title(), true);
-        let heads = points.iter().flat_map(|&p| {
+        let headers = points.iter().flat_map(|&p| {
             let name = self.scene.point_name(p).unwrap_or_default();
             ["x", "y"].map(|axis| format!("{name}.{axis} [{unit}]"))
         });
-        let heads: Vec<String> = std::iter::once(driver.clone()).chain(heads).collect();
-        let heads: Vec<String> = heads.iter().map(|h| self.language.quoted(h)).collect();
+        let headers: Vec<String> = std::iter::once(driver.clone()).chain(headers).collect();
+        let headers: Vec<String> = headers.iter().map(|h| self.language.quoted(h)).collect();
         let names: Vec<&str> = points
             .iter()
             .map(|&p| self.placement.names.point(p))
@@ -104,7 +104,7 @@ impl Writing<'_> {
             ("constants_inside", self.constants("    ")),
             ("steps", self.steps(words)),
             ("points", names.join(", ")),
-            ("heads", heads.join(", ")),
+            ("heads", headers.join(", ")),
             ("low", number(low)),
             ("high", number(high)),
             ("step", number(self.step())),

@@ -179,9 +179,9 @@ impl Identifiers {
 
     /// Returns an unused name of letters, digits and `_`, as close as possible to the requested
     /// one.
-    pub(super) fn fresh(&mut self, wish: &str) -> String {
+    pub(super) fn fresh(&mut self, requested: &str) -> String {
         let allowed = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
-        let mut name: String = wish.chars().map(allowed).take(MAX_LENGTH).collect();
+        let mut name: String = requested.chars().map(allowed).take(MAX_LENGTH).collect();
         if !name.starts_with(|c: char| c.is_ascii_alphabetic()) {
             name.insert(0, 'n');
         }

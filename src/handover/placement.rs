@@ -65,7 +65,7 @@ impl<'a> ScriptPlacement<'a> {
             placement.settle();
             while !placement.is_done(&group.links, &group.points) {
                 if !placement.close_form(&group.links, &group.points) {
-                    placement.close_coupled(&group.links, &group.points);
+                    placement.solve_rest_by_newton(&group.links, &group.points);
                     placement.settle();
                     break;
                 }
@@ -233,7 +233,7 @@ impl<'a> ScriptPlacement<'a> {
             .push(ScriptStep::Assign(Assignment { name, term }));
     }
 
-    pub(super) fn put(&mut self, point: PointId, term: ScriptTerm) {
+    pub(super) fn place_point(&mut self, point: PointId, term: ScriptTerm) {
         self.known[point.index()] = true;
         self.assign(self.names.point(point).to_owned(), term);
     }
@@ -319,8 +319,9 @@ impl<'a> ScriptPlacement<'a> {
             let numbers: Vec<String> = numbers.into_iter().map(number).collect();
             format!("[{}]", numbers.join(", "))
         };
-        let [places, values] = [0, 1].map(|i| table.knots().iter().map(|knot| knot[i]).collect());
-        let lists = [places, values, table.bends().to_vec()];
+        let [coordinates, values] =
+            [0, 1].map(|i| table.knots().iter().map(|knot| knot[i]).collect());
+        let lists = [coordinates, values, table.bends().to_vec()];
         for (name, numbers) in self.table_names(input).into_iter().zip(lists) {
             self.constant(name, list(numbers));
         }
@@ -350,7 +351,7 @@ impl<'a> ScriptPlacement<'a> {
                 if slide.on == Body::Ground {
                     self.steps.push(ScriptStep::Group(Vec::new()));
                     let place = self.through(id).plus(self.along(id).times(q));
-                    self.put(slide.slider.point(), place);
+                    self.place_point(slide.slider.point(), place);
                 }
             }
         }
@@ -365,7 +366,7 @@ impl<'a> ScriptPlacement<'a> {
             for link in self.mechanism().link_ids() {
                 self.lock(link);
                 self.elbow(link);
-                self.settle_link(link);
+                self.determine_link(link);
             }
             if self.steps.len() == before {
                 return;
@@ -385,7 +386,7 @@ impl<'a> ScriptPlacement<'a> {
             }
             let way = self.along(id).times(self.coordinate(input));
             if let Some(place) = self.on_body(slide.on, self.through(id).plus(way)) {
-                self.put(point, place);
+                self.place_point(point, place);
             }
         }
     }
@@ -451,7 +452,7 @@ impl<'a> ScriptPlacement<'a> {
         ScriptTerm::of(format!("turn({})", self.coordinate(Input::Turn(turned))))
     }
 
-    fn settle_link(&mut self, link: LinkId) {
+    fn determine_link(&mut self, link: LinkId) {
         if !self.is_placed(link) {
             let members = self.members(link);
             let known: Vec<PointId> = members.into_iter().filter(|&p| self.is_known(p)).collect();
@@ -469,7 +470,7 @@ impl<'a> ScriptPlacement<'a> {
             if !self.is_known(point)
                 && let Some(place) = self.on_body(Body::Link(link), self.local(link, point))
             {
-                self.put(point, place);
+                self.place_point(point, place);
             }
         }
     }

@@ -8,11 +8,11 @@ use crate::solver::{Condition, Known, Order, Range, Solver};
 const PLACES: u32 = 1440;
 /// The distance from a change point, in the driver's coordinate, within which a group changes sides
 /// at that point.
-const SAME: f64 = 1e-4;
+const EQUALITY_TOLERANCE: f64 = 1e-4;
 
 /// The side of a group over the motion.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct SideCourse {
+pub(super) struct SideHistory {
     /// The period of the motion, if it has one.
     pub(super) period: Option<f64>,
     /// `true` if the side is positive at the beginning of the range.
@@ -21,15 +21,16 @@ pub(super) struct SideCourse {
     pub(super) changes: Vec<f64>,
 }
 
-impl SideCourse {
+impl SideHistory {
     /// Follows a function over the motion; its sign is the side.
-    pub(super) fn of(solver: &Solver, figure: impl Fn(Known<'_>) -> f64) -> SideCourse {
+    pub(super) fn of(solver: &Solver, figure: impl Fn(Known<'_>) -> f64) -> SideHistory {
         let range = solver.motion().range;
         let (low, high) = range.ends();
-        let mut work = solver.state();
+        let mut workspace = solver.state();
         let mut at = |place: f64| {
-            let condition = solver.solve(place, Order::Position, &mut work);
-            let value = (condition != Condition::NoAssembly).then(|| figure(work.state().known()));
+            let condition = solver.solve(place, Order::Position, &mut workspace);
+            let value =
+                (condition != Condition::NoAssembly).then(|| figure(workspace.state().known()));
             value.filter(|value| value.is_finite())
         };
         let place = |k: u32| low + (high - low) * (f64::from(k) + 0.37) / f64::from(PLACES);
@@ -45,7 +46,7 @@ impl SideCourse {
             }
             last = Some((place, value));
         }
-        let mut course = SideCourse {
+        let mut course = SideHistory {
             period: match range {
                 Range::Full { period } => Some(period),
                 Range::Limited { .. } => None,
@@ -81,6 +82,8 @@ impl SideCourse {
 /// Replaces a root by the change point next to it, which is more accurate.
 fn settled(solver: &Solver, found: f64) -> f64 {
     let known = &solver.motion().change_points;
-    let near = known.iter().find(|place| (*place - found).abs() < SAME);
+    let near = known
+        .iter()
+        .find(|place| (*place - found).abs() < EQUALITY_TOLERANCE);
     near.copied().unwrap_or(found)
 }

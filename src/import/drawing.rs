@@ -74,10 +74,10 @@ impl DrawnMass {
             return self;
         }
         let share = other.mass / mass;
-        let apart = difference(other.centre, self.centre);
-        let metres = apart[0].hypot(apart[1]) * unit.metres();
+        let distance = difference(other.centre, self.centre);
+        let metres = distance[0].hypot(distance[1]) * unit.metres();
         DrawnMass {
-            centre: [0, 1].map(|i| self.centre[i] + share * apart[i]),
+            centre: [0, 1].map(|i| self.centre[i] + share * distance[i]),
             mass,
             inertia: self.inertia + other.inertia + self.mass * share * metres * metres,
         }

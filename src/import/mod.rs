@@ -267,14 +267,14 @@ impl ImportWriter<'_> {
         let drawn: HashMap<&str, [f64; 2]> = names
             .zip(self.drawing.points.iter().map(|point| point.at))
             .collect();
-        let most = AS_DRAWN * self.drawing.size();
+        let maximum = AS_DRAWN * self.drawing.size();
         let mut points = scene.mechanism.point_ids();
         let is_as_drawn = points.all(|point| {
             let at = scene.point_name(point).and_then(|name| drawn.get(name));
             let (Some([x, y]), Some(found)) = (at, state.position(point)) else {
                 return true;
             };
-            (found.x - x).hypot(found.y - y) <= most
+            (found.x - x).hypot(found.y - y) <= maximum
         });
         match is_as_drawn {
             true => OpeningPose::AsDrawn,
@@ -318,9 +318,9 @@ fn first_address(text: &str) -> (&str, &str) {
     let mut offset = 0;
     let mut lines = rest.split_inclusive('\n');
     let end = lines.find_map(|line| {
-        let begin = offset;
+        let start = offset;
         offset += line.len();
-        is_address(line.trim_start()).then_some(begin)
+        is_address(line.trim_start()).then_some(start)
     });
     (address.trim(), &rest[..end.unwrap_or(rest.len())])
 }

@@ -8,7 +8,7 @@ use crate::wording::words;
 use std::collections::{BTreeSet, HashMap};
 
 /// Two points nearer than this fraction of the drawing's size are at the same place.
-const SAME: f64 = 1e-9;
+const EQUALITY_TOLERANCE: f64 = 1e-9;
 /// A pin within this fraction of the drawing's size is on the guide of another pin: files have six
 /// decimals.
 const ON_GUIDE: f64 = 1e-6;
@@ -88,7 +88,7 @@ fn weld(drawing: &mut Drawing, size: f64) {
             for (i, &one) in parts.iter().enumerate() {
                 for &other in &parts[i + 1..] {
                     let first = *shared.entry([one, other]).or_insert(point);
-                    if drawing.distance(first, point) > SAME * size {
+                    if drawing.distance(first, point) > EQUALITY_TOLERANCE * size {
                         joined |= groups.join(one, other);
                     }
                 }
@@ -280,7 +280,7 @@ fn turn_blocks_into_pins(drawing: &mut Drawing, size: f64) {
         let is_at_one_place = block
             .points
             .iter()
-            .all(|&point| drawing.distance(at, point) <= SAME * size);
+            .all(|&point| drawing.distance(at, point) <= EQUALITY_TOLERANCE * size);
         let is_pin = |&&point: &&usize| holders[point] > 1;
         let mut pins = block.points.iter().filter(is_pin);
         let (Some(&pin), None) = (pins.next(), pins.next()) else {
@@ -365,7 +365,7 @@ fn join_pins_of_one_guide(drawing: &mut Drawing, size: f64) {
                 let (sin, cos) = known.angle.to_radians().sin_cos();
                 let turned = (angle - known.angle).to_radians().sin().abs();
                 (dx * sin - dy * cos).abs() <= ON_GUIDE * size
-                    && dx.hypot(dy) > SAME * size
+                    && dx.hypot(dy) > EQUALITY_TOLERANCE * size
                     && turned <= ON_GUIDE
             })?;
             Some((part, first))
@@ -452,7 +452,8 @@ fn leave_out_idle_links(drawing: &mut Drawing, size: f64) {
             continue;
         };
         let mut places = drawn.points.iter();
-        let is_at_one_place = places.all(|&point| drawing.distance(first, point) <= SAME * size);
+        let is_at_one_place =
+            places.all(|&point| drawing.distance(first, point) <= EQUALITY_TOLERANCE * size);
         // Points that coincide are held together by the link.
         let holds = drawn.points.len() > 1 || drawn.mass.is_some();
         if !is_at_one_place || holds || drawn.is_needed || is_used(drawing, link, usize::MAX) {
@@ -474,12 +475,12 @@ fn leave_out_idle_links(drawing: &mut Drawing, size: f64) {
         };
         let [dx, dy] = difference(drawing.points[pin].at, drawing.points[through].at);
         let (sin, cos) = drawn.angle.to_radians().sin_cos();
-        let beside = (dx * sin - dy * cos).abs();
-        if beside > BESIDE * size {
+        let nearby = (dx * sin - dy * cos).abs();
+        if nearby > BESIDE * size {
             let name = slide_name(drawing, slide);
             drawing
                 .remarks
-                .add("", &words().import_pin_beside_slot(&name, beside));
+                .add("", &words().import_pin_beside_slot(&name, nearby));
         }
     }
 }

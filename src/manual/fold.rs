@@ -16,15 +16,15 @@ pub(crate) fn folded(line: ManualLine, width: usize) -> Vec<ManualLine> {
     let mut rest: Vec<char> = line.text.chars().collect();
     let mut pieces = Vec::new();
     let mut indent = 0;
-    let room = |indent| width.saturating_sub(indent).max(1);
-    while rest.len() > room(indent) {
-        let room = room(indent);
-        let blank = rest[..room].iter().rposition(|c| *c == ' ');
-        let end = blank.map_or(room, |blank| blank + 1);
-        let end = if end > room / 2 { end } else { room };
-        let behind = rest.split_off(end);
+    let space = |indent| width.saturating_sub(indent).max(1);
+    while rest.len() > space(indent) {
+        let space = space(indent);
+        let blank = rest[..space].iter().rposition(|c| *c == ' ');
+        let end = blank.map_or(space, |blank| blank + 1);
+        let end = if end > space / 2 { end } else { space };
+        let after = rest.split_off(end);
         pieces.push(piece(&rest, indent));
-        rest = behind;
+        rest = after;
         indent = INDENT;
     }
     pieces.push(piece(&rest, indent));
@@ -36,7 +36,7 @@ pub(crate) fn joined(lines: &[ManualLine]) -> String {
     let mut text = String::new();
     for line in lines {
         match line.kind {
-            LineKind::Code if line.goes_on => text += line.text.get(INDENT..).unwrap_or_default(),
+            LineKind::Code if line.continues => text += line.text.get(INDENT..).unwrap_or_default(),
             LineKind::Code => text += &line.text,
             LineKind::Title | LineKind::Words => {
                 text.push(' ');
@@ -53,7 +53,7 @@ fn piece(text: &[char], indent: usize) -> ManualLine {
     ManualLine {
         kind: LineKind::Code,
         text: format!("{:indent$}{text}", ""),
-        goes_on: indent > 0,
+        continues: indent > 0,
     }
 }
 
@@ -70,7 +70,7 @@ mod tests {
                 let pieces = folded(line.clone(), 40);
                 folds += pieces.len() - 1;
                 assert!(pieces.iter().all(|piece| piece.text.chars().count() <= 40));
-                assert!(pieces.iter().skip(1).all(|piece| piece.goes_on));
+                assert!(pieces.iter().skip(1).all(|piece| piece.continues));
                 assert_eq!(joined(&pieces).trim_start(), line.text.trim_start());
             }
         }

@@ -22,7 +22,7 @@ pub(crate) struct ManualLine {
     pub(crate) text: String,
     /// Whether the line continues the one before it: prose with its next word, code without a blank in between. Any
     /// other line begins a paragraph, a table row or a line of code.
-    pub(crate) goes_on: bool,
+    pub(crate) continues: bool,
 }
 
 /// Maximum width of prose, in characters; longer lines are hard to read.
@@ -32,7 +32,7 @@ const MIN_WIDTH: usize = 30;
 /// Indentation of code, in blanks; less if the code would not fit.
 const CODE: usize = 4;
 /// Maximum length, in bytes, of inline code that is never broken; longer code is broken between its words.
-pub(super) const TOGETHER: usize = 22;
+pub(super) const MAX_UNBROKEN_CODE: usize = 22;
 /// Placeholder for a blank at which a line must not be broken.
 const TIED: char = '\u{1}';
 
@@ -44,19 +44,19 @@ pub(crate) fn lines(text: &str, width: usize) -> Vec<ManualLine> {
         if block.apart && !lines.is_empty() {
             lines.push(line(LineKind::Words, ""));
         }
-        lines.extend(laid_out(&block, width.clamp(MIN_WIDTH, MAX_WIDTH)));
+        lines.extend(layout_block(&block, width.clamp(MIN_WIDTH, MAX_WIDTH)));
     }
     lines
 }
 
-fn laid_out(block: &MarkdownBlock<'_>, width: usize) -> Vec<ManualLine> {
-    let room = width - block.indent;
+fn layout_block(block: &MarkdownBlock<'_>, width: usize) -> Vec<ManualLine> {
+    let space = width - block.indent;
     let inner = match &block.content {
-        MarkdownContent::Heading(_, text) => passage(LineKind::Title, broken(&plain(text), room)),
-        MarkdownContent::Paragraph(text) => passage(LineKind::Words, broken(&plain(text), room)),
-        MarkdownContent::Item(text) => passage(LineKind::Words, item(text, room)),
-        MarkdownContent::Code(code) => as_it_stands(code, room),
-        MarkdownContent::Table(table) => table::lines(table, room),
+        MarkdownContent::Heading(_, text) => passage(LineKind::Title, broken(&plain(text), space)),
+        MarkdownContent::Paragraph(text) => passage(LineKind::Words, broken(&plain(text), space)),
+        MarkdownContent::Item(text) => passage(LineKind::Words, item(text, space)),
+        MarkdownContent::Code(code) => verbatim(code, space),
+        MarkdownContent::Table(table) => table::lines(table, space),
     };
     let indented = inner.into_iter().map(|inner| match inner.text.as_str() {
         "" => inner,
@@ -79,7 +79,7 @@ fn item(text: &str, width: usize) -> Vec<String> {
 }
 
 /// Returns code verbatim, indented as far as `width` permits.
-fn as_it_stands(code: &[&str], width: usize) -> Vec<ManualLine> {
+fn verbatim(code: &[&str], width: usize) -> Vec<ManualLine> {
     let widest = code.iter().map(|line| line.chars().count()).max();
     let indent = CODE.min(width.saturating_sub(widest.unwrap_or(0)));
     let indented = code.iter().map(|code| format!("{:indent$}{code}", ""));
@@ -89,10 +89,12 @@ fn as_it_stands(code: &[&str], width: usize) -> Vec<ManualLine> {
 /// Breaks words into lines of at most `width` characters; short code stays on one line.
 pub(super) fn broken(text: &str, width: usize) -> Vec<String> {
     let pieces = text.split('`').enumerate();
-    let tied = pieces.map(|(i, piece)| match i % 2 == 1 && piece.len() <= TOGETHER {
-        true => piece.replace(' ', &TIED.to_string()),
-        false => piece.to_owned(),
-    });
+    let tied = pieces.map(
+        |(i, piece)| match i % 2 == 1 && piece.len() <= MAX_UNBROKEN_CODE {
+            true => piece.replace(' ', &TIED.to_string()),
+            false => piece.to_owned(),
+        },
+    );
     let tied: Vec<String> = tied.collect();
     let lines = wrapped(&tied.join("`"), width).into_iter();
     lines.map(|line| line.replace(TIED, " ")).collect()
@@ -109,14 +111,14 @@ pub(super) fn line(kind: LineKind, text: &str) -> ManualLine {
     ManualLine {
         kind,
         text: text.trim_end().to_owned(),
-        goes_on: false,
+        continues: false,
     }
 }
 
 /// Creates the lines of a passage: each continues the one before it.
 fn passage(kind: LineKind, lines: Vec<String>) -> Vec<ManualLine> {
     let lines = lines.iter().enumerate().map(|(number, text)| ManualLine {
-        goes_on: number > 0,
+        continues: number > 0,
         ..line(kind, text)
     });
     lines.collect()

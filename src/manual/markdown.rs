@@ -53,7 +53,7 @@ pub(super) fn blocks(text: &str) -> Vec<MarkdownBlock<'_>> {
             let indent = reader.indent;
             let code = lines.by_ref().map(|line| line.get(indent..).unwrap_or(""));
             let code = code.take_while(|line| !line.starts_with(FENCE)).collect();
-            reader.begin(MarkdownContent::Code(code));
+            reader.start_block(MarkdownContent::Code(code));
         } else {
             reader.line(inner);
         }
@@ -89,7 +89,7 @@ impl<'t> MarkdownReader<'t> {
         self.blocks.last_mut().map(|block| &mut block.content)
     }
 
-    fn begin(&mut self, content: MarkdownContent<'t>) {
+    fn start_block(&mut self, content: MarkdownContent<'t>) {
         self.blocks.push(MarkdownBlock {
             content,
             indent: self.indent,
@@ -103,14 +103,14 @@ impl<'t> MarkdownReader<'t> {
         if let Some(code) = line.strip_prefix(CODE) {
             match self.last() {
                 Some(MarkdownContent::Code(lines)) => lines.push(code),
-                _ => self.begin(MarkdownContent::Code(vec![code])),
+                _ => self.start_block(MarkdownContent::Code(vec![code])),
             }
         } else if line.starts_with('#') {
             let text = line.trim_start_matches('#');
             let level = line.len() - text.len();
-            self.begin(MarkdownContent::Heading(level, text.trim()));
+            self.start_block(MarkdownContent::Heading(level, text.trim()));
         } else if let Some(item) = line.strip_prefix("- ") {
-            self.begin(MarkdownContent::Item(item.to_owned()));
+            self.start_block(MarkdownContent::Item(item.to_owned()));
         } else if line.starts_with('|') {
             self.row(line);
         } else {
@@ -119,19 +119,19 @@ impl<'t> MarkdownReader<'t> {
     }
 
     fn words(&mut self, line: &str) {
-        let apart = self.apart;
+        let distance = self.apart;
         match self.last() {
-            Some(MarkdownContent::Paragraph(text) | MarkdownContent::Item(text)) if !apart => {
+            Some(MarkdownContent::Paragraph(text) | MarkdownContent::Item(text)) if !distance => {
                 text.push(' ');
                 text.push_str(line);
             }
-            _ => self.begin(MarkdownContent::Paragraph(line.to_owned())),
+            _ => self.start_block(MarkdownContent::Paragraph(line.to_owned())),
         }
     }
 
     fn row(&mut self, line: &'t str) {
         if self.apart || !matches!(self.last(), Some(MarkdownContent::Table(_))) {
-            self.begin(MarkdownContent::Table(MarkdownTable::default()));
+            self.start_block(MarkdownContent::Table(MarkdownTable::default()));
         }
         let cells = line.trim().trim_start_matches('|');
         let cells = split(cells.strip_suffix('|').unwrap_or(cells));

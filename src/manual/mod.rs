@@ -71,7 +71,7 @@ impl Topic {
     /// Returns the Markdown text in the current language. `keys` writes the table rows of the workbench's keys; it is
     /// called only if the topic has this table.
     pub(crate) fn text(&self, keys: impl FnOnce() -> String) -> String {
-        let language = Language::spoken();
+        let language = Language::current_language();
         let text: String = self.parts.iter().map(|part| part.of(language)).collect();
         let text = filled(text, KEYS, keys);
         filled(text, SCENE_KEYS, crate::scene::reference)
@@ -80,20 +80,20 @@ impl Topic {
 
 impl Topic {
     /// Returns the description for the list of topics; in Turkish it includes the Turkish name.
-    pub(crate) fn told(&self) -> String {
+    pub(crate) fn description(&self) -> String {
         words().topic_told((self.about)(words()), self.turkish)
     }
 
     /// Returns the name in the current language.
     pub(crate) fn called(&self) -> &'static str {
-        match Language::spoken() {
+        match Language::current_language() {
             Language::English => self.name,
             Language::Turkish => self.turkish,
         }
     }
 
     /// Returns `true` if this word is the topic's name, in English or in Turkish.
-    fn is_called(&self, word: &str) -> bool {
+    fn has_name(&self, word: &str) -> bool {
         word == self.name || spelled(word) == spelled(self.turkish)
     }
 }
@@ -106,7 +106,7 @@ fn spelled(word: &str) -> String {
 /// Replaces the first occurrence of a line by the text that `what` returns.
 fn filled(text: String, line: &str, what: impl FnOnce() -> String) -> String {
     match text.split_once(line) {
-        Some((before, behind)) => before.to_owned() + &what() + behind,
+        Some((before, after)) => before.to_owned() + &what() + after,
         None => text,
     }
 }
@@ -229,12 +229,12 @@ pub(crate) const TOPICS: &[Topic] = &[
 
 /// Returns the topic with this name, in English or in Turkish; `None` if there is none.
 pub(crate) fn find(name: &str) -> Option<&'static Topic> {
-    TOPICS.iter().find(|topic| topic.is_called(name))
+    TOPICS.iter().find(|topic| topic.has_name(name))
 }
 
 /// Returns the translated names of the topics in the current language; none in English.
 pub(crate) fn names_of_language() -> impl Iterator<Item = &'static str> {
-    let is_turkish = Language::spoken() == Language::Turkish;
+    let is_turkish = Language::current_language() == Language::Turkish;
     let topics = TOPICS.iter().filter(move |_| is_turkish);
     topics.map(|topic| topic.turkish)
 }

@@ -63,7 +63,7 @@ impl SearchWords {
             return Vec::new();
         }
         let lines = lines(&text, width);
-        let places = lines.chunk_by(|_, next| next.goes_on);
+        let places = lines.chunk_by(|_, next| next.continues);
         places.filter_map(|place| self.line_of(place)).collect()
     }
 
@@ -123,10 +123,10 @@ mod tests {
 
     #[test]
     fn each_place_is_found_once_and_across_line_breaks() {
-        let line = |text: &str, goes_on| ManualLine {
+        let line = |text: &str, continues| ManualLine {
             kind: crate::manual::LineKind::Words,
             text: text.to_owned(),
-            goes_on,
+            continues,
         };
         let place = [
             line("slow", false),

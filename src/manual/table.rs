@@ -63,8 +63,8 @@ fn widths(rows: &[ManualRow]) -> Vec<usize> {
 
 /// Returns the index of the first of the widest columns; 0 if there are none.
 fn widest(widths: &[usize]) -> usize {
-    let most = widths.iter().max();
-    let first = widths.iter().position(|width| Some(width) == most);
+    let maximum = widths.iter().max();
+    let first = widths.iter().position(|width| Some(width) == maximum);
     first.unwrap_or(0)
 }
 
@@ -114,7 +114,7 @@ fn in_columns(rows: &[ManualRow], right: &[bool], widths: &[usize]) -> Vec<Manua
                 text += &" ".repeat(GAP);
             }
             lines.push(ManualLine {
-                goes_on: depth > 0,
+                continues: depth > 0,
                 ..line(row.kind(), &text)
             });
         }
@@ -135,14 +135,14 @@ fn by_entry(rows: &[ManualRow], widest: usize, width: usize) -> Vec<ManualLine> 
         }
         let cells = row.cells.iter().zip(&head.cells).enumerate();
         for (column, (cell, head)) in cells.filter(|(_, (cell, _))| !cell.is_empty()) {
-            let (kind, indent, told) = match column {
+            let (kind, indent, shown_text) = match column {
                 0 => (row.kind(), 0, cell.clone()),
                 _ if column == widest => (LineKind::Words, INDENT, cell.clone()),
                 _ => (LineKind::Words, INDENT, format!("{head}: {cell}")),
             };
-            let told = broken(&told, width - indent).into_iter();
-            lines.extend(told.enumerate().map(|(number, text)| ManualLine {
-                goes_on: column > 0 || number > 0,
+            let shown_text = broken(&shown_text, width - indent).into_iter();
+            lines.extend(shown_text.enumerate().map(|(number, text)| ManualLine {
+                continues: column > 0 || number > 0,
                 ..line(kind, &format!("{:indent$}{text}", ""))
             }));
         }

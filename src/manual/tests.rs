@@ -38,9 +38,9 @@ fn topics_are_plain() {
 /// marks of headings do not count as words.
 fn words(text: &str) -> Vec<String> {
     let pieces = text.split(|c: char| c.is_whitespace() || c == '|');
-    let bare = pieces.map(|word| word.replace("**", "").trim_matches(['#', ':']).to_owned());
+    let plain = pieces.map(|word| word.replace("**", "").trim_matches(['#', ':']).to_owned());
     let is_word = |word: &String| !word.chars().all(|c| c == '-') && !word.starts_with("```");
-    let mut words: Vec<String> = bare.filter(is_word).collect();
+    let mut words: Vec<String> = plain.filter(is_word).collect();
     words.sort();
     words
 }
@@ -48,8 +48,8 @@ fn words(text: &str) -> Vec<String> {
 /// Returns the words in the heads of tables.
 fn heads(text: &str) -> Vec<String> {
     let lines: Vec<&str> = text.lines().collect();
-    let heads = lines.windows(2).filter(|pair| pair[1].starts_with("|---"));
-    heads.flat_map(|pair| words(pair[0])).collect()
+    let headers = lines.windows(2).filter(|pair| pair[1].starts_with("|---"));
+    headers.flat_map(|pair| words(pair[0])).collect()
 }
 
 /// What a formula may call is told of where formulas are, all of it.
@@ -92,7 +92,7 @@ fn no_word_is_lost() {
             let shown: Vec<String> = lines(&text, width).into_iter().map(|l| l.text).collect();
             let mut shown = words(&shown.join("\n"));
             // The head of a column may be repeated at each of its cells, or omitted.
-            let heads = heads(&text);
+            let headers = heads(&text);
             let mut lost = words(&text);
             lost.retain(|word| match shown.binary_search(word) {
                 Ok(i) => {
@@ -101,7 +101,7 @@ fn no_word_is_lost() {
                 }
                 Err(_) => true,
             });
-            lost.retain(|word| !heads.contains(word));
+            lost.retain(|word| !headers.contains(word));
             assert!(lost.is_empty(), "{name} at {width}: {lost:?}");
         }
     }

@@ -1,6 +1,6 @@
 //! Writes the manual as a static web site: a page for each topic, an index, a style sheet and a search script.
 
-use super::layout::{TOGETHER, plain};
+use super::layout::{MAX_UNBROKEN_CODE, plain};
 use super::markdown::{MarkdownBlock, MarkdownContent, MarkdownTable, blocks};
 use super::{TOPICS, Topic, find, spelled};
 use crate::page::{html_document, marked_up};
@@ -60,7 +60,7 @@ fn file(topic: &Topic) -> String {
 }
 
 fn title(topic: &Topic) -> String {
-    Language::spoken().capitalised(topic.called())
+    Language::current_language().capitalised(topic.called())
 }
 
 fn link(topic: &Topic, attributes: &str, html: &str) -> String {
@@ -225,7 +225,7 @@ fn inline(text: &str) -> String {
 
 /// Returns code as HTML; only long code wraps. `krank help TOPIC` links to the topic.
 fn code(text: &str) -> String {
-    let class = if text.len() > TOGETHER {
+    let class = if text.len() > MAX_UNBROKEN_CODE {
         " class=\"long\""
     } else {
         ""

@@ -56,9 +56,9 @@ impl ColumnLayout {
         };
         // The spacing in chunks with fewer columns is not wider than in the fullest chunk.
         let fullest = chunks.iter().rev().max_by_key(|columns| columns.len());
-        let most = fullest.map_or(0, spread);
+        let maximum = fullest.map_or(0, spread);
         let chunk = |columns: Range<usize>| Chunk {
-            gap: setting.gap + spread(&columns).min(most),
+            gap: setting.gap + spread(&columns).min(maximum),
             columns,
         };
         let chunks = chunks.into_iter().map(chunk).collect();
@@ -91,7 +91,7 @@ impl ColumnLayout {
     }
 
     /// Returns `true` if all columns fit next to each other.
-    pub(super) fn is_whole(&self, width: usize) -> bool {
+    pub(super) fn fits_in_one_row(&self, width: usize) -> bool {
         let shown: usize = self.ranges().map(ExactSizeIterator::len).sum();
         self.chunks.len() < 2 && shown == self.widths.len() && self.fits(width)
     }
@@ -106,10 +106,10 @@ impl ColumnLayout {
     ) -> Line {
         let mut line = Line::default();
         line.push(self.setting.indent, mark, TextRole::Mark);
-        let begin = self.setting.indent + self.setting.with_mark(mark);
+        let start = self.setting.indent + self.setting.with_mark(mark);
         line.push(
-            begin,
-            cut_within(name, self.names.saturating_sub(begin)),
+            start,
+            cut_within(name, self.names.saturating_sub(start)),
             of_name,
         );
         let chunk = self.chunks.iter().find(|chunk| chunk.columns == *range);
@@ -122,7 +122,7 @@ impl ColumnLayout {
                     at: right.saturating_sub(length(&cell.text)),
                     text: cell.text.clone(),
                     role: of_cells,
-                    unsure: cell.unsure.clone(),
+                    unproved: cell.unproved.clone(),
                 });
             }
         }

@@ -12,33 +12,33 @@ const SHORT_SIDE: usize = 16;
 pub(super) fn lines(equation: &Equation, width: usize) -> Vec<String> {
     let sides = &equation.sides;
     let indent = " ".repeat(INDENT);
-    let whole = format!("{indent}{}", sides.join(" = "));
+    let text = format!("{indent}{}", sides.join(" = "));
     let Some((first, others)) = sides.split_first().map(|(f, o)| (f.as_str(), o)) else {
         return Vec::new();
     };
-    if length(&whole) <= width {
-        return vec![whole];
+    if length(&text) <= width {
+        return vec![text];
     }
     let left = length(first);
     if left > SHORT_SIDE || left + 2 * INDENT > width / 2 {
-        return terms(&whole, width, 2 * INDENT);
+        return terms(&text, width, 2 * INDENT);
     }
     // Each line takes as many sides as fit, with the equals signs aligned.
     let mut rows: Vec<String> = Vec::new();
-    let begin = INDENT + left + " = ".len();
+    let start = INDENT + left + " = ".len();
     for side in others {
-        let fits = |row: &&mut String| begin + length(row) + 3 + length(side) <= width;
+        let fits = |row: &&mut String| start + length(row) + 3 + length(side) <= width;
         match rows.last_mut().filter(fits) {
             Some(row) => row.push_str(&format!(" = {side}")),
             None => rows.push(side.clone()),
         }
     }
-    let room = width.saturating_sub(begin);
-    let blank = " ".repeat(begin);
+    let space = width.saturating_sub(start);
+    let blank = " ".repeat(start);
     let mut lines = Vec::new();
     for (i, row) in rows.iter().enumerate() {
         let name = if i == 0 { first } else { "" };
-        for (j, line) in terms(row, room, 2).into_iter().enumerate() {
+        for (j, line) in terms(row, space, 2).into_iter().enumerate() {
             let before = match j {
                 0 => format!("{indent}{name:left$} = "),
                 _ => blank.clone(),
@@ -60,8 +60,8 @@ fn parts(formula: &str) -> Vec<String> {
     let mut parts: Vec<String> = Vec::new();
     let mut depth = 0_usize;
     for word in formula.split_whitespace() {
-        let begins = depth == 0 && matches!(word, "+" | "-" | "=" | "+-");
-        match parts.last_mut().filter(|_| !begins) {
+        let starts = depth == 0 && matches!(word, "+" | "-" | "=" | "+-");
+        match parts.last_mut().filter(|_| !starts) {
             Some(part) => part.push_str(&format!(" {word}")),
             None => parts.push(word.to_owned()),
         }

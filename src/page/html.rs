@@ -124,27 +124,27 @@ fn equation(equation: &Equation) -> String {
 
 fn facts(facts: &Facts, symbols: &[String]) -> String {
     let mut list = String::from("<dl>\n");
-    for (name, told) in &facts.list {
-        let told: Vec<String> = told.iter().map(|told| prose(told, symbols)).collect();
+    for (name, text) in &facts.list {
+        let text: Vec<String> = text.iter().map(|text| prose(text, symbols)).collect();
         let _ = writeln!(
             list,
             "<dt>{}</dt><dd>{}</dd>",
             marked_up(name.trim()),
-            told.join("<br/>")
+            text.join("<br/>")
         );
     }
     list + "</dl>\n"
 }
 
 fn columns(table: &Table, symbols: &[String]) -> String {
-    let heads = table
+    let headers = table
         .heads
         .iter()
-        .map(|head| name_of(&head.whole(), symbols));
-    let heads: String = heads.map(|head| format!("<th>{head}</th>")).collect();
+        .map(|head| name_of(&head.one_line(), symbols));
+    let headers: String = headers.map(|head| format!("<th>{head}</th>")).collect();
     let title = marked_up(&table.title);
     let mut text = format!(
-        "<div class=\"sheet\"><table>\n<thead><tr><th>{title}</th>{heads}</tr></thead>\n<tbody>\n"
+        "<div class=\"sheet\"><table>\n<thead><tr><th>{title}</th>{headers}</tr></thead>\n<tbody>\n"
     );
     let count = table.heads.len();
     for row in &table.rows {

@@ -86,10 +86,10 @@ fn facts(facts: &Facts, symbols: &[String]) -> String {
         return String::new();
     }
     let mut list = String::from("\n\\begin{description}\n\\setlength{\\itemsep}{0pt}\n");
-    for (name, told) in &facts.list {
-        let told: Vec<String> = told.iter().map(|told| prose(told, symbols)).collect();
+    for (name, text) in &facts.list {
+        let text: Vec<String> = text.iter().map(|text| prose(text, symbols)).collect();
         let name = escaped(name.trim());
-        let _ = writeln!(list, "\\item[{{{name}}}] {}", told.join(" \\\\ "));
+        let _ = writeln!(list, "\\item[{{{name}}}] {}", text.join(" \\\\ "));
     }
     list + "\\end{description}\n"
 }
@@ -98,8 +98,12 @@ fn columns(table: &Table, symbols: &[String]) -> String {
     let count = table.heads.len();
     let mut widths = vec![0; count + 1];
     let mut rows = Vec::new();
-    let heads = table.heads.iter().map(|head| head.whole());
-    rows.push(std::iter::once(table.title.clone()).chain(heads).collect());
+    let headers = table.heads.iter().map(|head| head.one_line());
+    rows.push(
+        std::iter::once(table.title.clone())
+            .chain(headers)
+            .collect(),
+    );
     for row in &table.rows {
         let (mark, name) = row.label(true);
         let mut texts = vec![format!("{mark} {}", name.trim()).trim().to_owned()];
@@ -263,7 +267,7 @@ fn prose(text: &str, symbols: &[String]) -> String {
 
 /// Returns the space between two pieces: wide next to words, narrow between factors, none next to
 /// signs, which bring their own.
-fn blank(before: Option<&MathPiece>, behind: Option<&MathPiece>) -> &'static str {
+fn blank(before: Option<&MathPiece>, after: Option<&MathPiece>) -> &'static str {
     let is_sign = |piece: Option<&MathPiece>| {
         matches!(
             piece,
@@ -274,9 +278,9 @@ fn blank(before: Option<&MathPiece>, behind: Option<&MathPiece>) -> &'static str
         matches!(piece, Some(MathPiece::Unit(_)))
             || matches!(piece, Some(MathPiece::Symbol(letter, index, _)) if index.is_empty() && letter.len() > 1 && letter.is_ascii())
     };
-    if is_word(before) || is_word(behind) {
+    if is_word(before) || is_word(after) {
         "\\ \\penalty900 "
-    } else if is_sign(before) || is_sign(behind) {
+    } else if is_sign(before) || is_sign(after) {
         " "
     } else {
         // A product longer than a line is broken between its factors.

@@ -8,29 +8,29 @@ use super::{Content, Facts, Page, TextStyle, formula};
 use std::ops::Range;
 
 /// A requested width of the names is limited to one part of the width in this many.
-const SHARE: usize = 3;
+const NAME_SHARE: usize = 3;
 
 impl Page {
     /// Returns the lines for a screen; a column that does not fit even alone is cut off.
     #[must_use]
     pub fn lines(&self, style: TextStyle) -> Vec<Line> {
-        self.laid_out(style, Medium::Screen)
+        self.layout(style, Medium::Screen)
     }
 
     /// Returns the lines for a medium.
-    pub(super) fn laid_out(&self, style: TextStyle, medium: Medium) -> Vec<Line> {
+    pub(super) fn layout(&self, style: TextStyle, medium: Medium) -> Vec<Line> {
         let TextStyle { ascii, width } = style;
-        let room = PageSize { width, medium };
-        let names = self.is_aligned.then(|| self.shown(ascii).names(room));
+        let space = PageSize { width, medium };
+        let names = self.is_aligned.then(|| self.shown(ascii).names(space));
         let mut lines = Vec::new();
         for block in &self.blocks {
             // Converts one block at a time, because a copy of the whole page would double the
             // memory.
             let content = block.content.shown(ascii);
-            let mut below = content.lines(names, room);
+            let mut below = content.lines(names, space);
             if medium == Medium::Screen && matches!(content, Content::Table(_)) {
-                let most = width.max(MIN_WIDTH);
-                below.iter_mut().for_each(|line| line.cut(most));
+                let maximum = width.max(MIN_WIDTH);
+                below.iter_mut().for_each(|line| line.cut(maximum));
             }
             if block.is_apart && !below.is_empty() {
                 lines.push(Line::default());
@@ -41,7 +41,7 @@ impl Page {
     }
 
     /// Returns the common name column of all tables and facts.
-    fn names(&self, room: PageSize) -> NameColumn {
+    fn names(&self, space: PageSize) -> NameColumn {
         let contents = || self.blocks.iter().map(|block| &block.content);
         let tables = || {
             contents().filter_map(|content| match content {
@@ -51,17 +51,17 @@ impl Page {
         };
         let widest = |more: bool| {
             let widths = contents().map(|content| match content {
-                Content::Table(table) => table.names(more, room),
-                Content::Facts(facts) => facts.names(room.width).saturating_sub(1),
+                Content::Table(table) => table.names(more, space),
+                Content::Facts(facts) => facts.names(space.width).saturating_sub(1),
                 _ => 0,
             });
             widths.max().unwrap_or(0)
         };
         let long = widest(true);
-        let more = tables().all(|table| table.is_whole(long, room));
+        let more = tables().all(|table| table.fits_beside_names(long, space));
         let names = if more { long } else { widest(false) };
         let spread = tables().map(|table| {
-            let columns = table.columns(names, usize::MAX, room);
+            let columns = table.columns(names, usize::MAX, space);
             columns.spread(&table.setting)
         });
         NameColumn {
@@ -99,8 +99,8 @@ struct NameColumn {
 }
 
 impl Content {
-    fn lines(&self, names: Option<NameColumn>, room: PageSize) -> Vec<Line> {
-        let width = room.width;
+    fn lines(&self, names: Option<NameColumn>, space: PageSize) -> Vec<Line> {
+        let width = space.width;
         let of = |role, text: &str| {
             let lines = broken(text, width).into_iter();
             lines.map(|line| Line::of(role, line)).collect()
@@ -115,13 +115,13 @@ impl Content {
                 lines.map(|line| Line::of(TextRole::Body, line)).collect()
             }
             Content::Facts(facts) => facts.lines(names, width),
-            Content::Table(table) => table.lines(names, room),
+            Content::Table(table) => table.lines(names, space),
             Content::Characters(lines) => {
                 let lines = lines.iter().cloned();
                 lines.map(|line| Line::of(TextRole::Body, line)).collect()
             }
             Content::Picture(picture) => {
-                let caption = broken(picture.told(), width).into_iter();
+                let caption = broken(picture.character_caption(), width).into_iter();
                 let caption = caption.map(|line| Line::of(TextRole::Body, line));
                 let drawn = picture.characters.iter();
                 let drawn = drawn.map(|line| Line::of(TextRole::Body, line.as_str()));
@@ -132,31 +132,34 @@ impl Content {
 }
 
 /// Limits a requested width to a fixed share of the available width.
-fn fair(asked: usize, width: usize) -> usize {
-    asked.min(width / SHARE)
+fn limited_width(requested: usize, width: usize) -> usize {
+    requested.min(width / NAME_SHARE)
 }
 
 impl Facts {
     /// Returns the width of the names, with the blanks behind them.
     fn names(&self, width: usize) -> usize {
         let names = self.list.iter().map(|(name, _)| length(name) + 1);
-        names.chain([fair(self.names, width)]).max().unwrap_or(0)
+        names
+            .chain([limited_width(self.names, width)])
+            .max()
+            .unwrap_or(0)
     }
 
     fn lines(&self, names: Option<NameColumn>, width: usize) -> Vec<Line> {
         let names = names.map_or_else(|| self.names(width), |names| names.width + 1);
-        let room = width.saturating_sub(names + self.hanging);
+        let space = width.saturating_sub(names + self.hanging_indent);
         let mut lines = Vec::new();
-        for (name, told) in &self.list {
+        for (name, text) in &self.list {
             let mut name = name.as_str();
-            for told in told {
-                let words = wrapped(told, room.max(MIN_WIDTH));
+            for text in text {
+                let words = wrapped(text, space.max(MIN_WIDTH));
                 for (number, words) in words.into_iter().enumerate() {
                     let label = std::mem::take(&mut name);
-                    let begin = label.len() - label.trim_start_matches(' ').len();
+                    let start = label.len() - label.trim_start_matches(' ').len();
                     let mut line = Line::default();
-                    line.push(begin, label.trim(), TextRole::Label);
-                    let hanging = if number == 0 { 0 } else { self.hanging };
+                    line.push(start, label.trim(), TextRole::Label);
+                    let hanging = if number == 0 { 0 } else { self.hanging_indent };
                     line.push(names + hanging, words, TextRole::Body);
                     lines.push(line);
                 }
@@ -174,38 +177,38 @@ impl Table {
     }
 
     /// Returns the width of the names.
-    fn names(&self, more: bool, room: PageSize) -> usize {
+    fn names(&self, more: bool, space: PageSize) -> usize {
         let rows = self.rows.iter().filter(|row| !matches!(row, Row::Part(_)));
         let names = rows.map(|row| {
             let (mark, name) = row.label(more);
             self.setting.with_mark(mark) + length(name)
         });
-        let asked = fair(self.setting.names, room.width);
+        let requested = limited_width(self.setting.names, space.width);
         let names = names.chain([
-            asked,
+            requested,
             self.setting.with_mark(self.mark()) + length(&self.title),
         ]);
         let names = names.max().unwrap_or(0);
-        match room.medium {
+        match space.medium {
             Medium::Paper => names,
-            Medium::Screen => names.min(self.most_names(room.width)),
+            Medium::Screen => names.min(self.max_name_width(space.width)),
         }
     }
 
     /// Returns the maximum width of the names that leaves enough space for the widest column.
-    fn most_names(&self, width: usize) -> usize {
+    fn max_name_width(&self, width: usize) -> usize {
         let widest = self.widths().into_iter().max().unwrap_or(0);
         let column = self.setting.indent + self.setting.gap + widest;
-        width.saturating_sub(column).max(width / SHARE)
+        width.saturating_sub(column).max(width / NAME_SHARE)
     }
 
     /// Returns the width of each column.
     fn widths(&self) -> Vec<usize> {
-        let least = &self.setting.least;
+        let minimum = &self.setting.least;
         let head = |column: usize| {
             let head = &self.heads[column];
             match self.setting.units {
-                Units::Behind => length(&head.whole()),
+                Units::Behind => length(&head.one_line()),
                 Units::Below => length(&head.name).max(length(&head.unit)),
             }
         };
@@ -216,45 +219,46 @@ impl Table {
             });
             rows.map(|cell| length(&cell.text)).max().unwrap_or(0)
         };
-        let asked = |column: usize| least.get(column).or(least.last()).copied().unwrap_or(0);
+        let requested =
+            |column: usize| minimum.get(column).or(minimum.last()).copied().unwrap_or(0);
         let columns = 0..self.heads.len();
         columns
-            .map(|column| head(column).max(cells(column)).max(asked(column)))
+            .map(|column| head(column).max(cells(column)).max(requested(column)))
             .collect()
     }
 
-    fn columns(&self, names: usize, spread: usize, room: PageSize) -> ColumnLayout {
+    fn columns(&self, names: usize, spread: usize, space: PageSize) -> ColumnLayout {
         let setting = Setting {
             spread: self.setting.spread.min(spread),
             // On paper, all columns fit below one another.
-            rest: match room.medium {
+            rest: match space.medium {
                 Medium::Paper => Rest::Below,
                 Medium::Screen => self.setting.rest,
             },
             ..self.setting.clone()
         };
-        ColumnLayout::fit(&setting, names, self.widths(), |_| true, room.width)
+        ColumnLayout::fit(&setting, names, self.widths(), |_| true, space.width)
     }
 
     /// Returns `true` if all columns fit next to names of this width.
-    fn is_whole(&self, names: usize, room: PageSize) -> bool {
-        self.columns(names, 0, room).is_whole(room.width)
+    fn fits_beside_names(&self, names: usize, space: PageSize) -> bool {
+        self.columns(names, 0, space).fits_in_one_row(space.width)
     }
 
-    fn lines(&self, names: Option<NameColumn>, room: PageSize) -> Vec<Line> {
+    fn lines(&self, names: Option<NameColumn>, space: PageSize) -> Vec<Line> {
         let names = names.unwrap_or_else(|| {
-            let long = self.names(true, room);
-            let more = self.is_whole(long, room);
+            let long = self.names(true, space);
+            let more = self.fits_beside_names(long, space);
             NameColumn {
-                width: if more { long } else { self.names(false, room) },
+                width: if more { long } else { self.names(false, space) },
                 more,
                 spread: usize::MAX,
             }
         });
-        let columns = self.columns(names.width, names.spread, room);
+        let columns = self.columns(names.width, names.spread, space);
         let mut lines = Vec::new();
         for chunk in columns.ranges() {
-            let rows = self.rows_of(&columns, chunk, names, room.width);
+            let rows = self.rows_of(&columns, chunk, names, space.width);
             if rows.is_empty() && !self.rows.is_empty() {
                 continue;
             }
@@ -268,19 +272,25 @@ impl Table {
     }
 
     fn head_of(&self, columns: &ColumnLayout, chunk: &Range<usize>) -> Vec<Line> {
-        let heads = &self.heads[chunk.clone()];
+        let headers = &self.heads[chunk.clone()];
         let mark = " ".repeat(length(self.mark()));
         let line = |title: &str, texts: Vec<String>| {
-            let cells: Vec<Cell> = texts.into_iter().map(Cell::sure).collect();
+            let cells: Vec<Cell> = texts.into_iter().map(Cell::proved).collect();
             let name = (mark.as_str(), title);
             columns.line(chunk, name, cells.iter().map(Some), [TextRole::Head; 2])
         };
         let title = self.title.as_str();
         match self.setting.units {
-            Units::Behind => vec![line(title, heads.iter().map(super::Head::whole).collect())],
+            Units::Behind => vec![line(
+                title,
+                headers.iter().map(super::Head::one_line).collect(),
+            )],
             Units::Below => vec![
-                line(title, heads.iter().map(|head| head.name.clone()).collect()),
-                line("", heads.iter().map(|head| head.unit.clone()).collect()),
+                line(
+                    title,
+                    headers.iter().map(|head| head.name.clone()).collect(),
+                ),
+                line("", headers.iter().map(|head| head.unit.clone()).collect()),
             ],
         }
     }
@@ -294,7 +304,7 @@ impl Table {
         width: usize,
     ) -> Vec<Line> {
         let mut lines = Vec::new();
-        let mut says = false;
+        let mut text = false;
         for row in &self.rows {
             let (mark, name) = row.label(names.more);
             match row {
@@ -310,14 +320,14 @@ impl Table {
                         [],
                         [self.setting.called, TextRole::Body],
                     );
-                    lines.extend(told(
+                    lines.extend(place_words(
                         head,
                         columns.names(),
                         words,
                         (mark, &self.setting),
                         width,
                     ));
-                    says = true;
+                    text = true;
                 }
                 Row::Told { .. } => {}
                 Row::Figures { cells, .. } => {
@@ -326,27 +336,27 @@ impl Table {
                         let cells = cells().map(Option::as_ref);
                         let roles = [self.setting.called, TextRole::Figure];
                         lines.push(columns.line(chunk, (mark, name), cells, roles));
-                        says = true;
+                        text = true;
                     }
                 }
             }
         }
-        if says { lines } else { Vec::new() }
+        if text { lines } else { Vec::new() }
     }
 }
 
 /// Places words next to the name of a row or, if they do not fit, below it.
-fn told(
+fn place_words(
     mut head: Line,
     names: usize,
     words: &str,
     (mark, setting): (&str, &Setting),
     width: usize,
 ) -> Vec<Line> {
-    let begin = names + setting.gap;
-    let beside = format!("- {words}");
-    if begin + length(&beside) <= width {
-        head.push(begin, beside, TextRole::Body);
+    let start = names + setting.gap;
+    let nearby = format!("- {words}");
+    if start + length(&nearby) <= width {
+        head.push(start, nearby, TextRole::Body);
         return vec![head];
     }
     let indent = setting.indent + setting.with_mark(mark);
@@ -362,14 +372,14 @@ fn told(
 impl Line {
     /// Cuts the line off at this width. Values are left out, because a part of one would be a
     /// different value.
-    fn cut(&mut self, most: usize) {
-        let is_whole = |span: &Span| span.at + length(&span.text) <= most;
+    fn cut(&mut self, maximum: usize) {
+        let is_whole = |span: &Span| span.at + length(&span.text) <= maximum;
         self.spans
-            .retain(|span| span.at < most && (span.role != TextRole::Figure || is_whole(span)));
+            .retain(|span| span.at < maximum && (span.role != TextRole::Figure || is_whole(span)));
         for span in &mut self.spans {
-            let room = most - span.at;
-            if length(&span.text) > room {
-                span.text = span.text.chars().take(room).collect();
+            let space = maximum - span.at;
+            if length(&span.text) > space {
+                span.text = span.text.chars().take(space).collect();
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Represents a line of a page at a given width.
 
-use super::Unsure;
+use super::UnprovedDigits;
 
 /// A line: spans of text at given columns, from left to right.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -19,7 +19,7 @@ pub struct Span {
     /// Its role.
     pub role: TextRole,
     /// The digits that no error bound proves.
-    pub unsure: Unsure,
+    pub unproved: UnprovedDigits,
 }
 
 /// The role of a span.
@@ -52,8 +52,8 @@ impl Line {
     pub(crate) fn of(role: TextRole, text: impl Into<String>) -> Line {
         let mut line = Line::default();
         let text: String = text.into();
-        let begin = text.len() - text.trim_start_matches(' ').len();
-        line.push(begin, text.trim(), role);
+        let start = text.len() - text.trim_start_matches(' ').len();
+        line.push(start, text.trim(), role);
         line
     }
 
@@ -67,12 +67,12 @@ impl Line {
     pub(crate) fn push(&mut self, at: usize, text: impl Into<String>, role: TextRole) {
         let text = text.into();
         if !text.is_empty() {
-            let unsure = Unsure::Nothing;
+            let unsure = UnprovedDigits::Nothing;
             self.spans.push(Span {
                 at,
                 text,
                 role,
-                unsure,
+                unproved: unsure,
             });
         }
     }

@@ -25,7 +25,7 @@ impl Page {
                 Content::Characters(lines) => format!("```text\n{}\n```\n", lines.join("\n")),
                 Content::Picture(picture) => {
                     let drawn = picture.characters.join("\n");
-                    let caption = escaped(picture.told());
+                    let caption = escaped(picture.character_caption());
                     format!("{caption}\n\n```text\n{drawn}\n```\n")
                 }
             });
@@ -37,9 +37,9 @@ impl Page {
 
 fn facts(facts: &Facts) -> String {
     let list = facts.list.iter();
-    let line = |(name, told): &(String, Vec<String>)| {
-        let told: Vec<String> = told.iter().map(|told| escaped(told)).collect();
-        format!("- **{}**: {}\n", escaped(name.trim()), told.join("; "))
+    let line = |(name, text): &(String, Vec<String>)| {
+        let text: Vec<String> = text.iter().map(|text| escaped(text)).collect();
+        format!("- **{}**: {}\n", escaped(name.trim()), text.join("; "))
     };
     list.map(line).collect()
 }
@@ -50,8 +50,11 @@ fn columns(table: &Table) -> String {
         let cells = std::iter::once(escaped(name.trim())).chain(cells);
         format!("| {} |\n", cells.collect::<Vec<_>>().join(" | "))
     };
-    let heads = table.heads.iter().map(|head| escaped(head.whole().trim()));
-    let mut text = line(&table.title, heads.collect());
+    let headers = table
+        .heads
+        .iter()
+        .map(|head| escaped(head.one_line().trim()));
+    let mut text = line(&table.title, headers.collect());
     let marks = ["---"]
         .into_iter()
         .chain(std::iter::repeat_n("---:", count));

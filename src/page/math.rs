@@ -45,7 +45,7 @@ pub(super) fn pieces(formula: &str) -> Vec<MathPiece> {
             i += 1;
             continue;
         }
-        in_unit &= goes_on(&chars[i..]);
+        in_unit &= continues_unit(&chars[i..]);
         let run = |is: fn(char) -> bool| -> String {
             chars[i..].iter().copied().take_while(|&c| is(c)).collect()
         };
@@ -102,7 +102,7 @@ fn name(chars: &[char]) -> String {
 }
 
 /// Returns `true` if the text following a part of a unit is another part of it.
-fn goes_on(rest: &[char]) -> bool {
+fn continues_unit(rest: &[char]) -> bool {
     match rest.first() {
         Some('/' | '^') => true,
         Some(' ') => FACTORS.contains(&name(&rest[1..]).as_str()),
@@ -113,11 +113,11 @@ fn goes_on(rest: &[char]) -> bool {
 
 /// Returns the exponent of `e-14` following a number.
 fn exponent(rest: &[char]) -> Option<String> {
-    let behind = rest.strip_prefix(&['e'])?;
-    let sign = usize::from(matches!(behind.first(), Some('-' | '+')));
-    let digits = behind[sign..].iter().take_while(|c| c.is_ascii_digit());
+    let after = rest.strip_prefix(&['e'])?;
+    let sign = usize::from(matches!(after.first(), Some('-' | '+')));
+    let digits = after[sign..].iter().take_while(|c| c.is_ascii_digit());
     let digits = digits.count();
-    (digits > 0).then(|| behind[..sign + digits].iter().collect())
+    (digits > 0).then(|| after[..sign + digits].iter().collect())
 }
 
 /// Returns the name and the order of a derivative: of `dr4` before `/dt`, or of `d2r4` before

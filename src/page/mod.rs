@@ -42,7 +42,7 @@ pub(crate) use style::StyleSheet;
 pub use svg::SvgGround;
 pub(crate) use svg::marked_up;
 pub(crate) use table::with_unit;
-pub use table::{Cell, Head, Rest, Row, Setting, Table, Units, Unsure};
+pub use table::{Cell, Head, Rest, Row, Setting, Table, Units, UnprovedDigits};
 #[cfg(feature = "tui")]
 pub(crate) use words::cut;
 pub(crate) use words::wrapped;
@@ -101,15 +101,15 @@ pub struct Illustration {
     /// The caption.
     pub caption: String,
     /// The caption of the version in characters, if that shows less.
-    pub in_characters: Option<String>,
+    pub character_caption: Option<String>,
     /// The picture in characters, line by line.
     pub characters: Vec<String>,
 }
 
 impl Illustration {
     /// Returns the caption of the version in characters.
-    pub(crate) fn told(&self) -> &str {
-        self.in_characters.as_deref().unwrap_or(&self.caption)
+    pub(crate) fn character_caption(&self) -> &str {
+        self.character_caption.as_deref().unwrap_or(&self.caption)
     }
 }
 
@@ -120,7 +120,7 @@ pub struct Facts {
     /// third of the width. The longest name can require more.
     pub names: usize,
     /// The indentation of continuation lines of a description.
-    pub hanging: usize,
+    pub hanging_indent: usize,
     /// Each name with its descriptions, which begin on separate lines.
     pub list: Vec<(String, Vec<String>)>,
 }
@@ -210,10 +210,10 @@ impl Page {
 
 impl Facts {
     /// Adds a name with its descriptions, unless there are none.
-    pub(crate) fn tell(&mut self, name: &str, told: impl IntoIterator<Item = String>) {
-        let told: Vec<String> = told.into_iter().collect();
-        if !told.is_empty() {
-            self.list.push((name.to_owned(), told));
+    pub(crate) fn add(&mut self, name: &str, text: impl IntoIterator<Item = String>) {
+        let text: Vec<String> = text.into_iter().collect();
+        if !text.is_empty() {
+            self.list.push((name.to_owned(), text));
         }
     }
 }

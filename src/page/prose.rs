@@ -49,10 +49,10 @@ pub(super) fn is_symbol(word: &str, symbols: &[String]) -> bool {
 pub(super) fn pieces<'t>(text: &'t str, symbols: &[String]) -> Vec<ProsePiece<'t>> {
     let mut pieces = Vec::new();
     let mut rest = text;
-    while let Some((before, typed, behind)) = between_backticks(rest) {
+    while let Some((before, typed, after)) = between_backticks(rest) {
         push_words(before, symbols, &mut pieces);
         pieces.push(ProsePiece::Typed(typed));
-        rest = behind;
+        rest = after;
     }
     push_words(rest, symbols, &mut pieces);
     pieces
@@ -60,8 +60,8 @@ pub(super) fn pieces<'t>(text: &'t str, symbols: &[String]) -> Vec<ProsePiece<'t
 
 fn between_backticks(text: &str) -> Option<(&str, &str, &str)> {
     let (before, rest) = text.split_once('`')?;
-    let (typed, behind) = rest.split_once('`')?;
-    Some((before, typed, behind))
+    let (typed, after) = rest.split_once('`')?;
+    Some((before, typed, after))
 }
 
 fn is_number(word: &str) -> bool {
@@ -100,13 +100,13 @@ fn push_words<'t>(text: &'t str, symbols: &[String], pieces: &mut Vec<ProsePiece
         let word = if is_spelled(word) { word } else { stem };
         let end = opened + word.len();
         let around = [&part[..opened], &part[end..]].map(ProsePiece::Words);
-        let [before, behind] = around;
+        let [before, after] = around;
         let set = match is_unit {
             true => ProsePiece::Unit(word),
             false => ProsePiece::Formula(word),
         };
-        let told = [before, set, behind].into_iter();
-        pieces.extend(told.filter(|piece| *piece != ProsePiece::Words("")));
+        let shown_text = [before, set, after].into_iter();
+        pieces.extend(shown_text.filter(|piece| *piece != ProsePiece::Words("")));
     }
 }
 

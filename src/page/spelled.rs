@@ -59,14 +59,16 @@ impl Content {
             }
             Content::Facts(facts) => {
                 let list = facts.list.iter();
-                let list = list.map(|(name, told)| (shown(name), all(told))).collect();
+                let list = list
+                    .map(|(name, shown_lines)| (shown(name), all(shown_lines)))
+                    .collect();
                 Content::Facts(Facts { list, ..*facts })
             }
             Content::Characters(lines) => Content::Characters(lines.clone()),
             Content::Picture(picture) => Content::Picture(Illustration {
                 artwork: picture.artwork.clone(),
                 caption: shown(&picture.caption),
-                in_characters: picture.in_characters.as_deref().map(shown),
+                character_caption: picture.character_caption.as_deref().map(shown),
                 characters: all(&picture.characters),
             }),
             Content::Table(table) => Content::Table(Table {
@@ -92,7 +94,7 @@ impl Row {
     fn shown(&self, shown: &impl Fn(&str) -> String) -> Row {
         let cell = |cell: &Cell| Cell {
             text: shown(&cell.text),
-            unsure: cell.unsure.clone(),
+            unproved: cell.unproved.clone(),
         };
         match self {
             Row::Part(name) => Row::Part(shown(name)),

@@ -25,7 +25,7 @@ text{fill:#ddd}
 /// The appearance of an element on light paper. Colours are strings such as `005fd7`, `None` if not
 /// drawn.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Look {
+pub(super) struct SvgStyle {
     pub(super) stroke: Option<String>,
     pub(super) fill: Option<String>,
     pub(super) width: f64,
@@ -37,8 +37,8 @@ pub(super) struct Look {
 impl StyleSheet {
     /// Returns the appearance of an element of a kind (`path`, `circle`, `text`) with these classes
     /// on light paper.
-    pub(super) fn look(&self, kind: &str, classes: &str) -> Look {
-        let mut look = Look {
+    pub(super) fn svg_style(&self, kind: &str, classes: &str) -> SvgStyle {
+        let mut style = SvgStyle {
             stroke: None,
             fill: Some("000000".into()),
             width: 1.0,
@@ -58,15 +58,15 @@ impl StyleSheet {
         for (_, declarations) in found {
             for declaration in declarations.split(';') {
                 if let Some((name, value)) = declaration.split_once(':') {
-                    look.declare(name.trim(), value.trim());
+                    style.declare(name.trim(), value.trim());
                 }
             }
         }
-        look
+        style
     }
 }
 
-impl Look {
+impl SvgStyle {
     fn declare(&mut self, name: &str, value: &str) {
         let number = |before: f64| value.parse().unwrap_or(before);
         match name {
@@ -125,14 +125,26 @@ mod tests {
 
     #[test]
     fn more_specific_or_later_rule_wins() {
-        let both = SHEET.look("path", "a b");
+        let both = SHEET.svg_style("path", "a b");
         assert_eq!(both.stroke.as_deref(), Some("010203"));
         assert_eq!((both.width, both.dashes), (3.0, vec![7.0, 4.0]));
-        assert_eq!(SHEET.look("path", "a").stroke.as_deref(), Some("112233"));
-        assert_eq!(SHEET.look("path", "c").stroke.as_deref(), Some("222222"));
-        assert_eq!(SHEET.look("path", "c").fill, None);
+        assert_eq!(
+            SHEET.svg_style("path", "a").stroke.as_deref(),
+            Some("112233")
+        );
+        assert_eq!(
+            SHEET.svg_style("path", "c").stroke.as_deref(),
+            Some("222222")
+        );
+        assert_eq!(SHEET.svg_style("path", "c").fill, None);
         // A class is more specific than an element type, in any order.
-        assert_eq!(SHEET.look("circle", "a").stroke.as_deref(), Some("112233"));
-        assert_eq!(SHEET.look("circle", "").fill.as_deref(), Some("000000"));
+        assert_eq!(
+            SHEET.svg_style("circle", "a").stroke.as_deref(),
+            Some("112233")
+        );
+        assert_eq!(
+            SHEET.svg_style("circle", "").fill.as_deref(),
+            Some("000000")
+        );
     }
 }

@@ -59,12 +59,12 @@ pub struct Cell {
     /// Its characters.
     pub text: String,
     /// The digits that no error bound proves.
-    pub unsure: Unsure,
+    pub unproved: UnprovedDigits,
 }
 
 /// The digits of a value that its error bound does not prove.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Unsure {
+pub enum UnprovedDigits {
     /// No digits: all of them are proved.
     Nothing,
     /// The digits at these positions of the text.
@@ -186,7 +186,7 @@ impl Head {
     }
 
     /// Returns the name with its unit on one line.
-    pub(crate) fn whole(&self) -> String {
+    pub(crate) fn one_line(&self) -> String {
         with_unit(&self.name, &self.unit)
     }
 }
@@ -217,16 +217,16 @@ impl Row {
 
 impl Cell {
     /// Creates a cell whose digits are all proved.
-    pub(crate) fn sure(text: impl Into<String>) -> Cell {
+    pub(crate) fn proved(text: impl Into<String>) -> Cell {
         Cell {
             text: text.into(),
-            unsure: Unsure::Nothing,
+            unproved: UnprovedDigits::Nothing,
         }
     }
 }
 
 impl From<String> for Cell {
     fn from(text: String) -> Cell {
-        Cell::sure(text)
+        Cell::proved(text)
     }
 }

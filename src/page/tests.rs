@@ -70,11 +70,11 @@ fn names_use_long_form_if_it_fits_and_align() {
         mark: String::new(),
         name: "r2 at A".into(),
         more: Some("r2 at A by ground".into()),
-        cells: vec![Some(Cell::sure("7"))],
+        cells: vec![Some(Cell::proved("7"))],
     });
     page.table(table);
     let mut facts = Facts::default();
-    facts.tell("at rest", ["no".to_owned()]);
+    facts.add("at rest", ["no".to_owned()]);
     page.add(Content::Facts(facts));
     assert_eq!(
         text(&page, 30),
@@ -133,7 +133,7 @@ fn markdown_has_every_cell_and_fact() {
     let mut page = Page::default();
     page.table(figures());
     let mut facts = Facts::default();
-    facts.tell("links", ["r_2".to_owned(), "r3".to_owned()]);
+    facts.add("links", ["r_2".to_owned(), "r3".to_owned()]);
     page.add(Content::Facts(facts));
     let expected = "| point | x | y | z |\n| --- | ---: | ---: | ---: |\n| A | 1.000 | 20.00 | 3 |\n\
                     | long | 4 | 5 |  |\n\n- **links**: r\\_2; r3\n";

@@ -14,7 +14,7 @@ impl Page {
         };
         let is_ruled = has_parts(self);
         let mut text = String::new();
-        for line in self.laid_out(style, Medium::Paper) {
+        for line in self.layout(style, Medium::Paper) {
             let written = line.text();
             text.push_str(&written);
             text.push('\n');

@@ -3,7 +3,7 @@
 
 use super::artwork::{ArtElement, Artwork, TextAnchor};
 use super::latex::escaped;
-use super::style::Look;
+use super::style::SvgStyle;
 use super::svg::number;
 use crate::Vec2;
 use std::fmt::Write as _;
@@ -41,8 +41,8 @@ impl Artwork {
                 is_closed,
                 class,
             } => {
-                let look = self.style.look("path", class);
-                let Some(options) = options(&look, unit) else {
+                let style = self.style.svg_style("path", class);
+                let Some(options) = options(&style, unit) else {
                     return;
                 };
                 for run in runs {
@@ -54,7 +54,7 @@ impl Artwork {
                 }
             }
             ArtElement::Circle { at, radius, class } => {
-                if let Some(options) = options(&self.style.look("circle", class), unit) {
+                if let Some(options) = options(&self.style.svg_style("circle", class), unit) {
                     let radius = number(radius * unit);
                     let at = place(*at);
                     let _ = writeln!(out, "\\path[{options}] {at} circle[radius={radius}mm];");
@@ -66,9 +66,9 @@ impl Artwork {
                 class,
                 text,
             } => {
-                let look = self.style.look("text", class);
+                let style = self.style.svg_style("text", class);
                 // Outlines around letters only separate them from their background.
-                let Some(ink) = look.fill else { return };
+                let Some(ink) = style.fill else { return };
                 let anchor = match anchor {
                     TextAnchor::Start => "base west",
                     TextAnchor::Middle => "base",
@@ -86,27 +86,27 @@ impl Artwork {
 }
 
 /// Returns the options that draw a path; `None` if it is invisible.
-fn options(look: &Look, unit: f64) -> Option<String> {
+fn options(style: &SvgStyle, unit: f64) -> Option<String> {
     let mut options = Vec::new();
-    if let Some(ink) = &look.stroke {
+    if let Some(ink) = &style.stroke {
         options.push(format!("draw={}", mixed(ink)));
-        options.push(format!("line width={}mm", number(look.width * unit)));
-        if look.stroke_opacity < 1.0 {
-            options.push(format!("draw opacity={}", number(look.stroke_opacity)));
+        options.push(format!("line width={}mm", number(style.width * unit)));
+        if style.stroke_opacity < 1.0 {
+            options.push(format!("draw opacity={}", number(style.stroke_opacity)));
         }
-        if !look.dashes.is_empty() {
+        if !style.dashes.is_empty() {
             let dash = |(k, length): (usize, &f64)| {
                 let on = ["on", "off"][k % 2];
                 format!("{on} {}mm", number(length * unit))
             };
-            let dashes: Vec<String> = look.dashes.iter().enumerate().map(dash).collect();
+            let dashes: Vec<String> = style.dashes.iter().enumerate().map(dash).collect();
             options.push(format!("dash pattern={}", dashes.join(" ")));
         }
     }
-    if let Some(ink) = &look.fill {
+    if let Some(ink) = &style.fill {
         options.push(format!("fill={}", mixed(ink)));
-        if look.fill_opacity < 1.0 {
-            options.push(format!("fill opacity={}", number(look.fill_opacity)));
+        if style.fill_opacity < 1.0 {
+            options.push(format!("fill opacity={}", number(style.fill_opacity)));
         }
     }
     (!options.is_empty()).then(|| options.join(","))

@@ -37,9 +37,9 @@ pub(super) fn fill(parts: &[String], width: usize, indents: [usize; 2]) -> Vec<S
             lines.push(" ".repeat(other));
             is_begun = false;
         }
-        let room = width - if is_begun { 0 } else { other };
-        let pieces = if length(part) > room {
-            short_words(part, room)
+        let space = width - if is_begun { 0 } else { other };
+        let pieces = if length(part) > space {
+            short_words(part, space)
         } else {
             vec![part.clone()]
         };
@@ -64,37 +64,41 @@ pub(super) fn fill(parts: &[String], width: usize, indents: [usize; 2]) -> Vec<S
 /// Minimum width; on a narrower screen, lines are cut off.
 pub(super) const MIN_WIDTH: usize = 8;
 
-/// Splits a part into words of at most `most` characters.
-fn short_words(part: &str, most: usize) -> Vec<String> {
-    let most = most.max(1);
+/// Splits a part into words of at most `maximum` characters.
+fn short_words(part: &str, maximum: usize) -> Vec<String> {
+    let maximum = maximum.max(1);
     let words = part
         .split_whitespace()
         .map(|word| word.chars().collect::<Vec<char>>());
-    let cut = words.flat_map(|word| word.chunks(most).map(String::from_iter).collect::<Vec<_>>());
+    let cut = words.flat_map(|word| {
+        word.chunks(maximum)
+            .map(String::from_iter)
+            .collect::<Vec<_>>()
+    });
     cut.collect()
 }
 
 /// Shortens a text to at most `most` characters, with two points at its end if it was longer.
 #[cfg(feature = "tui")]
-pub(crate) fn cut(text: &str, most: usize) -> String {
-    if length(text) <= most {
+pub(crate) fn cut(text: &str, maximum: usize) -> String {
+    if length(text) <= maximum {
         return text.to_owned();
     }
-    let beginning: String = text.chars().take(most.saturating_sub(2)).collect();
+    let beginning: String = text.chars().take(maximum.saturating_sub(2)).collect();
     format!("{}..", beginning.trim_end())
 }
 
 /// Shortens a name to at most `most` characters, with its beginning and end: `rocker_of..ss.angle`.
 /// The end distinguishes values of one element.
-pub(super) fn cut_within(name: &str, most: usize) -> String {
+pub(super) fn cut_within(name: &str, maximum: usize) -> String {
     let all: Vec<char> = name.chars().collect();
-    if all.len() <= most {
+    if all.len() <= maximum {
         return name.to_owned();
     }
-    let kept = most.saturating_sub(2);
+    let kept = maximum.saturating_sub(2);
     let (first, last) = (kept.div_ceil(2), kept / 2);
-    let [begin, end] = [&all[..first], &all[all.len() - last..]].map(String::from_iter);
-    format!("{begin}..{end}")
+    let [start, end] = [&all[..first], &all[all.len() - last..]].map(String::from_iter);
+    format!("{start}..{end}")
 }
 
 /// Returns the width of a text, one column per character.

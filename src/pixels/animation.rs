@@ -8,7 +8,7 @@ use std::borrow::Cow;
 
 /// The index of a pixel that equals the previous picture's: most do, and a run of them takes a few
 /// bytes.
-const AS_BEFORE: u8 = 255;
+const UNCHANGED_PIXEL: u8 = 255;
 /// The time unit of a GIF: hundredths of a second.
 const HUNDREDTHS: u32 = 100;
 
@@ -47,7 +47,8 @@ impl Animation {
         });
         let indices: Vec<u8> = indices.collect();
         let changed = indices.iter().zip(&self.before);
-        let changed = changed.map(|(now, before)| if now == before { AS_BEFORE } else { *now });
+        let changed =
+            changed.map(|(now, before)| if now == before { UNCHANGED_PIXEL } else { *now });
         let buffer = match self.before.len() == indices.len() {
             true => changed.collect(),
             false => indices.clone(),
@@ -55,7 +56,7 @@ impl Animation {
         let frame = Frame {
             delay: self.next_delay(),
             dispose: DisposalMethod::Keep,
-            transparent: Some(AS_BEFORE),
+            transparent: Some(UNCHANGED_PIXEL),
             width,
             height,
             buffer: Cow::Owned(buffer),
@@ -63,7 +64,7 @@ impl Animation {
         };
         let encoder = match &mut self.encoder {
             Some(encoder) => encoder,
-            none => none.insert(begun(&self.table, width, height)?),
+            none => none.insert(start_encoder(&self.table, width, height)?),
         };
         encoder.write_frame(&frame).map_err(failed)?;
         self.before = indices;
@@ -87,7 +88,11 @@ impl Animation {
     }
 }
 
-fn begun(table: &ColourTable, width: u16, height: u16) -> Result<Encoder<Vec<u8>>, PaintError> {
+fn start_encoder(
+    table: &ColourTable,
+    width: u16,
+    height: u16,
+) -> Result<Encoder<Vec<u8>>, PaintError> {
     let mut encoder = Encoder::new(Vec::new(), width, height, &table.bytes()).map_err(failed)?;
     encoder.set_repeat(Repeat::Infinite).map_err(failed)?;
     Ok(encoder)

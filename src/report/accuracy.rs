@@ -5,7 +5,7 @@ use crate::page::{Content, Facts, Page, Rest, Row, Setting, Table, TextStyle};
 use crate::report::text::csv_dialect::{CsvDialect, CsvSheet};
 use crate::report::text::number::{concise, significant};
 use crate::scene::Scene;
-use crate::solver::{Method, Start, Unfit};
+use crate::solver::{Method, Start, Unsuitable};
 use crate::study::{Finding, Findings, MethodErrors, MethodFigures, MethodVerdict, Spread};
 use crate::wording::{Words, english_words, words};
 use serde_json::{Map, Value, json};
@@ -26,19 +26,19 @@ pub fn method_name(method: Method) -> String {
     named(method, words())
 }
 
-fn named(method: Method, say: &dyn Words) -> String {
+fn named(method: Method, wording: &dyn Words) -> String {
     match method {
-        Method::ClosedForm => say.closed_form().into(),
-        Method::Polished => say.closed_and_polished().into(),
-        Method::Anchored => say.newton_from_anchors().into(),
-        Method::Bounded => say.with_bounds().into(),
-        Method::Single => say.single_precision().into(),
+        Method::ClosedForm => wording.closed_form().into(),
+        Method::Polished => wording.closed_and_polished().into(),
+        Method::Anchored => wording.newton_from_anchors().into(),
+        Method::Bounded => wording.with_bounds().into(),
+        Method::Single => wording.single_precision().into(),
         Method::Newton { tolerance, start } => match start {
-            Start::Warm => say.newton_warm(tolerance),
-            Start::Cold => say.newton_cold(tolerance),
+            Start::Warm => wording.newton_warm(tolerance),
+            Start::Cold => wording.newton_cold(tolerance),
         },
-        Method::Bisection => say.bisection().into(),
-        Method::Integration { steps, turns } => say.runge_kutta(&steps, &turns),
+        Method::Bisection => wording.bisection().into(),
+        Method::Integration { steps, turns } => wording.runge_kutta(&steps, &turns),
     }
 }
 
@@ -56,12 +56,12 @@ pub fn error_text(error: f64) -> String {
 #[must_use]
 pub fn time_text(seconds: f64, digits: usize) -> String {
     let (scale, unit) = time_unit(seconds);
-    format!("{} {unit}", whole(seconds * scale, digits))
+    format!("{} {unit}", format_plain(seconds * scale, digits))
 }
 
 /// Formats a value with so many significant digits, never with an exponent; the integer part of a
 /// time may have more digits.
-fn whole(value: f64, digits: usize) -> String {
+fn format_plain(value: f64, digits: usize) -> String {
     let text = significant(value, digits);
     if text.contains('e') {
         format!("{value:.0}")
@@ -80,27 +80,32 @@ fn time_unit(seconds: f64) -> (f64, &'static str) {
 /// Formats the quartiles in the unit of the median: `60.8-62.0`.
 fn spread_text(time: &Spread) -> String {
     let (scale, _) = time_unit(time.median);
-    let [low, high] = [time.low, time.high].map(|t| whole(t * scale, TIME_DIGITS));
+    let [low, high] = [time.low, time.high].map(|t| format_plain(t * scale, TIME_DIGITS));
     format!("{low}-{high}")
 }
 
 /// Returns the reason why a method cannot be used for this scene.
 #[must_use]
-pub fn unfit_text(unfit: Unfit, scene: &Scene) -> String {
-    why_unfit(unfit, scene, words())
+pub fn unfit_text(unfit: Unsuitable, scene: &Scene) -> String {
+    unsuitable_reason(unfit, scene, words())
 }
 
-fn why_unfit(unfit: Unfit, scene: &Scene, say: &dyn Words) -> String {
+fn unsuitable_reason(unfit: Unsuitable, scene: &Scene, wording: &dyn Words) -> String {
     let group = |point: Option<PointId>| {
         let name = point.and_then(|p| scene.point_name(p));
-        name.map_or_else(|| say.a_group().into(), |name| say.the_group_at(name))
+        name.map_or_else(
+            || wording.a_group().into(),
+            |name| wording.the_group_at(name),
+        )
     };
     match unfit {
-        Unfit::Coupled(point) => say.has_no_closed_form(&group(point)),
-        Unfit::AllClosed => say.not_needed().into(),
-        Unfit::Conditions { point, unknowns } => say.closes_by_conditions(&group(point), unknowns),
-        Unfit::Limits => say.cannot_turn_fully().into(),
-        Unfit::NoRows => say.gives_no_rows().into(),
+        Unsuitable::Coupled(point) => wording.has_no_closed_form(&group(point)),
+        Unsuitable::AllClosed => wording.not_needed().into(),
+        Unsuitable::Conditions { point, unknowns } => {
+            wording.closes_by_conditions(&group(point), unknowns)
+        }
+        Unsuitable::Limits => wording.cannot_turn_fully().into(),
+        Unsuitable::NoRows => wording.gives_no_rows().into(),
     }
 }
 
@@ -140,8 +145,8 @@ impl Accuracy<'_> {
     /// Returns a table with a row per method and a column per measure.
     #[must_use]
     pub fn table(&self, measures: &[StudyMeasure]) -> Table {
-        let heads = measures.iter().map(|measure| measure.name());
-        let mut table = Table::new(words().method(), heads).set(Setting {
+        let headers = measures.iter().map(|measure| measure.name());
+        let mut table = Table::new(words().method(), headers).set(Setting {
             names: NAME,
             least: measures.iter().map(|measure| measure.width()).collect(),
             rest: Rest::LeftOut,
@@ -161,7 +166,7 @@ impl Accuracy<'_> {
                         .map(|m| Some(m.text(figures).into()))
                         .collect(),
                 },
-                MethodVerdict::Unfit(unfit) => {
+                MethodVerdict::Unsuitable(unfit) => {
                     let words = unfit_text(*unfit, self.scene);
                     Row::Told { mark, name, words }
                 }
@@ -214,15 +219,15 @@ impl Accuracy<'_> {
         let errors = figures.and_then(|f| f.errors);
         let error = |part: fn(&MethodErrors) -> f64| errors.map(|e| part(&e));
         let iterations = figures.and_then(|f| f.iterations);
-        let say = english_words();
+        let wording = english_words();
         let reason = match finding.verdict {
             MethodVerdict::Measured(_) => None,
-            MethodVerdict::Unfit(unfit) => Some(why_unfit(unfit, self.scene, say)),
-            MethodVerdict::Pending => Some(say.not_measured().into()),
+            MethodVerdict::Unsuitable(unfit) => Some(unsuitable_reason(unfit, self.scene, wording)),
+            MethodVerdict::Pending => Some(wording.not_measured().into()),
         };
         let values = [
             json!(finding.key),
-            json!(named(finding.method, say)),
+            json!(named(finding.method, wording)),
             json!(time(|t| t.median)),
             json!(time(|t| t.low)),
             json!(time(|t| t.high)),
@@ -252,7 +257,7 @@ pub fn accuracy_notes() -> String {
         ..Facts::default()
     };
     for (name, note) in notes() {
-        facts.tell(name, [note.to_owned()]);
+        facts.add(name, [note.to_owned()]);
     }
     let mut page = Page::default();
     page.add(Content::Facts(facts));
@@ -447,7 +452,7 @@ mod tests {
             finding(
                 'c',
                 Method::Polished,
-                MethodVerdict::Unfit(Unfit::Coupled(point)),
+                MethodVerdict::Unsuitable(Unsuitable::Coupled(point)),
             ),
             finding('d', Method::Single, MethodVerdict::Pending),
         ]);
@@ -467,7 +472,7 @@ mod tests {
 
     #[test]
     fn method_names_fit_column_and_need_no_quotes() {
-        for method in crate::study::all_methods(crate::study::USUAL_CYCLES) {
+        for method in crate::study::all_methods(crate::study::DEFAULT_CYCLES) {
             let name = method_name(method);
             assert!(name.len() <= NAME - 3 && !name.contains(','), "{name}");
         }
@@ -475,8 +480,8 @@ mod tests {
 
     #[test]
     fn times_use_shortest_unit() {
-        let told = [9.994e-7, 9.996e-7, 1e-9, 0.0123, 2.0].map(|t| time_text(t, TIME_DIGITS));
-        assert_eq!(told, ["999 ns", "1.00 us", "1.00 ns", "12.3 ms", "2.00 s"]);
+        let lines = [9.994e-7, 9.996e-7, 1e-9, 0.0123, 2.0].map(|t| time_text(t, TIME_DIGITS));
+        assert_eq!(lines, ["999 ns", "1.00 us", "1.00 ns", "12.3 ms", "2.00 s"]);
         // An outlier keeps the unit of the median.
         let wild = Spread {
             low: 5e-8,

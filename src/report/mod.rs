@@ -29,7 +29,7 @@ pub use accuracy::{
 };
 pub use beside::{ForeignFigures, Measured, NoFigures};
 pub use check::{Check, near_misses, stop_before, stop_name};
-pub use cycle::{CycleReport, FollowedFigure, WorstPlace, usual_columns};
+pub use cycle::{CycleReport, FollowedColumn, WorstPlace, usual_columns};
 pub use designs::{
     goals::{BestReport, GoalReport, no_best},
     summary::DesignSummary,
@@ -39,7 +39,9 @@ pub use exercise::{
     AnswerFile, AnsweredRow, FileRemarks, GradedAnswers, GradedFigure, InvalidCell, NoAnswers,
     answer_key, blank_answers, class_csv, class_page, is_blank, named_again,
 };
-pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking, least::Least};
+pub use forces::{
+    Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking, least::LeastNormReactions,
+};
 pub use motor::{MotorReport, MotorRequest, RamReport, timed::TimedMotorReport};
 pub use paper::{Report, ReportFormat};
 pub use sweep::{
@@ -71,12 +73,12 @@ pub use tolerance::{
 pub use verdict::{Verdict, VerdictPart, motion_text};
 pub use working::{
     Agreement, Guess, GuessError, InstantCentre, LoopVector, LoopVectors, PointMotion, PointParts,
-    PositionMethod, VectorFigure, Worked, WorkedMethod, Working, WorkingNotation, WorkingPart,
+    PositionMethod, VectorFigure, WorkedMethod, WorkedState, Working, WorkingNotation, WorkingPart,
 };
 #[cfg(feature = "tui")]
 pub(crate) use {
     self::cycle::page::brief_cycle,
     self::forces::{effort_word, page::missed},
     self::synthesis::{candidate_row::CandidateRow, wanted},
-    self::text::number::{shortest, upwards},
+    self::text::number::{perpendicular_up, shortest},
 };

@@ -134,10 +134,10 @@ fn transmission(scene: &Scene, solver: &Solver, unit: &str) -> Option<VerdictPar
     let all = solver.transmission();
     let further = |a: &&Transmission, b: &&Transmission| a.deviation().total_cmp(&b.deviation());
     let worst = all.iter().max_by(further)?;
-    let [least, most] = [worst.smallest, worst.largest];
-    let at = match 90.0 - least.angle < most.angle - 90.0 {
-        true => most.at,
-        false => least.at,
+    let [minimum, maximum] = [worst.smallest, worst.largest];
+    let at = match 90.0 - minimum.angle < maximum.angle - 90.0 {
+        true => maximum.at,
+        false => minimum.at,
     };
     let off = format!("{:.1}", worst.deviation());
     let group = (all.len() > 1)

@@ -86,8 +86,8 @@ mod tests {
                 scene.note.as_ref(),
             ];
             for text in texts.into_iter().flatten() {
-                let said = crate::wording::words().translated_scene_text(text);
-                assert_ne!(&said, text, "{}", preset.name);
+                let message = crate::wording::words().translated_scene_text(text);
+                assert_ne!(&message, text, "{}", preset.name);
                 let figures = |text: &str| -> Vec<String> {
                     let figures = text.split(|c: char| !c.is_ascii_digit() && c != '.');
                     let figures = figures.map(|it| it.trim_matches('.').to_owned());
@@ -97,9 +97,9 @@ mod tests {
                 };
                 // Every number of the original is in the translation, except in words such as
                 // "three legs".
-                let (one, other) = (figures(text), figures(&said));
+                let (one, other) = (figures(text), figures(&message));
                 let lost = one.iter().find(|it| !other.contains(it));
-                assert_eq!(lost, None, "{said}");
+                assert_eq!(lost, None, "{message}");
             }
         }
     }

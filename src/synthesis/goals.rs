@@ -2,7 +2,7 @@
 
 use super::functions::FunctionRun;
 use super::machine::has_figures;
-use super::{Candidate, Output, Partner, PathTask, Proposal, Task, TaskKind};
+use super::{Candidate, Output, PathTask, PinConstraint, Proposal, Task, TaskKind};
 use crate::Vec2;
 use crate::angle::{degrees, unit};
 
@@ -30,9 +30,9 @@ impl SceneGoals {
     /// if the output of a function cannot be computed.
     #[must_use]
     pub fn of(task: &Task, candidate: &Candidate) -> Option<SceneGoals> {
-        let is_told = candidate.at.len() == task.points() && has_figures(task);
+        let is_shown = candidate.at.len() == task.points() && has_figures(task);
         let keep = match &task.kind {
-            _ if !is_told => return None,
+            _ if !is_shown => return None,
             TaskKind::Poses(poses) => {
                 let poses = poses.poses.iter().zip(&candidate.at);
                 let goals = poses.flat_map(|(pose, at)| {
@@ -82,8 +82,8 @@ fn near(miss: f64) -> f64 {
 fn output_at(proposal: &Proposal, point: usize) -> Option<f64> {
     let [_, c] = *proposal.places.get(point)?;
     Some(match proposal.partner {
-        Partner::Rocker(d) => degrees(d - c),
-        Partner::Slide(angle) => {
+        PinConstraint::Rocker(d) => degrees(d - c),
+        PinConstraint::Slide(angle) => {
             let [_, first] = *proposal.places.first()?;
             (c - first).dot(unit(angle))
         }
@@ -94,7 +94,7 @@ fn output_at(proposal: &Proposal, point: usize) -> Option<f64> {
 /// are given, and only the lengths are free.
 fn free(task: &Task, proposal: &Proposal) -> Vec<&'static str> {
     let mut free = vec!["crank", "coupler"];
-    let is_rocker = matches!(proposal.partner, Partner::Rocker(_));
+    let is_rocker = matches!(proposal.partner, PinConstraint::Rocker(_));
     if is_rocker {
         free.push("rocker");
     }
@@ -107,10 +107,10 @@ fn free(task: &Task, proposal: &Proposal) -> Vec<&'static str> {
         free.extend(["ax", "ay"]);
     }
     match proposal.partner {
-        Partner::Rocker(d) if pivots.contains(&d) => {}
-        Partner::Rocker(_) => free.extend(["dx", "dy"]),
+        PinConstraint::Rocker(d) if pivots.contains(&d) => {}
+        PinConstraint::Rocker(_) => free.extend(["dx", "dy"]),
         // Only a displacement normal to the guide changes the linkage.
-        Partner::Slide(angle) => {
+        PinConstraint::Slide(angle) => {
             let across = unit(angle).perp();
             let by = if across.x.abs() > across.y.abs() {
                 "gx"

@@ -1,6 +1,6 @@
 //! Writes a proposal as a scene file.
 
-use super::{Partner, Pose, Proposal, Task, TaskKind};
+use super::{PinConstraint, Pose, Proposal, Task, TaskKind};
 use crate::Vec2;
 use crate::angle::{degrees, unit};
 use crate::scene::toml_string;
@@ -59,22 +59,22 @@ pub fn scene_text(proposal: &Proposal, task: &Task, titles: &SceneTitles) -> Opt
     };
     place(["ax", "ay"], proposal.pivot);
     match proposal.partner {
-        Partner::Rocker(d) => place(["dx", "dy"], d),
-        Partner::Slide(_) => place(["gx", "gy"], c),
+        PinConstraint::Rocker(d) => place(["dx", "dy"], d),
+        PinConstraint::Slide(_) => place(["gx", "gy"], c),
     }
     let along = (c - b) * (1.0 / coupler);
-    let led = proposal.tracer.filter(|_| !marks.on_ground.is_empty());
-    if let Some(p) = led {
+    let guided = proposal.tracer.filter(|_| !marks.on_ground.is_empty());
+    if let Some(p) = guided {
         place(["px", "py"], (p - b).turned(along.conj()));
     }
-    if let Partner::Slide(angle) = proposal.partner {
+    if let PinConstraint::Slide(angle) = proposal.partner {
         parameter("guide", angle);
     }
     if let Some(axis) = marks.axis {
         parameter("lean", degrees(axis.turned(along.conj())));
     }
     line(format_args!("\n[ground]\nA = [\"ax\", \"ay\"]"));
-    if let Partner::Rocker(_) = proposal.partner {
+    if let PinConstraint::Rocker(_) = proposal.partner {
         line(format_args!("D = [\"dx\", \"dy\"]"));
     }
     if !marks.on_ground.is_empty() {
@@ -91,7 +91,7 @@ pub fn scene_text(proposal: &Proposal, task: &Task, titles: &SceneTitles) -> Opt
         "\n[links]\nr2 = {{ from = \"A\", to = \"B\", length = \"crank\" }}"
     ));
     let mut points = String::new();
-    if led.is_some() {
+    if guided.is_some() {
         points += ", points = { P = [\"px\", \"py\"]";
         if let Some(axis) = marks.axis {
             let arm = axis.norm();
@@ -104,14 +104,14 @@ pub fn scene_text(proposal: &Proposal, task: &Task, titles: &SceneTitles) -> Opt
         "r3 = {{ from = \"B\", to = \"C\", length = \"coupler\"{points} }}"
     ));
     match proposal.partner {
-        Partner::Rocker(_) => line(format_args!(
+        PinConstraint::Rocker(_) => line(format_args!(
             "r4 = {{ from = \"C\", to = \"D\", length = \"rocker\" }}"
         )),
-        Partner::Slide(_) => line(format_args!(
+        PinConstraint::Slide(_) => line(format_args!(
             "\n[slides]\nr4 = {{ point = \"C\", on = \"ground\", through = [\"gx\", \"gy\"], angle = \"guide\" }}",
         )),
     }
-    let missed = (1..=task.points()).take_while(|_| led.is_some() && has_figures(task));
+    let missed = (1..=task.points()).take_while(|_| guided.is_some() && has_figures(task));
     for k in missed {
         if k == 1 {
             line(format_args!("\n[figures]"));

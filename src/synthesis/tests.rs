@@ -6,14 +6,14 @@ use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver};
 
 /// Evaluates a proposal, and returns the candidate and its task's scene, parsed.
-fn judged_and_opened(kind: TaskKind, proposal: &Proposal) -> (Candidate, Scene) {
+fn evaluate_and_open(kind: TaskKind, proposal: &Proposal) -> (Candidate, Scene) {
     let task = Task {
         kind,
         four_bars: true,
         slider_cranks: true,
-        wishes: Preferences::default(),
+        preferences: Preferences::default(),
     };
-    let candidate = Candidate::judge(&task, proposal);
+    let candidate = Candidate::evaluate(&task, proposal);
     let text = scene_text(&candidate.proposal, &task, &SceneTitles::default()).unwrap();
     let scene = Scene::parse(&text, "").unwrap();
     (candidate, scene)
@@ -38,21 +38,21 @@ fn scene_of_proposal_moves_like_evaluated_linkage() {
     let b = |at: f64| Vec2::new(20.0, -10.0) + crate::angle::unit(at) * 100.0;
     let tracer_in_coupler = Vec2::new(0.4, 0.25);
     let angles = [10.0, 70.0, 150.0];
-    for partner in [
-        Partner::Rocker(Vec2::new(420.0, 30.0)),
-        Partner::Slide(10.0),
+    for constraint in [
+        PinConstraint::Rocker(Vec2::new(420.0, 30.0)),
+        PinConstraint::Slide(10.0),
     ] {
         let pins = angles.map(|at| {
             let b = b(at);
-            let (foot, half) = match partner {
-                Partner::Rocker(d) => {
+            let (foot, half) = match constraint {
+                PinConstraint::Rocker(d) => {
                     let base = d - b;
                     let along = (base.norm2() + 300.0_f64.powi(2) - 250.0_f64.powi(2))
                         / (2.0 * base.norm2());
                     let foot = b + base * along;
                     (foot, base.perp() * (1.0 / base.norm()))
                 }
-                Partner::Slide(angle) => {
+                PinConstraint::Slide(angle) => {
                     let normal = crate::angle::unit(angle).perp();
                     let through = Vec2::new(20.0, 20.0);
                     let foot = b + normal * normal.dot(through - b);
@@ -62,19 +62,19 @@ fn scene_of_proposal_moves_like_evaluated_linkage() {
             let height = (300.0_f64.powi(2) - (foot - b).norm2()).sqrt();
             [b, foot + half * height]
         });
-        let led = |[b, c]: [Vec2; 2]| b + (c - b).turned(tracer_in_coupler);
+        let guided = |[b, c]: [Vec2; 2]| b + (c - b).turned(tracer_in_coupler);
         let proposal = Proposal {
             pivot: Vec2::new(20.0, -10.0),
-            partner,
+            partner: constraint,
             places: pins.to_vec(),
-            tracer: Some(led(pins[0])),
+            tracer: Some(guided(pins[0])),
         };
         let path = PathTask {
-            points: pins.map(led).to_vec(),
+            points: pins.map(guided).to_vec(),
             weights: vec![1.0; 3],
             ..PathTask::default()
         };
-        let (candidate, scene) = judged_and_opened(TaskKind::Path(path), &proposal);
+        let (candidate, scene) = evaluate_and_open(TaskKind::Path(path), &proposal);
         assert_eq!(candidate.defects, []);
         assert_eq!(
             candidate.proposal, proposal,
@@ -82,10 +82,10 @@ fn scene_of_proposal_moves_like_evaluated_linkage() {
         );
         assert!(candidate.figures.miss < 1e-10, "{:?}", candidate.figures);
         for (at, [b, c]) in candidate.at.iter().zip(pins) {
-            for (found, expected) in places(&scene, *at).into_iter().zip([b, c, led([b, c])]) {
+            for (found, expected) in places(&scene, *at).into_iter().zip([b, c, guided([b, c])]) {
                 assert!(
                     (found.unwrap() - expected).norm() < 1e-9,
-                    "{partner:?} {at}"
+                    "{constraint:?} {at}"
                 );
             }
         }

@@ -1,6 +1,6 @@
 //! Reads pose and path tasks.
 
-use super::{ByteSpan, Reader, lacks, numbers, points, rows, same_twice};
+use super::{ByteSpan, Reader, numbers, points, report_missing_key, rows, same_twice};
 use crate::Vec2;
 use crate::angle::TURN;
 use crate::document::{Diagnostic, items};
@@ -18,7 +18,7 @@ const MAX_POINTS: usize = 1000;
 
 pub(super) fn poses(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> Option<PoseTask> {
     let Some(written) = file.get("poses") else {
-        return lacks(reader, "poses", "poses", POSES);
+        return report_missing_key(reader, "poses", "poses", POSES);
     };
     let form = ("[x, y, angle]", "[120, 40, 35]");
     let measures = [Measure::Coordinate, Measure::Coordinate, Measure::Angle];
@@ -35,7 +35,7 @@ pub(super) fn poses(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> Option<Pose
         return None;
     }
     let mut are_apart = true;
-    for (again, (row, place)) in read.iter().enumerate() {
+    for (again, (row, span)) in read.iter().enumerate() {
         let first = read[..again]
             .iter()
             .position(|(before, _)| same_pose(before, row));
@@ -43,23 +43,23 @@ pub(super) fn poses(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> Option<Pose
             same_twice(
                 reader,
                 (first, &read[first].1),
-                (again, place),
+                (again, span),
                 words().take_out_one_pose(),
             );
             are_apart = false;
         }
     }
     let given: Vec<&(Vec2, ByteSpan)> = pivots.iter().chain(&pins).collect();
-    let most = if read.len() == MIN_COUNT { 2 } else { 0 };
-    if let Some((_, place)) = given.get(most) {
+    let maximum = if read.len() == MIN_COUNT { 2 } else { 0 };
+    if let Some((_, span)) = given.get(maximum) {
         reader.report(
             Diagnostic::new(words().too_much_given(read.len(), given.len()))
-                .at(place.clone(), words().one_too_many())
+                .at(span.clone(), words().one_too_many())
                 .help(words().what_poses_leave_free()),
         );
         return None;
     }
-    let bare = |all: Vec<(Vec2, ByteSpan)>| all.into_iter().map(|(at, _)| at).collect();
+    let plain = |all: Vec<(Vec2, ByteSpan)>| all.into_iter().map(|(at, _)| at).collect();
     are_apart.then(|| PoseTask {
         poses: read
             .iter()
@@ -68,8 +68,8 @@ pub(super) fn poses(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> Option<Pose
                 angle: *angle,
             })
             .collect(),
-        pivots: bare(pivots),
-        pins: bare(pins),
+        pivots: plain(pivots),
+        pins: plain(pins),
     })
 }
 
@@ -81,7 +81,7 @@ fn same_pose(one: &[f64; 3], other: &[f64; 3]) -> bool {
 
 pub(super) fn path(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> Option<PathTask> {
     let Some(written) = file.get("points") else {
-        return lacks(reader, "path", "points", POINTS);
+        return report_missing_key(reader, "path", "points", POINTS);
     };
     let read = points(reader, file, "points");
     let pivots = given(reader, file, "pivots");
@@ -110,15 +110,15 @@ pub(super) fn path(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> Option<PathT
         let help = words().take_out_last_point();
         same_twice(reader, (0, &first.1), again, help);
     }
-    if let Some((_, place)) = pivots.get(2) {
+    if let Some((_, span)) = pivots.get(2) {
         reader.report(
             Diagnostic::new(words().more_than_two_pivots())
-                .at(place.clone(), words().one_too_many()),
+                .at(span.clone(), words().one_too_many()),
         );
     }
     let turns = match file.has("turns") {
         false => None,
-        true => Some(as_many(reader, file, "turns", read.len())?),
+        true => Some(read_per_point(reader, file, "turns", read.len())?),
     };
     if let (Some(turns), Some(written)) = (&turns, file.get("turns")) {
         turns_fit(reader, turns, &written.span(), closed == Some(true));
@@ -126,7 +126,7 @@ pub(super) fn path(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> Option<PathT
     let weights = match file.get("weights") {
         None => vec![1.0; read.len()],
         Some(written) => {
-            let weights = as_many(reader, file, "weights", read.len())?;
+            let weights = read_per_point(reader, file, "weights", read.len())?;
             if !weights.iter().all(|weight| *weight > 0.0) {
                 let fault = Diagnostic::new(words().weights_are_positive());
                 reader.report(fault.at(written.span(), ""));
@@ -144,7 +144,7 @@ pub(super) fn path(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> Option<PathT
 }
 
 /// Reads as many numbers as there are points.
-fn as_many(
+fn read_per_point(
     reader: &mut Reader<'_>,
     file: &KeyTable<'_>,
     key: &str,
@@ -181,11 +181,11 @@ pub(super) fn slider_cranks_have_one_pivot(
 /// Reads given pivots or pins, and reports repeated ones.
 fn given(reader: &mut Reader<'_>, file: &KeyTable<'_>, key: &str) -> Option<Vec<(Vec2, ByteSpan)>> {
     let read = points(reader, file, key)?;
-    for (again, (at, place)) in read.iter().enumerate() {
+    for (again, (at, span)) in read.iter().enumerate() {
         let first = read[..again].iter().position(|(before, _)| before == at);
         if let Some(first) = first {
             let help = words().links_have_their_own_ends();
-            same_twice(reader, (first, &read[first].1), (again, place), help);
+            same_twice(reader, (first, &read[first].1), (again, span), help);
         }
     }
     Some(read)

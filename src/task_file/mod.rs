@@ -74,7 +74,7 @@ impl TaskFile {
 
     /// Returns `true` if a file is a task: it has a `kind`, which no scene has.
     #[must_use]
-    pub fn is_meant(bytes: &[u8]) -> bool {
+    pub fn is_task(bytes: &[u8]) -> bool {
         let text = std::str::from_utf8(bytes).unwrap_or_default();
         document::has_key(text.trim_start_matches('\u{feff}'), "kind")
     }
@@ -100,7 +100,7 @@ impl TaskFile {
     pub fn parse(text: &str, origin: &str) -> Result<TaskFile, Diagnostics> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = Reader::new(text);
-        let root = document::parse(&mut reader, scene::mend);
+        let root = document::parse(&mut reader, scene::fix);
         let file = root.and_then(|root| task_file(&mut reader, &root, origin));
         match file {
             Some(file) if reader.found.is_empty() => Ok(file),
@@ -122,7 +122,7 @@ fn task_file(reader: &mut Reader<'_>, root: &Entries<'_>, origin: &str) -> Optio
     let note = scene::line(reader, "note", file.get("note"));
     let unit = scene::unit(reader, file.get("unit"));
     reader.named.length = (unit.symbol(), unit.tenths_of_mm());
-    let wishes = wishes::wishes(reader, file);
+    let preferences = wishes::read_preferences(reader, file);
     let (four_bars, slider_cranks) = linkages(reader, file);
     let kind = kind(reader, file)?;
     if let Some(linkages) = file.get("linkages") {
@@ -146,9 +146,9 @@ fn task_file(reader: &mut Reader<'_>, root: &Entries<'_>, origin: &str) -> Optio
         },
         four_bars,
         slider_cranks,
-        wishes: wishes.for_motion(),
+        preferences: preferences.for_motion(),
     };
-    wishes.agree_with(reader, &task, file);
+    preferences.agree_with(reader, &task, file);
     Some(TaskFile {
         name: name.unwrap_or_else(|| scene::stem(origin)),
         source,
@@ -306,12 +306,17 @@ fn points(
     }
     let form = ("[x, y]", "[20, 35]");
     let rows = rows(reader, file, key, form, [Some(Measure::Coordinate); 2])?;
-    let point = |([x, y], place): ([f64; 2], ByteSpan)| (Vec2::new(x, y), place);
+    let point = |([x, y], span): ([f64; 2], ByteSpan)| (Vec2::new(x, y), span);
     Some(rows.into_iter().map(point).collect())
 }
 
 /// Reports a missing key, and returns `None`.
-fn lacks<T>(reader: &mut Reader<'_>, kind: &str, key: &str, example: &str) -> Option<T> {
+fn report_missing_key<T>(
+    reader: &mut Reader<'_>,
+    kind: &str,
+    key: &str,
+    example: &str,
+) -> Option<T> {
     reader
         .report(Diagnostic::new(words().task_lacks(kind, key)).help(words().for_example(example)));
     None

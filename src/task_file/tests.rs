@@ -1,7 +1,7 @@
 //! Tests task files and their diagnostics.
 
 use super::*;
-use crate::synthesis::{Given, Sense};
+use crate::synthesis::{GivenNumber, Sense};
 use crate::wording::Language;
 
 fn read(text: &str) -> TaskFile {
@@ -11,11 +11,11 @@ fn read(text: &str) -> TaskFile {
 fn fault(text: &str) -> (String, String) {
     let faults = TaskFile::parse(text, "test").unwrap_err();
     let first = &faults.items[0];
-    let place = first
+    let span = first
         .primary
         .as_ref()
         .map_or(0..0, |label| label.span.clone());
-    (first.message.clone(), text[place].to_owned())
+    (first.message.clone(), text[span].to_owned())
 }
 
 const POSES: &str = "kind = \"poses\"\nposes = [[0, 0, 0], [120, 40, 35], [180, 130, 80]]\n";
@@ -28,10 +28,10 @@ fn pose_task_has_pivots_and_preferences() {
     ));
     assert_eq!((file.name.as_str(), file.unit), ("lid", Unit::Centimetre));
     assert!(file.task.four_bars && !file.task.slider_cranks);
-    let wishes = file.task.wishes;
-    assert!(wishes.full_turn && wishes.ordered);
+    let preferences = file.task.preferences;
+    assert!(preferences.full_turn && preferences.ordered);
     assert_eq!(
-        (wishes.transmission, wishes.sense),
+        (preferences.transmission, preferences.sense),
         (Some(40.0), Some(Sense::Clockwise))
     );
     let TaskKind::Poses(task) = file.task.kind else {
@@ -54,10 +54,10 @@ fn function_task_samples_formula_over_range() {
     assert!((task.pairs[1][1] - 1.5_f64.log10()).abs() < 1e-15);
     assert_eq!(task.between.len(), 181);
     // 60 degrees from x = 1 to x = 2, with 45 degrees at x = 1.
-    assert_eq!(task.crank_scale, Given::Value(60.0));
-    assert_eq!(task.crank_datum, Given::Value(-15.0));
-    assert_eq!(task.output_datum, Given::Free);
-    let Given::Value(scale) = task.output_scale else {
+    assert_eq!(task.crank_scale, GivenNumber::Value(60.0));
+    assert_eq!(task.crank_datum, GivenNumber::Value(-15.0));
+    assert_eq!(task.output_datum, GivenNumber::Free);
+    let GivenNumber::Value(scale) = task.output_scale else {
         panic!()
     };
     assert!((scale - 60.0 / 2.0_f64.log10()).abs() < 1e-12);
@@ -77,8 +77,8 @@ fn decreasing_function_starts_at_minimum_x() {
         let TaskKind::Function(task) = file.task.kind else {
             panic!()
         };
-        let at = |datum: Given, scale: Given, value: f64| match (datum, scale) {
-            (Given::Value(datum), Given::Value(scale)) => datum + scale * value,
+        let at = |datum: GivenNumber, scale: GivenNumber, value: f64| match (datum, scale) {
+            (GivenNumber::Value(datum), GivenNumber::Value(scale)) => datum + scale * value,
             _ => panic!("both are given"),
         };
         for (x, y, crank, output) in [(1.0, 1.0, 45.0, 90.0), (2.0, 0.5, 105.0, 30.0)] {

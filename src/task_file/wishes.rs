@@ -4,7 +4,7 @@ use super::{Reader, keys, points};
 use crate::Vec2;
 use crate::document::{ByteSpan, Diagnostic, WrittenValue};
 use crate::scene::KeyTable;
-use crate::synthesis::{FunctionTask, Given, Output, Preferences, Sense, Task, TaskKind};
+use crate::synthesis::{FunctionTask, GivenNumber, Output, Preferences, Sense, Task, TaskKind};
 use crate::wording::words;
 
 const WISHES: &str = "{ transmission = 40 }";
@@ -14,7 +14,7 @@ const SENSES: [(&str, Sense); 2] = [
 ];
 
 /// The preferences, with the order only if it was given.
-pub(super) struct ReadWishes {
+pub(super) struct ParsedPreferences {
     wishes: Preferences,
     ordered: Option<bool>,
     /// The places of the direction and of the box.
@@ -22,8 +22,8 @@ pub(super) struct ReadWishes {
     inside: Option<ByteSpan>,
 }
 
-pub(super) fn wishes(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> ReadWishes {
-    let mut read = ReadWishes {
+pub(super) fn read_preferences(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> ParsedPreferences {
+    let mut read = ParsedPreferences {
         wishes: Preferences::default(),
         ordered: None,
         direction: None,
@@ -84,7 +84,7 @@ fn direction(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<Sense> {
     found.map(|(_, sense)| *sense)
 }
 
-impl ReadWishes {
+impl ParsedPreferences {
     /// Returns the preferences for the synthesis; points are visited in order unless the file says
     /// the opposite.
     pub(super) fn for_motion(&self) -> Preferences {
@@ -119,13 +119,13 @@ impl ReadWishes {
             }
             TaskKind::Function(function) => {
                 let turns = match function.crank_scale {
-                    Given::Value(scale) => Some(scale),
-                    Given::Free => None,
+                    GivenNumber::Value(scale) => Some(scale),
+                    GivenNumber::Free => None,
                 };
                 let place = place("crank");
                 let rule = words().crank_against_direction();
                 self.agrees_with_turning(reader, turns, place, rule);
-                self.holds_pivots(reader, function);
+                self.check_pivot_box(reader, function);
             }
         }
     }
@@ -157,8 +157,8 @@ impl ReadWishes {
     }
 
     /// Reports a box that does not contain the pivots of a function.
-    fn holds_pivots(&self, reader: &mut Reader<'_>, function: &FunctionTask) {
-        let (Some(corners), Some(place)) = (self.wishes.inside, self.inside.clone()) else {
+    fn check_pivot_box(&self, reader: &mut Reader<'_>, function: &FunctionTask) {
+        let (Some(corners), Some(span)) = (self.wishes.inside, self.inside.clone()) else {
             return;
         };
         let far = match function.output {
@@ -167,10 +167,10 @@ impl ReadWishes {
         };
         let mut pivots = std::iter::once(Vec2::ZERO).chain(far);
         if let Some(at) = pivots.find(|at| !crate::synthesis::is_inside(corners, *at)) {
-            let told = format!("[{}, {}]", at.x, at.y);
+            let text = format!("[{}, {}]", at.x, at.y);
             reader.report(
-                Diagnostic::new(words().pivot_of_function_outside(&told))
-                    .at(place, "")
+                Diagnostic::new(words().pivot_of_function_outside(&text))
+                    .at(span, "")
                     .help(words().widen_for_function()),
             );
         }

@@ -3,11 +3,11 @@
 use crate::numeric::SeededRng;
 
 /// A generator that returns the same numbers for the same seed.
-pub(crate) struct Chance(SeededRng);
+pub(crate) struct TestRng(SeededRng);
 
-impl Chance {
-    pub(crate) fn new(seed: u64) -> Chance {
-        Chance(SeededRng::new(seed))
+impl TestRng {
+    pub(crate) fn new(seed: u64) -> TestRng {
+        TestRng(SeededRng::new(seed))
     }
 
     /// Returns a number below `count`, or 0 if `count` is 0.

@@ -7,24 +7,24 @@ use nalgebra::{Point2, Vector2};
 use std::error::Error;
 
 /// Errors can be sent to other threads, boxed and stored.
-const fn is_an_error<E: Error + Send + Sync + 'static>() {}
-const fn goes_to_other_threads<T: Send + Sync + Clone + 'static>() {}
+const fn is_boxable_error<E: Error + Send + Sync + 'static>() {}
+const fn is_send_and_sync<T: Send + Sync + Clone + 'static>() {}
 
 const _: () = {
-    is_an_error::<Defect>();
-    is_an_error::<Defects>();
-    is_an_error::<Fault>();
-    is_an_error::<Diagnostics>();
-    is_an_error::<ValueError>();
-    is_an_error::<crate::assembly::AssemblyError>();
-    is_an_error::<crate::quantity::TimeError>();
-    is_an_error::<crate::quantity::UnknownColumn>();
-    is_an_error::<crate::report::StepsError>();
-    is_an_error::<crate::study::motor::NoRam>();
-    goes_to_other_threads::<Mechanism>();
-    goes_to_other_threads::<Solver>();
-    goes_to_other_threads::<State>();
-    goes_to_other_threads::<Workspace>();
+    is_boxable_error::<Defect>();
+    is_boxable_error::<Defects>();
+    is_boxable_error::<Fault>();
+    is_boxable_error::<Diagnostics>();
+    is_boxable_error::<ValueError>();
+    is_boxable_error::<crate::assembly::AssemblyError>();
+    is_boxable_error::<crate::quantity::TimeError>();
+    is_boxable_error::<crate::quantity::UnknownColumn>();
+    is_boxable_error::<crate::report::StepsError>();
+    is_boxable_error::<crate::study::motor::NoRam>();
+    is_send_and_sync::<Mechanism>();
+    is_send_and_sync::<Solver>();
+    is_send_and_sync::<State>();
+    is_send_and_sync::<Workspace>();
 };
 
 /// Returns the rocker's angular velocity of a four-bar, with `?` at every step from the builder to

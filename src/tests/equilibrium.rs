@@ -1,7 +1,7 @@
 //! Tests that every link and pin is in equilibrium: all presets with random loads, at random
 //! positions of the motion.
 
-use super::Chance;
+use super::TestRng;
 use crate::PointId;
 use crate::quantity::{Catalogue, Quantity};
 use crate::scene::{Scene, presets};
@@ -9,7 +9,7 @@ use crate::solver::testing::check_equilibrium;
 use crate::solver::{Condition, Indeterminate, Order, Solver};
 
 /// Returns a preset with a mass for every link, gravity, a force, a torque, springs and dampers.
-fn loaded(text: &str, chance: &mut Chance) -> String {
+fn loaded(text: &str, rng: &mut TestRng) -> String {
     let mut out = String::from("gravity = [1.5, -9.81]\n");
     let mut section = "";
     let (mut point, mut link) = (None, None);
@@ -31,14 +31,14 @@ fn loaded(text: &str, chance: &mut Chance) -> String {
         } else {
             format!(
                 "com = [{}, {}], ",
-                chance.within(-1.0, 1.0),
-                chance.within(-1.0, 1.0)
+                rng.within(-1.0, 1.0),
+                rng.within(-1.0, 1.0)
             )
         };
-        let (mass, inertia) = (chance.within(0.1, 5.0), chance.within(0.01, 0.5));
+        let (mass, inertia) = (rng.within(0.1, 5.0), rng.within(0.01, 0.5));
         out += &format!("{open}, {com}mass = {mass}, inertia = {inertia} }}\n");
     }
-    let mut number = || chance.within(-50.0, 50.0);
+    let mut number = || rng.within(-50.0, 50.0);
     if let (Some(point), Some(link)) = (point, link) {
         out += &format!(
             "[[loads]]\npoint = \"{point}\"\nforce = [{}, {}]\n",
@@ -103,21 +103,21 @@ fn ends(solver: &Solver) -> (f64, f64) {
 }
 
 /// Checks random positions of a motion.
-fn check(name: &str, solver: &Solver, chance: &mut Chance) {
+fn check(name: &str, solver: &Solver, rng: &mut TestRng) {
     let (low, high) = ends(solver);
-    let places: Vec<f64> = (0..20).map(|_| chance.within(low, high)).collect();
-    let checked = check_equilibrium(solver, places.into_iter());
+    let coordinates: Vec<f64> = (0..20).map(|_| rng.within(low, high)).collect();
+    let checked = check_equilibrium(solver, coordinates.into_iter());
     assert!(checked > 5, "{name}: only {checked} states were ordinary");
 }
 
 #[test]
 fn presets_are_in_equilibrium_under_random_loads() {
-    let mut chance = Chance::new(7);
+    let mut rng = TestRng::new(7);
     for preset in presets::all() {
-        let text = loaded(preset.text, &mut chance);
+        let text = loaded(preset.text, &mut rng);
         let scene = Scene::parse(&text, preset.name).unwrap_or_else(|e| panic!("{e}\n{text}"));
         let solver = Solver::new(&scene.mechanism).unwrap();
-        check(preset.name, &solver, &mut chance);
+        check(preset.name, &solver, &mut rng);
     }
 }
 
@@ -125,19 +125,19 @@ fn presets_are_in_equilibrium_under_random_loads() {
 /// are skipped.
 #[test]
 fn linkages_with_random_lengths_are_in_equilibrium() {
-    let mut chance = Chance::new(8);
+    let mut rng = TestRng::new(8);
     let mut opened = 0;
     for preset in presets::all().iter().cycle().take(200) {
-        let text = loaded(preset.text, &mut chance);
+        let text = loaded(preset.text, &mut rng);
         let mut scene = Scene::parse(&text, preset.name).unwrap();
         let off = 0.05 * Solver::new(&scene.mechanism).unwrap().scale();
         for length in scene.mechanism.lengths() {
-            let by = chance.within(-off, off);
+            let by = rng.within(-off, off);
             scene.mechanism = scene.mechanism.changed(length, by);
         }
         if let Ok(solver) = Solver::new(&scene.mechanism) {
             opened += 1;
-            check(preset.name, &solver, &mut chance);
+            check(preset.name, &solver, &mut rng);
         }
     }
     assert!(opened > 60, "only {opened} of 200 could be assembled");
@@ -457,9 +457,9 @@ Z = [200, 200]
 /// The expected reactions follow from the self-stresses, computed by hand.
 #[test]
 fn only_reactions_of_redundant_constraints_are_indeterminate() {
-    let mut chance = Chance::new(11);
+    let mut rng = TestRng::new(11);
     for (name, text, open) in REDUNDANT {
-        let text = loaded(text, &mut chance);
+        let text = loaded(text, &mut rng);
         let scene = Scene::parse(&text, name).unwrap_or_else(|e| panic!("{e}\n{text}"));
         let solver = Solver::new(&scene.mechanism).unwrap();
         let named = solver.indeterminate().iter().map(|open| match *open {
@@ -472,29 +472,29 @@ fn only_reactions_of_redundant_constraints_are_indeterminate() {
         });
         let named: Vec<String> = named.collect();
         assert_eq!(named, open, "{name}");
-        check(name, &solver, &mut chance);
+        check(name, &solver, &mut rng);
     }
 }
 
 #[test]
 fn rare_guides_and_locks_are_in_equilibrium() {
-    let mut chance = Chance::new(10);
+    let mut rng = TestRng::new(10);
     for (name, text) in RARE {
-        let text = loaded(text, &mut chance);
+        let text = loaded(text, &mut rng);
         let scene = Scene::parse(&text, name).unwrap_or_else(|e| panic!("{e}\n{text}"));
         let solver = Solver::new(&scene.mechanism);
         let solver = solver.unwrap_or_else(|e| panic!("{name}: {}", scene.explain(&e)));
-        check(name, &solver, &mut chance);
+        check(name, &solver, &mut rng);
     }
 }
 
 /// Compares with a solution in twice the precision.
 #[test]
 fn force_error_never_exceeds_its_bound() {
-    let mut chance = Chance::new(9);
+    let mut rng = TestRng::new(9);
     let presets = presets::all().iter().map(|p| (p.name, p.text));
     for (name, text) in presets.chain(RARE) {
-        let text = loaded(text, &mut chance);
+        let text = loaded(text, &mut rng);
         let scene = Scene::parse(&text, name).unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
         let figures = Catalogue::new(&scene);
@@ -505,7 +505,7 @@ fn force_error_never_exceeds_its_bound() {
         let (low, high) = ends(&solver);
         let (mut proved, mut unproved, mut over) = (0, 0, Vec::new());
         for _ in 0..40 {
-            let at = chance.within(low, high);
+            let at = rng.within(low, high);
             if solver.solve(at, Order::Force, &mut state) != Condition::Ok
                 || !solver.solve_twice(&state, Order::Force, &mut truth)
             {

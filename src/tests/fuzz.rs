@@ -6,7 +6,7 @@
 //! hour, from a new seed each time, and writes kept inputs to the folder in `KRANK_FUZZ_KEEP`. A
 //! failing input is printed, and belongs in the corpus once the bug is fixed.
 
-use super::Chance;
+use super::TestRng;
 use std::collections::HashSet;
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -41,15 +41,15 @@ impl Fuzz<'_> {
         for input in &pool {
             seen.insert(fed(&target, input));
         }
-        let (known, begun) = (pool.len(), Instant::now());
-        let asked = std::env::var("KRANK_FUZZ").ok();
-        let time = asked.and_then(|seconds| seconds.parse().ok());
-        let mut chance = Chance::new(time.map_or(1, |_| now()));
+        let (known, started) = (pool.len(), Instant::now());
+        let requested = std::env::var("KRANK_FUZZ").ok();
+        let time = requested.and_then(|seconds| seconds.parse().ok());
+        let mut rng = TestRng::new(time.map_or(1, |_| now()));
         let mut runs = 0_u64;
         while time.map_or(runs < self.runs, |time| {
-            begun.elapsed() < Duration::from_secs(time)
+            started.elapsed() < Duration::from_secs(time)
         }) {
-            let input = self.changed(&pool, &mut chance);
+            let input = self.changed(&pool, &mut rng);
             runs += 1;
             if seen.insert(fed(&target, &input)) {
                 keep(self.name, &input);
@@ -59,7 +59,7 @@ impl Fuzz<'_> {
         println!(
             "{}: {runs} runs in {:.0} s, {known} inputs of the corpus, {} outcomes",
             self.name,
-            begun.elapsed().as_secs_f64(),
+            started.elapsed().as_secs_f64(),
             seen.len()
         );
     }
@@ -80,18 +80,18 @@ impl Fuzz<'_> {
     }
 
     /// Returns one of the inputs, changed in a few places.
-    fn changed(&self, pool: &[Vec<u8>], chance: &mut Chance) -> Vec<u8> {
-        let mut input = chance.one_of(pool).clone();
-        for _ in 0..=chance.below(4) {
-            let from = chance.below(input.len() + 1);
-            let to = (from + chance.below(1 + chance_length(input.len()))).min(input.len());
-            let piece: Vec<u8> = match chance.below(8) {
+    fn changed(&self, pool: &[Vec<u8>], rng: &mut TestRng) -> Vec<u8> {
+        let mut input = rng.one_of(pool).clone();
+        for _ in 0..=rng.below(4) {
+            let from = rng.below(input.len() + 1);
+            let to = (from + rng.below(1 + max_piece_len(input.len()))).min(input.len());
+            let piece: Vec<u8> = match rng.below(8) {
                 0 => Vec::new(),
                 1 => input[from..to].repeat(2),
-                2 => part_of(pool, chance),
-                3 | 4 => chance.one_of(self.words).as_bytes().to_vec(),
-                5 => chance.one_of(&NUMBERS).as_bytes().to_vec(),
-                6 => vec![chance.byte()],
+                2 => part_of(pool, rng),
+                3 | 4 => rng.one_of(self.words).as_bytes().to_vec(),
+                5 => rng.one_of(&NUMBERS).as_bytes().to_vec(),
+                6 => vec![rng.byte()],
                 _ => {
                     let mut piece = input[from..to].to_vec();
                     piece.reverse();
@@ -99,7 +99,7 @@ impl Fuzz<'_> {
                 }
             };
             // The piece replaces a range, or is inserted before it.
-            let to = if chance.below(2) == 0 { from } else { to };
+            let to = if rng.below(2) == 0 { from } else { to };
             input.splice(from..to, piece);
             input.truncate(MAX_LEN);
         }
@@ -126,21 +126,21 @@ const NUMBERS: [&str; 14] = [
 ];
 
 /// Returns the maximum length of a replaced piece, which is short for short inputs.
-fn chance_length(length: usize) -> usize {
+fn max_piece_len(length: usize) -> usize {
     (length / 4).clamp(1, 64)
 }
 
-fn part_of(pool: &[Vec<u8>], chance: &mut Chance) -> Vec<u8> {
-    let other = chance.one_of(pool);
-    let from = chance.below(other.len());
-    let to = (from + chance.below(120)).min(other.len());
+fn part_of(pool: &[Vec<u8>], rng: &mut TestRng) -> Vec<u8> {
+    let other = rng.one_of(pool);
+    let from = rng.below(other.len());
+    let to = (from + rng.below(120)).min(other.len());
     other[from..to].to_vec()
 }
 
 fn fed(target: &impl Fn(&[u8]) -> u64, input: &[u8]) -> u64 {
-    let begun = Instant::now();
+    let started = Instant::now();
     let outcome = panic::catch_unwind(AssertUnwindSafe(|| target(input)));
-    let took = begun.elapsed();
+    let took = started.elapsed();
     match outcome {
         Ok(outcome) => {
             let input = input.escape_ascii();

@@ -12,6 +12,6 @@ mod speed;
 mod unbalanced;
 mod varied;
 
-pub(crate) use chance::Chance;
+pub(crate) use chance::TestRng;
 #[cfg(feature = "tui")]
 pub(crate) use fuzz::{Fuzz, shape};

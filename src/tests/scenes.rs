@@ -140,13 +140,13 @@ fn opened(scene: &Scene, outcome: &mut DefaultHasher) {
         if condition == Condition::NoAssembly {
             continue;
         }
-        let worked = working.of(scene, &solver, &state, 6);
-        assert!(!worked.page.to_markdown(true).contains("NaN"), "at {at}");
+        let computed = working.of(scene, &solver, &state, 6);
+        assert!(!computed.page.to_markdown(true).contains("NaN"), "at {at}");
         for point in mechanism.point_ids() {
-            let place = state.position(point).unwrap();
+            let position = state.position(point).unwrap();
             assert!(
-                place.x.is_finite() && place.y.is_finite(),
-                "{place:?} at {at}"
+                position.x.is_finite() && position.y.is_finite(),
+                "{position:?} at {at}"
             );
         }
         solver.enclose(&mut state, Order::Force, &mut enclosure);

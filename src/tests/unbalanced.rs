@@ -35,22 +35,22 @@ fn places(solver: &Solver) -> Vec<f64> {
     places.collect()
 }
 
-fn shown(figures: &[Quantity], state: &State, residuals: bool) -> usize {
-    let figures = figures.iter().filter(|q| is_residual(q) == residuals);
-    figures.filter(|q| q.value(state).is_some()).count()
+fn shown(quantities: &[Quantity], state: &State, residuals: bool) -> usize {
+    let quantities = quantities.iter().filter(|q| is_residual(q) == residuals);
+    quantities.filter(|q| q.value(state).is_some()).count()
 }
 
 #[test]
 fn only_balanced_forces_are_shown() {
     for (name, scene) in acted() {
-        let figures = forces(&scene);
+        let quantities = forces(&scene);
         for falsify in [false, true] {
             let solver = falsified(falsify, || Solver::new(&scene.mechanism)).unwrap();
             let (mut state, mut lanes) = (solver.state(), solver.lanes());
             let mut enclosure = solver.enclosure();
             let mut hidden = 0;
-            let places = places(&solver);
-            for &at in &places {
+            let coordinates = places(&solver);
+            for &at in &coordinates {
                 assert_eq!(solver.solve(at, Order::Force, &mut state), Condition::Ok);
                 for by_bounds in [false, true] {
                     if by_bounds {
@@ -59,9 +59,9 @@ fn only_balanced_forces_are_shown() {
                     let is_hidden = state.withheld().is_some();
                     assert!(falsify || !is_hidden, "{name} at {at}: {state:?}");
                     // The residuals stay visible for inspection.
-                    assert_eq!(shown(&figures, &state, true), 4, "{name} at {at}");
+                    assert_eq!(shown(&quantities, &state, true), 4, "{name} at {at}");
                     assert_eq!(
-                        shown(&figures, &state, false) == 0,
+                        shown(&quantities, &state, false) == 0,
                         is_hidden,
                         "{name} at {at}"
                     );
@@ -72,8 +72,12 @@ fn only_balanced_forces_are_shown() {
                 assert!(!(at_once && state.withheld().is_some()), "{name} at {at}");
             }
             // At some positions the repeated pass may have no effect.
-            let least = if falsify { places.len() * 9 / 10 } else { 0 };
-            assert!(hidden >= least, "{name}: only {hidden} withheld");
+            let minimum = if falsify {
+                coordinates.len() * 9 / 10
+            } else {
+                0
+            };
+            assert!(hidden >= minimum, "{name}: only {hidden} withheld");
         }
     }
 }
@@ -110,7 +114,7 @@ fn the_program() {
 
 #[test]
 fn commands_hide_and_report_unbalanced_forces_and_fail() {
-    for (arguments, said, shown) in [
+    for (arguments, text, shown) in [
         (
             "sweep four-bar-load --columns driver.torque,driver.torque.residual,r3.B.fx,B.x --from 0 --to 20 --step 10",
             "3 of 3 rows have values that are not shown: the forces at 0 deg are not shown: driver.torque.residual is",
@@ -155,11 +159,18 @@ fn commands_hide_and_report_unbalanced_forces_and_fail() {
     ] {
         let done = krank(arguments);
         let out = String::from_utf8(done.stdout).unwrap();
-        let told = String::from_utf8(done.stderr).unwrap();
-        assert_eq!(done.status.code(), Some(1), "{arguments}: {out}{told}");
-        assert!(told.contains(said), "{arguments}: {told}");
+        let shown_text = String::from_utf8(done.stderr).unwrap();
+        assert_eq!(
+            done.status.code(),
+            Some(1),
+            "{arguments}: {out}{shown_text}"
+        );
+        assert!(shown_text.contains(text), "{arguments}: {shown_text}");
         assert!(out.contains(shown), "{arguments}: {out}");
-        assert!(told.contains("please report it"), "{arguments}: {told}");
+        assert!(
+            shown_text.contains("please report it"),
+            "{arguments}: {shown_text}"
+        );
     }
     // Commands without forces succeed.
     let done = krank("sweep four-bar-load --columns B.x --from 0 --to 20 --step 10");
@@ -171,10 +182,10 @@ fn commands_hide_and_report_unbalanced_forces_and_fail() {
 fn force_views_report_unbalanced_forces() {
     use crate::capability::Colours;
     use crate::drawing::Glyphs;
-    use crate::tui::{Opened, Origin, Workbench};
+    use crate::tui::{OpenedScene, Origin, Workbench};
     let text = presets::find("four-bar-load").unwrap().text;
     let scene = Scene::parse(text, "four-bar-load").unwrap();
-    let opened = Opened {
+    let opened = OpenedScene {
         solver: falsified(true, || Solver::new(&scene.mechanism)).unwrap(),
         scene,
         origin: Origin::Preset("four-bar-load".into()),

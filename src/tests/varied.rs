@@ -123,8 +123,8 @@ fn lanes_match_single_states_and_lengths_can_be_restored() {
             let _ = solver.solve(at, Order::Velocity, &mut state);
             for point in scene.mechanism.point_ids() {
                 let alone = varied.state().velocity(point).unwrap();
-                let beside = lanes.velocity(point).unwrap();
-                assert_eq!([beside.x.0[lane], beside.y.0[lane]], [alone.x, alone.y]);
+                let nearby = lanes.velocity(point).unwrap();
+                assert_eq!([nearby.x.0[lane], nearby.y.0[lane]], [alone.x, alone.y]);
                 let given = state.velocity(point).unwrap();
                 assert_eq!(
                     alone == given,

@@ -32,7 +32,7 @@ mod writing;
 mod zooming;
 
 use super::config::Config;
-use super::{Opened, Origin};
+use super::{OpenedScene, Origin};
 use crate::capability::{Capability, Colours};
 use crate::document::Diagnostics;
 use crate::drawing::Glyphs;
@@ -77,7 +77,7 @@ pub(crate) enum Effect {
     Send(Vec<u8>),
     /// Send the drawing as a pixel image.
     Still,
-    /// Leave the screen unchanged, for [`App::ask_for_picture`].
+    /// Leave the screen unchanged, for [`App::prompt_for_picture`].
     Picture,
     /// Repaint the whole screen.
     Redraw,
@@ -121,7 +121,12 @@ pub(crate) struct App {
 
 impl App {
     /// Creates a workbench with an open scene, paused at the scene's own coordinate or at `at`.
-    pub(crate) fn new(opened: Opened, at: Option<f64>, capability: Capability, size: Size) -> Self {
+    pub(crate) fn new(
+        opened: OpenedScene,
+        at: Option<f64>,
+        capability: Capability,
+        size: Size,
+    ) -> Self {
         let document = Document::new(&opened.scene);
         let mut app = App {
             player: Player::new(opened),
@@ -148,7 +153,7 @@ impl App {
 
     /// Moves file operations to background threads, if the system allows threads.
     pub(crate) fn use_background_threads(&mut self) {
-        self.clerk = JobRunner::apart().unwrap_or_default();
+        self.clerk = JobRunner::with_file_thread().unwrap_or_default();
     }
 
     /// Returns a file descriptor that becomes readable when a file operation ends.
@@ -157,15 +162,15 @@ impl App {
     }
 
     /// Clears the signal that a file operation has ended.
-    pub(crate) fn hush(&self) {
-        self.clerk.hush();
+    pub(crate) fn clear_signal(&self) {
+        self.clerk.clear_signal();
     }
 
     /// Reports the ignored parts of a configuration.
     pub(crate) fn warn_of_config(&mut self, warnings: &Diagnostics) {
         let more = warnings.items.len().saturating_sub(1);
         let first = warnings.first_words();
-        self.shell.say(words().ignored(first, more));
+        self.shell.set_message(words().ignored(first, more));
     }
 
     /// Applies the user's configuration.
@@ -179,16 +184,16 @@ impl App {
 
     /// Switches to the next language and rebuilds all cached text.
     fn next_language(&mut self) {
-        Language::spoken().next().speak();
+        Language::current_language().next().speak();
         self.views.motor = MotorStudy::default();
         self.views.working.forget();
         self.previews.forget();
-        self.player.open_scene.say_again();
+        self.player.open_scene.rebuild_texts();
         if let Some(list) = &mut self.candidates {
-            list.say_again();
+            list.rebuild_texts();
         }
         self.update_needs();
-        self.shell.say(words().language_is());
+        self.shell.set_message(words().language_is());
     }
 
     /// Returns the dialect of written CSV files.
@@ -250,13 +255,13 @@ impl App {
     }
 
     /// Returns the views on the screen, including the current one.
-    pub(crate) fn standing(&self) -> Vec<View> {
-        if !views::has_room(self.shell.size) {
+    pub(crate) fn visible_views(&self) -> Vec<View> {
+        if !views::fits_views(self.shell.size) {
             return vec![self.shell.view];
         }
         self.shell
             .composition
-            .standing(self.shell.view, self.shell.size)
+            .visible_views(self.shell.view, self.shell.size)
     }
 
     pub(crate) fn glyphs(&self) -> Glyphs {
@@ -319,7 +324,7 @@ impl App {
     /// Executes an action and returns its effect on the terminal.
     pub(crate) fn update(&mut self, action: Action, now: Duration) -> Effect {
         self.shell.message = None;
-        if self.is_held_up(action) {
+        if self.is_blocked_by_staging(action) {
             return Effect::Show;
         }
         match action {
@@ -390,20 +395,20 @@ impl App {
             | Action::Still
             | Action::Svg
             | Action::Report => return self.take_out(action),
-            Action::SaveAs => self.ask_where(),
+            Action::SaveAs => self.prompt_for_name(),
             Action::Reload => self.reload(false),
             Action::Undo | Action::Redo => self.edit_history(action, now),
-            Action::Motion(action) => self.move_lens(action),
+            Action::Motion(action) => self.move_viewport(action),
             Action::Tables(action) => self.browse(action),
             Action::Plots(action) => self.plot(action),
             Action::Method => self.watch_next(),
-            Action::Guess => self.ask_for_guess(),
-            Action::Tolerance => self.tell_tolerance(),
+            Action::Guess => self.prompt_for_guess(),
+            Action::Tolerance => self.show_tolerance(),
             Action::Scene(action) => self.edit(action, now),
             Action::Tour => self.tour(),
             Action::Glyphs => {
                 self.shell.next_glyphs();
-                self.lay_out();
+                self.clamp_positions();
             }
             Action::Colours => self.shell.next_colours(),
             Action::Mouse => self.toggle_mouse(),
@@ -415,7 +420,7 @@ impl App {
             Action::SplitLeft => self.move_split(-1),
             Action::SplitRight => self.move_split(1),
             Action::NextLayout => self.next_layout(),
-            Action::Look(view) => self.look_at(view),
+            Action::Look(view) => self.select_view_by_key(view),
         }
         Effect::Show
     }

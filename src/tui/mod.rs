@@ -59,7 +59,7 @@ use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
-use terminal::{Console, Notice, Tty, Wake};
+use terminal::{Console, SignalEvent, Tty, Wake};
 use thiserror::Error;
 
 /// The origin of a scene.
@@ -77,7 +77,7 @@ pub enum Origin {
 
 /// A scene with its solver, ready to be shown.
 #[derive(Debug)]
-pub struct Opened {
+pub struct OpenedScene {
     /// The scene.
     pub scene: Scene,
     /// The scene's solver, with no quantity left out.
@@ -108,7 +108,7 @@ impl TaskOrder {
         TaskOrder {
             file,
             name,
-            seed: SynthesisSettings::USUAL_SEED,
+            seed: SynthesisSettings::DEFAULT_SEED,
             tolerance: None,
             folder: None,
         }
@@ -188,18 +188,18 @@ impl Error {
 /// # Errors
 /// Returns an error if no suitable terminal exists, if an I/O operation on it fails, or if the
 /// workbench panics.
-pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
+pub fn run(opened: OpenedScene, options: &Options) -> Result<(), Error> {
     let judgement = TerminalProfile::of(|name| std::env::var(name).ok());
     let plain = (options.theme == Theme::Plain).then_some(Colours::None);
     let capability = judgement.capability(options.glyphs, options.colours.or(plain));
     let capability = capability.ok_or(Error::Dumb)?;
-    let end = catching(|| {
+    let end = catch_panic(|| {
         let tty = Tty::open(capability)?;
         let (size, aspect) = (tty.size(), tty.aspect());
         let workbench = Workbench::on(opened, options.at, capability, size).themed(options.theme);
         let mut workbench = workbench
             .configured(&options.config)
-            .looking_at(options.view.unwrap_or_default());
+            .with_view(options.view.unwrap_or_default());
         workbench.app().resize(size, aspect);
         workbench.app().use_background_threads();
         let pictures = judgement.pictures(options.picture);
@@ -210,7 +210,7 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
                 false => Ground::Dark,
             });
         }
-        if options.idle && options.config.tour && views::has_room(size) {
+        if options.idle && options.config.tour && views::fits_views(size) {
             workbench.app().tour_on_first_start();
         }
         let state = places::folder_of("XDG_STATE_HOME", ".local/state", places::environment);
@@ -234,24 +234,24 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
 
 /// Runs a function that holds the terminal. Catches a panic and reports it only after the terminal
 /// is restored.
-fn catching<T>(run: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
-    let told = Arc::new(Mutex::new(String::new()));
-    let teller = Arc::clone(&told);
+fn catch_panic<T>(run: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
+    let shown_text = Arc::new(Mutex::new(String::new()));
+    let thread_text = Arc::clone(&shown_text);
     let before = panic::take_hook();
     panic::set_hook(Box::new(move |info| {
-        let mut text = teller.lock().unwrap_or_else(PoisonError::into_inner);
-        *text = told_of(info);
+        let mut text = thread_text.lock().unwrap_or_else(PoisonError::into_inner);
+        *text = panic_text(info);
     }));
     let outcome = panic::catch_unwind(AssertUnwindSafe(run));
     panic::set_hook(before);
     outcome.unwrap_or_else(|_| {
-        let text = told.lock().unwrap_or_else(PoisonError::into_inner);
+        let text = shown_text.lock().unwrap_or_else(PoisonError::into_inner);
         Err(Error::Broken(text.clone()))
     })
 }
 
 /// Formats a panic's message and location; with `RUST_BACKTRACE` also its backtrace.
-fn told_of(info: &PanicHookInfo<'_>) -> String {
+fn panic_text(info: &PanicHookInfo<'_>) -> String {
     let payload = info.payload();
     let what = payload
         .downcast_ref::<&str>()
@@ -271,9 +271,9 @@ struct Session<T> {
     tty: T,
     workbench: Workbench,
     /// The time at which the session began.
-    begun: Instant,
+    started: Instant,
     /// `true` if something has happened that no frame shows yet.
-    owed: bool,
+    frame_is_due: bool,
     /// `true` if that justifies a new frame before the last one is completely sent.
     anew: bool,
 }
@@ -284,10 +284,10 @@ type EndSignal = Option<i32>;
 impl<T: Console> Session<T> {
     fn new(tty: T, workbench: Workbench) -> Self {
         Session {
-            begun: tty.now(),
+            started: tty.now(),
             tty,
             workbench,
-            owed: true,
+            frame_is_due: true,
             anew: true,
         }
     }
@@ -303,40 +303,40 @@ impl<T: Console> Session<T> {
     /// Paints a pending frame, waits once, and handles the events. Returns `Some` if the session
     /// ends.
     fn step(&mut self) -> Result<Option<EndSignal>, Error> {
-        if self.owed && self.is_ready() {
+        if self.frame_is_due && self.is_ready() {
             self.paint()?;
-            self.owed = self.workbench.is_cut();
-            self.anew = !self.owed;
+            self.frame_is_due = self.workbench.is_cut();
+            self.anew = !self.frame_is_due;
             #[cfg(debug_assertions)]
             fault_on_demand();
         }
         let wanted = self.workbench.app().has_mouse();
-        self.tty.take_mouse(wanted)?;
+        self.tty.handle_mouse(wanted)?;
         let deadline = self.deadline();
         if self.tty.follow(self.workbench.app().watched()) {
             // The file may have been written between the first check and now.
             let now = self.elapsed();
-            self.workbench.app().look_at_file(now, true);
+            self.workbench.app().check_file(now, true);
         }
         let bell = self.workbench.app().bell();
-        let wakes = self.tty.wait(deadline, bell)?;
-        if let Some(drawn) = self.tty.drawn_at().filter(|_| !self.owed) {
-            let seen = drawn.saturating_duration_since(self.begun);
+        let events = self.tty.wait(deadline, bell)?;
+        if let Some(drawn) = self.tty.drawn_at().filter(|_| !self.frame_is_due) {
+            let seen = drawn.saturating_duration_since(self.started);
             self.workbench.app().note_frame_shown(seen);
         }
-        if !self.owed && is_room_alone(&wakes) {
+        if !self.frame_is_due && is_only_line_ready(&events) {
             return Ok(None);
         }
-        self.owed = true;
+        self.frame_is_due = true;
         // An animation waits for a slow line: halves of two different frames would show neither.
-        self.anew |= wakes.iter().any(|wake| *wake != Wake::Room);
+        self.anew |= events.iter().any(|wake| *wake != Wake::Room);
         // All pending events are handled before one frame shows the result.
-        self.take_all(wakes)
+        self.take_all(events)
     }
 
     /// Returns the time since the session began.
     fn elapsed(&self) -> Duration {
-        self.tty.now().saturating_duration_since(self.begun)
+        self.tty.now().saturating_duration_since(self.started)
     }
 
     /// Returns `true` if the line takes another frame.
@@ -347,16 +347,16 @@ impl<T: Console> Session<T> {
 
     /// Sends the current screen, or the unsent rest of the last one.
     fn paint(&mut self) -> Result<(), Error> {
-        let room = self.tty.room();
+        let space = self.tty.max_frame_len();
         let frame = if self.anew {
-            self.workbench.app().weigh();
-            self.workbench.paint_within(room)
+            self.workbench.app().measure_cost();
+            self.workbench.paint_within(space)
         } else {
-            self.workbench.paint_rest(room)
+            self.workbench.paint_rest(space)
         };
         self.tty.send(frame)?;
         while let Some(still) = self.workbench.take_still() {
-            self.tty.say_still(&still)?;
+            self.tty.write_image(&still)?;
         }
         Ok(())
     }
@@ -368,26 +368,26 @@ impl<T: Console> Session<T> {
         if self.workbench.app().is_working() {
             return Some(self.tty.now());
         }
-        if self.owed {
+        if self.frame_is_due {
             return ready;
         }
-        let next = self.begun + self.workbench.app().next_frame()?;
+        let next = self.started + self.workbench.app().next_frame()?;
         Some(ready.map_or(next, |ready| ready.max(next)))
     }
 
-    fn take_all(&mut self, wakes: Vec<Wake>) -> Result<Option<EndSignal>, Error> {
+    fn take_all(&mut self, events: Vec<Wake>) -> Result<Option<EndSignal>, Error> {
         // Playback does not advance while the process is suspended.
-        let mut stopped = wakes.contains(&Wake::Notice(Notice::Continued));
+        let mut stopped = events.contains(&Wake::SignalEvent(SignalEvent::Continued));
         if !stopped {
             let now = self.elapsed();
             self.workbench.move_to(now);
         }
-        let mut wakes = wakes.into_iter().peekable();
-        while let Some(wake) = wakes.next() {
-            if is_overtaken(&wake, wakes.peek()) {
+        let mut events = events.into_iter().peekable();
+        while let Some(wake) = events.next() {
+            if is_overtaken(&wake, events.peek()) {
                 continue;
             }
-            stopped |= wake == Wake::Notice(Notice::Suspend);
+            stopped |= wake == Wake::SignalEvent(SignalEvent::Suspend);
             if let Some(end) = self.take(wake)? {
                 return Ok(Some(end));
             }
@@ -402,25 +402,25 @@ impl<T: Console> Session<T> {
     /// Handles an event. Returns `Some` if the session ends.
     fn take(&mut self, wake: Wake) -> Result<Option<EndSignal>, Error> {
         match wake {
-            Wake::HungUp => return Ok(Some(Some(terminal::HANG_UP))),
-            Wake::Notice(Notice::End(signal)) => return Ok(Some(Some(signal))),
-            Wake::Notice(Notice::Suspend) => {
+            Wake::HungUp => return Ok(Some(Some(terminal::HANG_UP_SIGNAL))),
+            Wake::SignalEvent(SignalEvent::End(signal)) => return Ok(Some(Some(signal))),
+            Wake::SignalEvent(SignalEvent::Suspend) => {
                 self.tty.suspend()?;
                 self.start_over();
             }
-            Wake::Notice(Notice::Continued) => {
+            Wake::SignalEvent(SignalEvent::Continued) => {
                 self.tty.enter()?;
                 self.start_over();
             }
-            Wake::Notice(Notice::Resized) => self.start_over(),
+            Wake::SignalEvent(SignalEvent::Resized) => self.start_over(),
             Wake::Room => {}
             Wake::Written => {
                 let now = self.elapsed();
-                self.workbench.app().look_at_file(now, true);
+                self.workbench.app().check_file(now, true);
                 return Ok(self.attend(now));
             }
             Wake::Done => {
-                self.workbench.app().hush();
+                self.workbench.app().clear_signal();
                 let now = self.elapsed();
                 return Ok(self.attend(now));
             }
@@ -446,9 +446,9 @@ impl<T: Console> Session<T> {
                 let (cell, rate) = (self.tty.cell(), self.tty.rate());
                 self.workbench.show_still(cell, rate);
             }
-            Effect::Send(bytes) => self.tty.say(&bytes)?,
+            Effect::Send(bytes) => self.tty.write_outside_frames(&bytes)?,
             Effect::Redraw => self.start_over(),
-            Effect::Suspend => terminal::ask_to_suspend()?,
+            Effect::Suspend => terminal::suspend_process_group()?,
             Effect::Quit => return Ok(Some(None)),
         }
         Ok(None)
@@ -471,8 +471,8 @@ impl<T: Console> Session<T> {
 
 /// Returns `true` if the only event is that the line took the last frame, which needs no new frame.
 /// An empty list means that the deadline has come, so it returns `false`.
-fn is_room_alone(wakes: &[Wake]) -> bool {
-    !wakes.is_empty() && wakes.iter().all(|wake| *wake == Wake::Room)
+fn is_only_line_ready(events: &[Wake]) -> bool {
+    !events.is_empty() && events.iter().all(|wake| *wake == Wake::Room)
 }
 
 /// Returns `true` if `wake` is a mouse drag directly followed by another. Only the last position
@@ -482,7 +482,7 @@ fn is_overtaken(wake: &Wake, next: Option<&Wake>) -> bool {
         matches!(
             wake,
             Wake::Mouse(Mouse {
-                deed: MouseEventKind::Drag,
+                kind: MouseEventKind::Drag,
                 ..
             })
         )

@@ -1,6 +1,6 @@
 //! Renders the workbench's screen as text, without a terminal.
 
-use super::{Colours, Opened, Options, Workbench};
+use super::{Colours, OpenedScene, Options, Workbench};
 use crate::capability::{Capability, TerminalProfile};
 use crate::drawing::Glyphs;
 use ratatui::layout::Size;
@@ -11,7 +11,7 @@ use ratatui::layout::Size;
 /// Glyphs follow from the environment, as for the workbench itself, or are ASCII if the workbench
 /// would not open there.
 #[must_use]
-pub fn picture(opened: Opened, options: &Options, cols: u16, rows: u16) -> String {
+pub fn picture(opened: OpenedScene, options: &Options, cols: u16, rows: u16) -> String {
     let judgement = TerminalProfile::of(|name| std::env::var(name).ok());
     // Text has no colours, so the drawing must express them in another form.
     let colours = Colours::None;
@@ -25,7 +25,7 @@ pub fn picture(opened: Opened, options: &Options, cols: u16, rows: u16) -> Strin
     let workbench = Workbench::on(opened, options.at, capability, size);
     let mut workbench = workbench
         .configured(&options.config)
-        .looking_at(options.view.unwrap_or_default());
+        .with_view(options.view.unwrap_or_default());
     workbench.finish();
     workbench.text()
 }

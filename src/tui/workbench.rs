@@ -6,7 +6,7 @@ use super::app::{App, Effect, View};
 use super::config::Config;
 use super::terminal::Painter;
 use super::views::{self, Sketch};
-use super::{Frames, Opened, TaskOrder, Theme};
+use super::{Frames, OpenedScene, TaskOrder, Theme};
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::tui::commands::key::Key;
@@ -38,7 +38,13 @@ impl Workbench {
     /// Opens a scene on a screen of `cols` x `rows` characters, for a terminal that supports
     /// synchronized frames.
     #[must_use]
-    pub fn new(opened: Opened, glyphs: Glyphs, colours: Colours, cols: u16, rows: u16) -> Self {
+    pub fn new(
+        opened: OpenedScene,
+        glyphs: Glyphs,
+        colours: Colours,
+        cols: u16,
+        rows: u16,
+    ) -> Self {
         let capability = Capability {
             glyphs,
             colours,
@@ -64,8 +70,8 @@ impl Workbench {
 
     /// Shows another view.
     #[must_use]
-    pub fn looking_at(mut self, view: View) -> Self {
-        self.app.look(view);
+    pub fn with_view(mut self, view: View) -> Self {
+        self.app.select_view(view);
         self
     }
 
@@ -98,7 +104,12 @@ impl Workbench {
     }
 
     /// Opens a scene at the driver coordinate `at`, or at its start position if `None`.
-    pub(super) fn on(opened: Opened, at: Option<f64>, capability: Capability, size: Size) -> Self {
+    pub(super) fn on(
+        opened: OpenedScene,
+        at: Option<f64>,
+        capability: Capability,
+        size: Size,
+    ) -> Self {
         Workbench {
             app: App::new(opened, at, capability, size),
             sketch: Sketch::default(),
@@ -154,20 +165,20 @@ impl Workbench {
 
     /// Paints a frame for a line with capacity for about `room` bytes: urgent areas first, and the
     /// rest by [`Workbench::paint_rest`].
-    pub(super) fn paint_within(&mut self, room: usize) -> &[u8] {
-        self.app.catch_up();
+    pub(super) fn paint_within(&mut self, space: usize) -> &[u8] {
+        self.app.update_before_frame();
         let app = &self.app;
         views::prepare(app, &mut self.sketch);
         self.painter.paint_with(app.palette());
         let canvas = self.painter.canvas(views::area(app));
         views::render(app, &self.sketch, canvas);
         self.uncover();
-        self.painter.frame(&views::urgent(&self.app), room)
+        self.painter.frame(&views::urgent(&self.app), space)
     }
 
     /// Continues a cut frame, with the screen as it was then.
-    pub(super) fn paint_rest(&mut self, room: usize) -> &[u8] {
-        self.painter.frame(&views::urgent(&self.app), room)
+    pub(super) fn paint_rest(&mut self, space: usize) -> &[u8] {
+        self.painter.frame(&views::urgent(&self.app), space)
     }
 
     /// Returns `true` if the last frame was cut.
@@ -177,7 +188,7 @@ impl Workbench {
 
     /// Returns the screen as text, with trailing blanks trimmed.
     pub fn text(&mut self) -> String {
-        self.app.catch_up();
+        self.app.update_before_frame();
         self.app.note_frame_shown(self.now);
         views::prepare(&self.app, &mut self.sketch);
         let mut buffer = Buffer::empty(views::area(&self.app));
@@ -210,33 +221,33 @@ impl Workbench {
     }
 
     pub(super) fn key(&mut self, key: Key) -> Effect {
-        self.put_still_away();
+        self.remove_image();
         let effect = self.app.key(key, self.now);
-        self.still.asked_again(effect == Effect::Still);
+        self.still.confirm(effect == Effect::Still);
         if effect == Effect::Picture {
             let text = self.text();
-            self.app.ask_for_picture(text);
+            self.app.prompt_for_picture(text);
             return Effect::Show;
         }
         effect
     }
 
     pub(super) fn paste(&mut self, text: &str) {
-        self.put_still_away();
-        self.still.asked_again(false);
+        self.remove_image();
+        self.still.confirm(false);
         self.app.paste(text);
     }
 
     pub(super) fn point(&mut self, mouse: Mouse) -> Effect {
-        self.put_still_away();
-        self.still.asked_again(false);
+        self.remove_image();
+        self.still.confirm(false);
         let under = views::under(&self.app, &self.sketch, mouse.at);
         self.app.point(mouse, under, self.now)
     }
 
     /// Returns the place of the scene at a cell of the drawing.
     #[cfg(test)]
-    pub(super) fn place(&self, at: ratatui::layout::Position) -> Option<views::SeenPlace> {
+    pub(super) fn place(&self, at: ratatui::layout::Position) -> Option<views::DrawnPlace> {
         self.sketch.place(at)
     }
 
@@ -252,7 +263,7 @@ impl Workbench {
 
     /// Discards the known contents of the terminal, so that the next frame paints everything.
     pub fn forget(&mut self) {
-        self.put_still_away();
+        self.remove_image();
         self.painter.forget();
     }
 }

@@ -1,12 +1,12 @@
 //! Tests of `krank accuracy`. A scene whose driver has limits skips the long integrations. No test
 //! here depends on running times: `tests/library/accuracy.rs` tests timing with a simulated clock.
 
-use super::{done, folder, json, refused, rows};
+use super::{folder, json, refused, rows, run_ok};
 
 const LIMITED: [&str; 4] = ["accuracy", "double-rocker", "--positions", "360"];
 
 fn with(more: &[&str]) -> String {
-    done(&[&LIMITED[..], more].concat())
+    run_ok(&[&LIMITED[..], more].concat())
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Tests of `--assembly` and `krank start`: showing and saving another assembly.
 
-use super::{command, done, folder, json, refused, rows, run};
+use super::{command, folder, json, refused, rows, run, run_ok};
 use std::fs;
 
 const CROSSED: &[&str] = &["four-bar", "--assembly", "C=-"];
@@ -12,10 +12,13 @@ fn with<'a>(command: &'a str, args: &[&'a str]) -> Vec<&'a str> {
 /// The mirrored coordinates of hard case H29, by `table` and `sweep`.
 #[test]
 fn h29_other_assembly_has_its_known_coordinates() {
-    let table = json(&done(&with("table", &["--at", "240", "--format", "json"])));
+    let table = json(&run_ok(&with(
+        "table",
+        &["--at", "240", "--format", "json"],
+    )));
     let c = &table["points"]["C"];
     assert!(table.to_string().contains("233.03106360959"), "{c}");
-    let csv = done(&with(
+    let csv = run_ok(&with(
         "sweep",
         &["--from", "240", "--to", "240", "--columns", "C.x,C.y"],
     ));
@@ -33,7 +36,7 @@ fn h29_other_assembly_has_its_known_coordinates() {
 
 #[test]
 fn check_lists_choices_and_whole_assemblies() {
-    let text = done(&["check", "press-ram", "--assembly", "C=-,F=+"]);
+    let text = run_ok(&["check", "press-ram", "--assembly", "C=-,F=+"]);
     for line in [
         "choices    C: + at (311.417, 233.780), - at (212.622, -165.497) now\n",
         "\n           F: + at (560, ",
@@ -41,19 +44,19 @@ fn check_lists_choices_and_whole_assemblies() {
     ] {
         assert!(text.contains(line), "{line}{text}");
     }
-    let facts = json(&done(&["check", "press-ram", "--format", "json"]));
+    let facts = json(&run_ok(&["check", "press-ram", "--format", "json"]));
     assert_eq!(facts["choices"][1]["group"], "F");
     assert_eq!(facts["choices"][1]["list"][1]["choice"], "-");
     assert_eq!(facts["choices"][1]["list"][1]["current"], true);
     assert_eq!(facts["choices"][1]["list"][1]["at"][0], 560.0);
-    let whole = &facts["assemblies"];
+    let complete = &facts["assemblies"];
     assert_eq!(
-        (&whole["complete"], &whole["current"]),
+        (&complete["complete"], &complete["current"]),
         (&true.into(), &1.into())
     );
-    assert_eq!(whole["list"].as_array().unwrap().len(), 4);
-    assert_eq!(whole["list"][1]["F"], "-");
-    let arm = json(&done(&["check", "slotted-lever", "--format", "json"]));
+    assert_eq!(complete["list"].as_array().unwrap().len(), 4);
+    assert_eq!(complete["list"][1]["F"], "-");
+    let arm = json(&run_ok(&["check", "slotted-lever", "--format", "json"]));
     assert!(arm["choices"][0]["list"][0]["angle"].is_f64());
 }
 
@@ -93,42 +96,42 @@ fn coupled_group_reports_its_assembly_numbers() {
 
 #[test]
 fn start_at_change_point_suggests_assembly_option() {
-    let flat = done(&["start", "parallelogram"]).replace("angle = 60", "angle = 180");
+    let flat = run_ok(&["start", "parallelogram"]).replace("angle = 60", "angle = 180");
     let here = folder("change-point");
     fs::write(here.join("flat.toml"), flat).unwrap();
-    let heard = run(command(&["check", "flat.toml"]).current_dir(&here));
-    assert_eq!(heard.code, 2);
+    let output = run(command(&["check", "flat.toml"]).current_dir(&here));
+    assert_eq!(output.code, 2);
     for phrase in [
         "the scene opens at a change point",
         "`--assembly C=+` or `--assembly C=-`",
         "another `angle` of the driver",
     ] {
-        assert!(heard.err.contains(phrase), "{}", heard.err);
+        assert!(output.err.contains(phrase), "{}", output.err);
     }
     for (choice, kind) in [
         ("C=+", "C: + at (200, 0) now"),
         ("C=-", "- at (200, 0) now"),
     ] {
         let mut check = command(&["check", "flat.toml", "--assembly", choice]);
-        let heard = run(check.current_dir(&here));
-        assert_eq!((heard.code, heard.err.as_str()), (0, ""));
-        assert!(heard.out.contains(kind), "{}", heard.out);
+        let output = run(check.current_dir(&here));
+        assert_eq!((output.code, output.err.as_str()), (0, ""));
+        assert!(output.out.contains(kind), "{}", output.out);
     }
 }
 
 #[test]
 fn start_prints_the_scene_with_another_start() {
-    let same = done(&["start", "four-bar"]);
-    let crossed = done(&with("start", &[]));
+    let same = run_ok(&["start", "four-bar"]);
+    let crossed = run_ok(&with("start", &[]));
     let changed = crossed.lines().zip(same.lines()).filter(|(a, b)| a != b);
     let changed: Vec<_> = changed.map(|(line, _)| line).collect();
     assert_eq!(changed, ["C = [212.622, -165.497]"]);
     let mut check = command(&["check", "-"]);
-    let heard = run(check.write_stdin(crossed));
+    let output = run(check.write_stdin(crossed));
     assert!(
-        heard.out.contains("- at (212.622, -165.497) now"),
+        output.out.contains("- at (212.622, -165.497) now"),
         "{}",
-        heard.out
+        output.out
     );
 }
 
@@ -136,12 +139,12 @@ fn start_prints_the_scene_with_another_start() {
 fn start_overwrites_its_input_scene() {
     let here = folder("start");
     let file = here.join("mine.toml");
-    let mine = done(&["start", "four-bar"]).replace("[start]", "# up or down\n[start] # here");
+    let mine = run_ok(&["start", "four-bar"]).replace("[start]", "# up or down\n[start] # here");
     fs::write(&file, &mine).unwrap();
     let mut start = command(&["start", "mine.toml", "--assembly", "C=-", "-o", "mine.toml"]);
-    let heard = run(start.current_dir(&here));
+    let output = run(start.current_dir(&here));
     assert_eq!(
-        (heard.code, heard.out.as_str(), heard.err.as_str()),
+        (output.code, output.out.as_str(), output.err.as_str()),
         (0, "", "")
     );
     let saved = fs::read_to_string(&file).unwrap();
@@ -182,21 +185,21 @@ fn all_ambiguous_start_positions_are_listed_at_once() {
     let file = folder("all-open").join("scene.toml");
     std::fs::write(&file, OPEN).unwrap();
     let name = file.to_str().unwrap();
-    let told = refused(2, &["check", name]);
-    assert!(told.contains("`C` can be at "), "{told}");
-    assert!(told.contains("; open as well: `E`, `F`"), "{told}");
+    let output = refused(2, &["check", name]);
+    assert!(output.contains("`C` can be at "), "{output}");
+    assert!(output.contains("; open as well: `E`, `F`"), "{output}");
     for point in ["C", "E", "F"] {
-        assert!(told.contains(&format!("where is `{point}`?")), "{told}");
+        assert!(output.contains(&format!("where is `{point}`?")), "{output}");
     }
-    assert_eq!(refused(2, &["start", name]), told);
-    let lines = told.split_once("[start]\n").unwrap().1;
+    assert_eq!(refused(2, &["start", name]), output);
+    let lines = output.split_once("[start]\n").unwrap().1;
     let lines: Vec<&str> = lines.lines().map(str::trim).take(3).collect();
     for (line, point) in lines.iter().zip(["C", "E", "F"]) {
-        assert!(line.starts_with(&format!("{point} = [")), "{told}");
-        assert!(line.contains("]   # or "), "{told}");
+        assert!(line.starts_with(&format!("{point} = [")), "{output}");
+        assert!(line.contains("]   # or "), "{output}");
     }
     std::fs::write(&file, format!("{OPEN}[start]\n{}\n", lines.join("\n"))).unwrap();
-    let first = done(&["check", name]);
+    let first = run_ok(&["check", name]);
     // Each point is at the first of its proposed positions.
     for line in &lines {
         let (point, places) = line.split_once(" = [").unwrap();
@@ -224,10 +227,10 @@ fn all_ambiguous_start_positions_are_listed_at_once() {
     }
     // A point with a start position is not listed any more.
     std::fs::write(&file, format!("{OPEN}[start]\n{}\n", lines[0])).unwrap();
-    let told = refused(2, &["check", name]);
+    let output = refused(2, &["check", name]);
     assert!(
-        told.contains("`E` can be at ") && told.contains("; open as well: `F`"),
-        "{told}"
+        output.contains("`E` can be at ") && output.contains("; open as well: `F`"),
+        "{output}"
     );
 }
 
@@ -255,17 +258,17 @@ fn suggested_start_positions_can_be_assembled() {
             );
             std::fs::write(&file, &scene).unwrap();
             let name = file.to_str().unwrap();
-            let told = refused(2, &["check", name]);
-            let lines = told
+            let output = refused(2, &["check", name]);
+            let lines = output
                 .split_once("[start]\n")
                 .unwrap()
                 .1
                 .lines()
                 .map(str::trim);
             let lines: Vec<&str> = lines.take_while(|l| l.contains(" = [")).collect();
-            assert_eq!(lines.len(), 2, "{told}");
+            assert_eq!(lines.len(), 2, "{output}");
             std::fs::write(&file, scene + &lines.join("\n") + "\n").unwrap();
-            done(&["check", name]);
+            run_ok(&["check", name]);
         }
     }
 }

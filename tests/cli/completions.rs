@@ -1,13 +1,13 @@
 //! Completion scripts have the names that can be typed.
 
-use super::{done, presets};
+use super::{presets, run_ok};
 
 const SHELLS: [&str; 6] = ["bash", "elvish", "fish", "nushell", "powershell", "zsh"];
 
 #[test]
 fn every_shell_has_commands_presets_tasks_and_topics() {
     for shell in SHELLS {
-        let script = done(&["completions", shell]);
+        let script = run_ok(&["completions", shell]);
         assert!(script.contains("sweep"), "{shell}");
         // The generators for these two list the values of options alone.
         if !["elvish", "powershell"].contains(&shell) {
@@ -19,12 +19,12 @@ fn every_shell_has_commands_presets_tasks_and_topics() {
         }
     }
     let names = presets().join(" ");
-    let script = done(&["completions", "zsh"]);
+    let script = run_ok(&["completions", "zsh"]);
     assert!(script.contains(&format!(":{{compadd {names}; _files}}'")));
     // A command is the first word, not the second.
     assert!(script.contains("case $line[1] in") && !script.contains("$line[2]"));
     assert!(script.contains(&format!("    compadd {names}\n    _files\n")));
-    let script = done(&["completions", "fish"]);
+    let script = run_ok(&["completions", "fish"]);
     let line = |command: &str, names: &str| {
         format!("complete -c krank -n \"__fish_krank_using_subcommand {command}\" -a \"{names}\"\n")
     };
@@ -46,7 +46,7 @@ fn options_with_names_of_the_scene_look_them_up() {
         ("nushell", "    NAMES-of $context\n"),
         ("zsh", ":_krank_NAMES' \\\n"),
     ] {
-        let script = done(&["completions", shell]);
+        let script = run_ok(&["completions", shell]);
         assert!(!script.contains("KRANK-"), "{shell}");
         for (names, options) in [("columns", 6), ("figures", 5)] {
             let calls = script.matches(&call.replace("NAMES", names)).count();

@@ -1,13 +1,13 @@
 //! Tests of the configuration: its template, its location and its errors.
 
-use super::{command, done, folder, refused, run};
+use super::{command, folder, refused, run, run_ok};
 
 /// The workbench fails without a terminal; this message shows that the configuration was read before.
 const NO_TERMINAL: &str = "standard output is not a terminal";
 
 #[test]
 fn template_is_a_valid_configuration() {
-    let text = done(&["config"]);
+    let text = run_ok(&["config"]);
     assert!(text.contains("\n#play = \"space\" "), "{text}");
     assert!(text.contains("\n[keys]\n"), "{text}");
     let file = folder("config-template").join("config.toml");
@@ -22,16 +22,16 @@ fn config_error_is_reported_before_scene_errors() {
     std::fs::create_dir_all(home.join("krank")).unwrap();
     let file = home.join("krank").join("config.toml");
     std::fs::write(&file, "glyphs = \"asci\"\n").unwrap();
-    let heard = run(command(&["no-such-scene"]).env("XDG_CONFIG_HOME", &home));
-    assert_eq!((heard.code, heard.out.as_str()), (2, ""));
+    let output = run(command(&["no-such-scene"]).env("XDG_CONFIG_HOME", &home));
+    assert_eq!((output.code, output.out.as_str()), (2, ""));
     let place = format!(" --> {}:1:10\n", file.display());
-    let told = [
+    let lines = [
         "error: `glyphs` cannot be `asci`\n",
         &place,
         "did you mean `ascii`?",
     ];
-    for part in told.iter().chain(&["\"braille\""]) {
-        assert!(heard.err.contains(part), "{part}: {}", heard.err);
+    for part in lines.iter().chain(&["\"braille\""]) {
+        assert!(output.err.contains(part), "{part}: {}", output.err);
     }
     // Commands that do not use the configuration do not read it.
     let listed = run(command(&["list"]).env("XDG_CONFIG_HOME", &home));
@@ -50,8 +50,8 @@ fn explicit_config_must_exist_but_default_may_be_missing() {
         ("HOME", "/nowhere"),
         ("HOME", ""),
     ] {
-        let heard = run(command(&[]).env(name, value));
-        assert!(heard.err.contains(NO_TERMINAL), "{}", heard.err);
+        let output = run(command(&[]).env(name, value));
+        assert!(output.err.contains(NO_TERMINAL), "{}", output.err);
     }
     let bytes = folder("config-bytes").join("config.toml");
     std::fs::write(&bytes, b"tour = \xff").unwrap();
@@ -66,15 +66,15 @@ fn unknown_entries_give_warnings() {
     let text = "glyfs = 1\nglyphs = \"ascii\"\nblink = true\n[keys]\nplya = \"F5\"\nstep = [\"F99\", \"F7\"]\n[mouse-keys]\nx = 1\n";
     std::fs::write(&file, text).unwrap();
     let file = file.to_str().unwrap();
-    let heard = run(command(&["four-bar", "--print", "--config", file]).env("LC_ALL", "C.UTF-8"));
-    assert_eq!(heard.code, 0, "{}", heard.err);
-    assert!(heard.out.is_ascii() && heard.out.contains("four-bar"));
+    let output = run(command(&["four-bar", "--print", "--config", file]).env("LC_ALL", "C.UTF-8"));
+    assert_eq!(output.code, 0, "{}", output.err);
+    assert!(output.out.is_ascii() && output.out.contains("four-bar"));
     for unknown in ["`glyfs`", "`blink`", "`mouse-keys`", "`plya`", "`F99`"] {
-        let warned = heard
+        let warned = output
             .err
             .lines()
             .any(|line| line.starts_with("warning: ") && line.ends_with(unknown));
-        assert!(warned, "{unknown}: {}", heard.err);
+        assert!(warned, "{unknown}: {}", output.err);
     }
-    assert!(!heard.err.contains("error"), "{}", heard.err);
+    assert!(!output.err.contains("error"), "{}", output.err);
 }

@@ -1,19 +1,19 @@
 //! Tests of `krank draw`: pictures in characters and as SVG.
 
-use super::{PARALLEL_CRANKS, command, done, folder, json, krank, presets, refused, run};
+use super::{PARALLEL_CRANKS, command, folder, json, krank, presets, refused, run, run_ok};
 
 #[test]
 fn picture_has_requested_size_and_is_ascii_in_c_locale() {
-    let usual = done(&["draw", "four-bar", "--at", "60"]);
+    let usual = run_ok(&["draw", "four-bar", "--at", "60"]);
     assert_eq!(usual.lines().count(), 24, "{usual}");
     assert!(usual.is_ascii(), "{usual}");
     assert!(usual.contains("/_\\") && usual.contains('C'), "{usual}");
     for (size, cols, rows) in [("120x40", 120, 40), ("40x12", 40, 12), ("1x1", 1, 1)] {
-        let picture = done(&["draw", "four-bar", "--size", size]);
+        let picture = run_ok(&["draw", "four-bar", "--size", size]);
         assert_eq!(picture.lines().count(), rows, "{picture}");
         assert!(picture.lines().all(|line| line.chars().count() <= cols));
     }
-    let small = done(&["draw", "four-bar", "--size", "60x20", "--velocities"]);
+    let small = run_ok(&["draw", "four-bar", "--size", "60x20", "--velocities"]);
     assert_eq!(
         small.lines().count(),
         20,
@@ -23,7 +23,7 @@ fn picture_has_requested_size_and_is_ascii_in_c_locale() {
 
 #[test]
 fn locale_or_option_selects_glyphs() {
-    let drawn = |glyphs: &str| done(&["draw", "four-bar", "--glyphs", glyphs]);
+    let drawn = |glyphs: &str| run_ok(&["draw", "four-bar", "--glyphs", glyphs]);
     assert_eq!(drawn("auto"), drawn("ascii"));
     assert!(drawn("line").contains('\u{2502}'));
     let is_dots = |text: &str| text.chars().any(|c| ('\u{2801}'..='\u{28ff}').contains(&c));
@@ -35,28 +35,28 @@ fn locale_or_option_selects_glyphs() {
 
 #[test]
 fn layer_options_change_picture_and_legend() {
-    let picture = done(&["draw", "four-bar", "--velocities", "--accelerations", "C"]);
+    let picture = run_ok(&["draw", "four-bar", "--velocities", "--accelerations", "C"]);
     let legend = picture.lines().last().unwrap();
     assert!(legend.starts_with("v 500 mm/s = --"), "{legend}");
     assert!(legend.contains("   a 10000 mm/s^2 = "), "{legend}");
     // The scene names its traced point.
-    let bare = done(&["draw", "hoecken", "--traces", "none"]);
-    let traced = done(&["draw", "hoecken", "--traces"]);
-    assert_eq!(traced, done(&["draw", "hoecken", "--traces", "P"]));
-    assert_eq!(traced, done(&["draw", "hoecken"]));
-    assert_ne!(traced, bare);
+    let plain = run_ok(&["draw", "hoecken", "--traces", "none"]);
+    let traced = run_ok(&["draw", "hoecken", "--traces"]);
+    assert_eq!(traced, run_ok(&["draw", "hoecken", "--traces", "P"]));
+    assert_eq!(traced, run_ok(&["draw", "hoecken"]));
+    assert_ne!(traced, plain);
     assert!(traced.contains("......"), "{traced}");
-    let all = done(&["draw", "hoecken", "--traces", "all"]);
-    assert_eq!(all, done(&["draw", "hoecken", "--traces", "B,C,P"]));
+    let all = run_ok(&["draw", "hoecken", "--traces", "all"]);
+    assert_eq!(all, run_ok(&["draw", "hoecken", "--traces", "B,C,P"]));
     assert_ne!(all, traced);
-    assert_ne!(done(&["draw", "hoecken", "--ghosts", "5"]), traced);
-    let named = |names: &str| done(&["draw", "four-bar", "--names", names]);
+    assert_ne!(run_ok(&["draw", "hoecken", "--ghosts", "5"]), traced);
+    let named = |names: &str| run_ok(&["draw", "four-bar", "--names", names]);
     assert!(named("all").contains("r3") && !named("points").contains("r3"));
     assert!(!named("none").contains('C'));
-    let free = done(&["draw", "four-bar", "--no-guides"]);
+    let free = run_ok(&["draw", "four-bar", "--no-guides"]);
     assert!(!free.contains("/_\\"), "{free}");
-    assert!(done(&["draw", "four-bar", "--centres"]).contains('x'));
-    let loaded = done(&["draw", "four-bar-load", "--forces", "--size", "100x34"]);
+    assert!(run_ok(&["draw", "four-bar", "--centres"]).contains('x'));
+    let loaded = run_ok(&["draw", "four-bar-load", "--forces", "--size", "100x34"]);
     assert!(
         loaded.contains("500 N") && loaded.contains("F 200 N = "),
         "{loaded}"
@@ -68,7 +68,7 @@ fn svg_is_printed_or_written_to_a_file() {
     let file = folder("draw").join("leg.svg");
     let path = file.to_str().unwrap();
     let args = ["draw", "jansen-leg", "--traces", "T", "--ghosts", "4"];
-    let svg = done(&[&args[..], &["--format", "svg"]].concat());
+    let svg = run_ok(&[&args[..], &["--format", "svg"]].concat());
     assert!(
         svg.starts_with("<svg xmlns=") && svg.ends_with("</svg>\n"),
         "{svg}"
@@ -82,11 +82,11 @@ fn svg_is_printed_or_written_to_a_file() {
         "{svg}"
     );
     assert_eq!(
-        done(&[&args[..], &["--format", "svg", "-o", path]].concat()),
+        run_ok(&[&args[..], &["--format", "svg", "-o", path]].concat()),
         ""
     );
     assert_eq!(std::fs::read_to_string(&file).unwrap(), svg);
-    let sized = done(&["draw", "four-bar", "--format", "svg", "--size", "50x20"]);
+    let sized = run_ok(&["draw", "four-bar", "--format", "svg", "--size", "50x20"]);
     assert!(sized.contains("width=\"400\" height=\"320\""), "{sized}");
 }
 
@@ -98,12 +98,12 @@ fn svg_escapes_markup_in_scene_title() {
         "</title><script>1</script>\\u001B[2J&",
     );
     let mut command = command(&["draw", "-", "--format", "svg"]);
-    let heard = run(command.write_stdin(hostile));
-    assert_eq!(heard.code, 0, "{}", heard.err);
+    let output = run(command.write_stdin(hostile));
+    assert_eq!(output.code, 0, "{}", output.err);
     let title =
         "<title>&lt;/title&gt;&lt;script&gt;1&lt;/script&gt;\u{fffd}[2J&amp; at 60 deg</title>";
-    assert!(heard.out.contains(title), "{}", heard.out);
-    assert!(!heard.out.contains("<script>") && !heard.out.contains('\u{1b}'));
+    assert!(output.out.contains(title), "{}", output.out);
+    assert!(!output.out.contains("<script>") && !output.out.contains('\u{1b}'));
 }
 
 #[test]
@@ -121,9 +121,9 @@ fn every_preset_draws_as_text_and_svg() {
             "all",
             "--centres",
         ];
-        let picture = done(&everything);
+        let picture = run_ok(&everything);
         assert!(picture.is_ascii() && picture.contains('o'), "{picture}");
-        let svg = done(&[&everything[..], &["--format", "svg"]].concat());
+        let svg = run_ok(&[&everything[..], &["--format", "svg"]].concat());
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{preset}");
     }
 }
@@ -133,21 +133,21 @@ fn position_without_assembly_fails_as_in_table() {
     let args = |command| [command, "double-rocker", "--at", "5"];
     assert_eq!(refused(1, &args("draw")), refused(1, &args("table")));
     // At a limit, the picture has no arrows, and a note gives the reason.
-    let facts = json(&done(&["check", "double-rocker", "--format", "json"]));
+    let facts = json(&run_ok(&["check", "double-rocker", "--format", "json"]));
     let limit = facts["range"][0].to_string();
-    let heard = krank(&["draw", "double-rocker", "--at", &limit, "--velocities"]);
-    assert_eq!(heard.code, 0);
+    let output = krank(&["draw", "double-rocker", "--at", &limit, "--velocities"]);
+    assert_eq!(output.code, 0);
     assert_eq!(
-        heard.err,
+        output.err,
         "note: no arrows: velocities and accelerations do not exist at a dead point\n"
     );
-    assert!(heard.out.contains("/_\\"), "{}", heard.out);
+    assert!(output.out.contains("/_\\"), "{}", output.out);
 }
 
 #[test]
 fn assembly_option_changes_the_picture() {
-    let open = done(&["draw", "four-bar"]);
-    assert_ne!(open, done(&["draw", "four-bar", "--assembly", "C=-"]));
+    let open = run_ok(&["draw", "four-bar"]);
+    assert_ne!(open, run_ok(&["draw", "four-bar", "--assembly", "C=-"]));
 }
 
 #[test]

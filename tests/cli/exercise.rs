@@ -1,6 +1,6 @@
 //! Tests of `exercise` and `grade`: sheets are created, and answers are graded.
 
-use super::{done, folder, krank, refused, rows};
+use super::{folder, krank, refused, rows, run_ok};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -29,7 +29,7 @@ fn exact(scene: &Path, at: &str, column: &str) -> String {
         "--step",
         "1",
     ];
-    let csv = done(&args);
+    let csv = run_ok(&args);
     let value: f64 = rows(&csv)[0][1].parse().unwrap();
     format!("{value:.5e}")
 }
@@ -44,9 +44,9 @@ fn angle(scene: &str) -> &str {
 
 #[test]
 fn sheet_is_determined_by_its_seed() {
-    let sheet = done(&["exercise", "four-bar", "--seed", "7"]);
-    assert_eq!(sheet, done(&["exercise", "four-bar", "--seed", "7"]));
-    assert_ne!(sheet, done(&["exercise", "four-bar", "--seed", "8"]));
+    let sheet = run_ok(&["exercise", "four-bar", "--seed", "7"]);
+    assert_eq!(sheet, run_ok(&["exercise", "four-bar", "--seed", "7"]));
+    assert_ne!(sheet, run_ok(&["exercise", "four-bar", "--seed", "8"]));
     for piece in [
         "Four-bar crank-rocker: exercise 7",
         "theta3 = ?",
@@ -55,8 +55,8 @@ fn sheet_is_determined_by_its_seed() {
     ] {
         assert!(sheet.contains(piece), "{piece}\n{sheet}");
     }
-    assert!(done(&["exercise", "press", "--format", "html"]).starts_with("<!DOCTYPE html>\n"));
-    let turkish = done(&["exercise", "slider-crank", "--language", "tr"]);
+    assert!(run_ok(&["exercise", "press", "--format", "html"]).starts_with("<!DOCTYPE html>\n"));
+    let turkish = run_ok(&["exercise", "slider-crank", "--language", "tr"]);
     assert!(
         turkish.contains("Verilenler") && turkish.is_ascii(),
         "{turkish}"
@@ -70,7 +70,7 @@ fn exercise_writes_four_files_and_keeps_answers() {
     let here = fresh("exercise");
     let path = shown(&here);
     assert_eq!(
-        done(&[
+        run_ok(&[
             "exercise", "press", "--seed", "3", "--count", "2", "-o", path
         ]),
         ""
@@ -86,7 +86,7 @@ fn exercise_writes_four_files_and_keeps_answers() {
     });
     assert_eq!(names, expected.concat());
     let scene = here.join("press-3.toml");
-    assert!(done(&["check", shown(&scene)]).contains("turns fully"));
+    assert!(run_ok(&["check", shown(&scene)]).contains("turns fully"));
     let blank = fs::read_to_string(here.join("press-3.csv")).unwrap();
     assert!(
         blank.starts_with("figure,unit,answer\nsheet,,press-3.toml\nstudent,,\nr3.angle,deg,\n"),
@@ -102,7 +102,7 @@ fn exercise_writes_four_files_and_keeps_answers() {
         "{exact}"
     );
     // Exercises can be created again while their answer files are empty.
-    done(&[
+    run_ok(&[
         "exercise",
         "press",
         "--seed",
@@ -119,15 +119,15 @@ fn exercise_writes_four_files_and_keeps_answers() {
         blank.replacen("angle;deg;", "angle;deg;1,5", 1),
     )
     .unwrap();
-    let said = refused(
+    let message = refused(
         1,
         &[
             "exercise", "press", "--seed", "2", "--count", "2", "-o", path,
         ],
     );
     assert!(
-        said.contains("press-3.csv") && !here.join("press-2.toml").exists(),
-        "{said}"
+        message.contains("press-3.csv") && !here.join("press-2.toml").exists(),
+        "{message}"
     );
 }
 
@@ -159,7 +159,7 @@ fn grading_detects_early_rounding_and_wrong_sign() {
     let text = "figure;unit;answer\nr4.length;cm;28,0\nr3.angle;deg;345,5\nr3.omega;rad/s;-89,45\n\
         r4.rate;cm/s;1447,93\nr3.alpha;rad/s^2;8259\nx.y;;1\n";
     fs::write(&notes, text).unwrap();
-    let told = done(&["grade", "slider-crank", shown(&notes)]);
+    let output = run_ok(&["grade", "slider-crank", shown(&notes)]);
     for piece in [
         "week4\n",
         "rounded early: r3.angle as 345,5",
@@ -169,10 +169,10 @@ fn grading_detects_early_rounding_and_wrong_sign() {
         "The first mistake is r4.rate: wrong sign.",
         "Rows that name no value of this scene: x.y [1] in line 7.",
     ] {
-        let joined = told.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(joined.contains(piece.trim_end()), "{piece}\n{told}");
+        let joined = output.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(joined.contains(piece.trim_end()), "{piece}\n{output}");
     }
-    let turkish = done(&["grade", "slider-crank", shown(&notes), "--language", "tr"]);
+    let turkish = run_ok(&["grade", "slider-crank", shown(&notes), "--language", "tr"]);
     assert!(
         turkish.contains("erken yuvarlama: r3.angle = 345,5"),
         "{turkish}"
@@ -191,19 +191,19 @@ fn grading_detects_early_rounding_and_wrong_sign() {
 fn zero_values_are_asked_and_graded() {
     let here = fresh("exercise-rounding");
     let path = shown(&here);
-    done(&["exercise", "parallelogram", "--seed", "4", "-o", path]);
+    run_ok(&["exercise", "parallelogram", "--seed", "4", "-o", path]);
     let blank = fs::read_to_string(here.join("parallelogram-4.csv")).unwrap();
     assert!(
         blank.contains("r3.angle,") && blank.contains("r3.alpha,"),
         "{blank}"
     );
-    let sheet = done(&["exercise", "parallelogram", "--seed", "4"]);
+    let sheet = run_ok(&["exercise", "parallelogram", "--seed", "4"]);
     assert!(sheet.contains("alpha3 = ?"), "{sheet}");
     let answers = here.join("answers.csv");
     fs::write(&answers, "α3,,0\n").unwrap();
     let scene = here.join("parallelogram-4.toml");
-    let told = done(&["grade", shown(&scene), shown(&answers)]);
-    assert!(told.contains("1 points of"), "{told}");
+    let output = run_ok(&["grade", shown(&scene), shown(&answers)]);
+    assert!(output.contains("1 points of"), "{output}");
 }
 
 /// Spreadsheets write UTF-16 and leave out columns. A file without any answer to the scene is rejected.
@@ -214,16 +214,16 @@ fn utf16_answers_are_read_and_unrelated_answers_rejected() {
     let text = "\u{feff}figure\tanswer\r\nstudent\tAli\r\nr3.angle\t29,38\r\n";
     let bytes: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
     fs::write(&file, bytes).unwrap();
-    let told = done(&["grade", "four-bar", shown(&file)]);
+    let output = run_ok(&["grade", "four-bar", shown(&file)]);
     assert!(
-        told.starts_with("Ali\n") && told.contains("1 points of 22"),
-        "{told}"
+        output.starts_with("Ali\n") && output.contains("1 points of 22"),
+        "{output}"
     );
     fs::write(&file, "figure,unit,answer\nx.y,mm,1\nz9.angle,deg,2\n").unwrap();
-    let said = refused(2, &["grade", "four-bar", shown(&file)]);
+    let message = refused(2, &["grade", "four-bar", shown(&file)]);
     assert!(
-        said.contains("ali.csv") && said.contains("four-bar"),
-        "{said}"
+        message.contains("ali.csv") && message.contains("four-bar"),
+        "{message}"
     );
 }
 
@@ -232,7 +232,7 @@ fn utf16_answers_are_read_and_unrelated_answers_rejected() {
 fn class_is_graded_into_a_table() {
     let here = fresh("grade-class");
     let class = here.join("class");
-    done(&[
+    run_ok(&[
         "exercise",
         "four-bar",
         "--seed",
@@ -278,7 +278,7 @@ fn class_is_graded_into_a_table() {
         "--format",
         "csv",
     ];
-    let csv = done(&args);
+    let csv = run_ok(&args);
     let table = rows(&csv);
     let head = "student,sheet,figures,points,right,rounded,followed,sign,unit,assembly,wrong,empty,\
         first,verdict,mistake,why,answer,file,unknown_units,no_numbers,repeated,unknown_rows,\
@@ -318,16 +318,16 @@ fn class_is_graded_into_a_table() {
         shown(&files[0]),
         shown(&outside),
     ];
-    let heard = krank(&args);
-    assert_eq!(heard.code, 2);
+    let output = krank(&args);
+    assert_eq!(output.code, 2);
     for piece in [
         "broken.csv",
         "../class/four-bar-1.toml",
         "2 of 3 files were not graded",
     ] {
-        assert!(heard.err.contains(piece), "{}", heard.err);
+        assert!(output.err.contains(piece), "{}", output.err);
     }
-    assert!(heard.out.contains("Ayse"), "{}", heard.out);
+    assert!(output.out.contains("Ayse"), "{}", output.out);
     refused(2, &["grade", shown(&class), shown(&broken)]);
     let other = krank(&["grade", "four-bar", shown(&files[0])]);
     assert!(
@@ -342,7 +342,7 @@ fn class_is_graded_into_a_table() {
 fn grade_does_not_overwrite_its_inputs() {
     let here = fresh("grade-over");
     let class = here.join("class");
-    done(&["exercise", "four-bar", "--seed", "1", "-o", shown(&class)]);
+    run_ok(&["exercise", "four-bar", "--seed", "1", "-o", shown(&class)]);
     let [sheet, answers] = ["toml", "csv"].map(|end| class.join(format!("four-bar-1.{end}")));
     let other = here.join("other.csv");
     fs::copy(&answers, &other).unwrap();
@@ -365,13 +365,13 @@ fn grade_does_not_overwrite_its_inputs() {
             "-o",
             shown(to),
         ];
-        let said = refused(2, &args);
-        assert!(said.contains("would be lost"), "{said}");
+        let text = refused(2, &args);
+        assert!(text.contains("would be lost"), "{text}");
         let after = [&sheet, &answers, &other].map(|file| fs::read(file).unwrap());
         assert_eq!(before, after, "{}", to.display());
     }
     let points = here.join("points.txt");
-    done(&["grade", shown(&class), shown(&other), "-o", shown(&points)]);
+    run_ok(&["grade", shown(&class), shown(&other), "-o", shown(&points)]);
     assert!(fs::read_to_string(points).unwrap().contains("0 points"));
 }
 
@@ -382,7 +382,7 @@ fn exercise_does_not_overwrite_edited_files() {
     let make = ["exercise", "four-bar", "--seed", "7", "-o", shown(&here)];
     let again = ["--count", "2", "--seed", "6", "-o", shown(&here)];
     let again = [&["exercise", "four-bar"][..], &again[..]].concat();
-    done(&make);
+    run_ok(&make);
     let file = |end: &str| here.join(format!("four-bar-7{end}"));
     let blank = fs::read_to_string(file(".csv")).unwrap();
     let long = blank.clone() + &"\n".repeat(20) + &"r3.angle,deg,1\n".repeat(10_001);
@@ -403,17 +403,20 @@ fn exercise_does_not_overwrite_edited_files() {
     for (end, text) in texts {
         let before = fs::read(file(end)).unwrap();
         fs::write(file(end), text).unwrap();
-        let said = refused(1, &again);
+        let message = refused(1, &again);
         let name = format!("four-bar-7{end}");
-        assert!(said.contains(&name) && said.contains("lost"), "{said}");
-        assert_eq!(fs::read(file(end)).unwrap(), text, "{said}");
-        assert!(!here.join("four-bar-6.toml").exists(), "{said}");
+        assert!(
+            message.contains(&name) && message.contains("lost"),
+            "{message}"
+        );
+        assert_eq!(fs::read(file(end)).unwrap(), text, "{message}");
+        assert!(!here.join("four-bar-6.toml").exists(), "{message}");
         fs::write(file(end), before).unwrap();
     }
     // Spreadsheets save an empty file with other separators, other line ends and additional cells.
     let saved = blank.replace(',', ";").replace('\n', ";;\r\n");
     fs::write(file(".csv"), format!("\u{feff}{saved}")).unwrap();
-    done(&again);
+    run_ok(&again);
     assert_eq!(fs::read_to_string(file(".csv")).unwrap(), blank);
     // Another assembly gives another exercise.
     let other = [&make[..], &["--assembly", "C=-"][..]].concat();
@@ -425,7 +428,7 @@ fn exercise_does_not_overwrite_edited_files() {
 fn exercise_records_the_command_that_created_it() {
     let here = fresh("exercise-again");
     let scene = here.join("my bar.toml");
-    fs::write(&scene, done(&["start", "four-bar"])).unwrap();
+    fs::write(&scene, run_ok(&["start", "four-bar"])).unwrap();
     let args = [
         "exercise",
         shown(&scene),
@@ -436,7 +439,7 @@ fn exercise_records_the_command_that_created_it() {
         "-o",
         shown(&here),
     ];
-    done(&args);
+    run_ok(&args);
     let made = fs::read_to_string(here.join("my bar-4.toml")).unwrap();
     let source = format!(
         "source = \"krank exercise '{}' --assembly C=- --seed 4\"",
@@ -452,8 +455,8 @@ fn exercise_rejects_scene_without_lengths() {
     let text = "[ground]\nA = [0, 0]\n[driver]\nlink = \"r\"\nangle = 1\n\
         [links]\nr = { points = { A = [0, 0] } }\n";
     fs::write(&scene, text).unwrap();
-    let said = refused(1, &["exercise", shown(&scene)]);
-    assert!(said.contains("no lengths"), "{said}");
+    let message = refused(1, &["exercise", shown(&scene)]);
+    assert!(message.contains("no lengths"), "{message}");
 }
 
 /// Each row names its file, a student with several files is reported, and no name contains control characters.
@@ -471,19 +474,19 @@ fn class_table_names_files_and_duplicate_students() {
         files.push(path);
     }
     let paths: Vec<&str> = files.iter().map(|file| shown(file)).collect();
-    let heard = krank(&[&["grade", "four-bar", "--format", "csv"][..], &paths].concat());
-    assert_eq!(heard.code, 0);
-    let table = rows(&heard.out);
+    let output = krank(&[&["grade", "four-bar", "--format", "csv"][..], &paths].concat());
+    assert_eq!(output.code, 0);
+    let table = rows(&output.out);
     for (row, path) in table.iter().zip(&paths) {
         assert_eq!(row[17], *path);
     }
-    assert!(!heard.out.contains(['\u{1b}', '\u{7}']), "{}", heard.out);
-    assert!(heard.out.contains("[31mAli"), "{}", heard.out);
+    assert!(!output.out.contains(['\u{1b}', '\u{7}']), "{}", output.out);
+    assert!(output.out.contains("[31mAli"), "{}", output.out);
     let twice = format!(
         "Ayse appears in more than one file: {}, {}",
         paths[0], paths[1]
     );
-    assert!(heard.err.contains(&twice), "{}", heard.err);
+    assert!(output.err.contains(&twice), "{}", output.err);
     let text = krank(&[&["grade", "four-bar"][..], &paths[..1], &paths[2..]].concat());
     assert_eq!((text.code, text.err.as_str()), (0, ""));
     assert!(text.out.contains("c.csv"), "{}", text.out);
@@ -496,12 +499,12 @@ fn ambiguous_answers_are_reported() {
     let sheet = answers("four-bar-7.toml");
     let files = ["names.csv", "cp1254.csv", "rpm.csv", "no_normal.csv"].map(answers);
     let files: Vec<&str> = files.iter().map(String::as_str).collect();
-    let csv = done(&[&["grade", &sheet, "--format", "csv"][..], &files].concat());
+    let csv = run_ok(&[&["grade", &sheet, "--format", "csv"][..], &files].concat());
     let table = rows(&csv);
     let of = |row: usize, head: &str| {
         let heads = csv.lines().next().unwrap().split(',');
-        let place = heads.into_iter().position(|own| own == head).unwrap();
-        table[row][place].clone()
+        let index = heads.into_iter().position(|own| own == head).unwrap();
+        table[row][index].clone()
     };
     assert_eq!(of(0, "repeated"), "4 r4.angle: 277.17");
     assert_eq!(of(0, "unknown_rows"), "3 foo: 3");
@@ -513,7 +516,7 @@ fn ambiguous_answers_are_reported() {
         of(2, "misread").starts_with("driver speed = 1.2566"),
         "{csv}"
     );
-    let text = done(&[&["grade", &sheet][..], &files].concat());
+    let text = run_ok(&[&["grade", &sheet][..], &files].concat());
     for piece in [
         "foo [3] in line 3",
         "windows-1254",
@@ -531,22 +534,22 @@ fn pipe_without_writer_is_rejected() {
     let pipe = here.join("pipe.csv");
     let made = std::process::Command::new("mkfifo").arg(&pipe).status();
     assert!(made.unwrap().success());
-    let said = refused(2, &["grade", "four-bar", shown(&pipe)]);
+    let text = refused(2, &["grade", "four-bar", shown(&pipe)]);
     assert!(
-        said.contains("pipe.csv") && said.contains("nobody writes"),
-        "{said}"
+        text.contains("pipe.csv") && text.contains("nobody writes"),
+        "{text}"
     );
-    let said = refused(2, &["report", "four-bar", "--against", shown(&pipe)]);
-    assert!(said.contains("nobody writes"), "{said}");
+    let text = refused(2, &["report", "four-bar", "--against", shown(&pipe)]);
+    assert!(text.contains("nobody writes"), "{text}");
     fs::rename(&pipe, here.join("four-bar-7.csv")).unwrap();
     let make = ["exercise", "four-bar", "--seed", "7", "-o", shown(&here)];
     assert!(refused(1, &make).contains("four-bar-7.csv"));
     let line = "cat tests/answers/derece.csv | $0 grade four-bar /dev/stdin";
-    let told = std::process::Command::new("sh")
+    let output = std::process::Command::new("sh")
         .args(["-c", line, env!("CARGO_BIN_EXE_krank")])
         .output()
         .unwrap();
-    let out = String::from_utf8(told.stdout).unwrap();
+    let out = String::from_utf8(output.stdout).unwrap();
     assert!(out.contains("5 points of 22"), "{out}");
 }
 
@@ -555,12 +558,12 @@ fn pipe_without_writer_is_rejected() {
 fn scenes_accept_turkish_units() {
     let here = fresh("turkish-units");
     let scene = here.join("scene.toml");
-    let plain = done(&["start", "four-bar"]);
+    let plain = run_ok(&["start", "four-bar"]);
     let with = |angle: &str, speed: &str| {
         let text = plain.replacen("angle = 60", &format!("angle = {angle}"), 1);
         let text = text.replacen("\"15 rad/s\"", &format!("\"{speed}\""), 1);
         fs::write(&scene, text).unwrap();
-        done(&["table", shown(&scene)])
+        run_ok(&["table", shown(&scene)])
     };
     let expected = with("60", "60 rpm");
     for (angle, speed) in [

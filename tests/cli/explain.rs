@@ -1,11 +1,11 @@
 //! Tests of `explain`: the working of one state, as text and as Markdown.
 
-use super::{command, done, folder, krank, refused, run};
+use super::{command, folder, krank, refused, run, run_ok};
 
 #[test]
 fn default_position_is_the_scenes_initial_position() {
-    let text = done(&["explain", "four-bar"]);
-    assert_eq!(text, done(&["explain", "four-bar", "--at", "60"]));
+    let text = run_ok(&["explain", "four-bar"]);
+    assert_eq!(text, run_ok(&["explain", "four-bar", "--at", "60"]));
     assert!(text.starts_with("Four-bar crank-rocker\n---"), "{text}");
     assert!(text.contains("\n  r1 + r2 + r3 + r4 = 0\n"), "{text}");
     assert!(
@@ -27,26 +27,26 @@ fn given_lengths_and_angles_are_not_derived() {
              [start]\nC = [310, 230]\nF = [500, 500]\n[vectors]\nrd = [\"D\", \"E\"]\n"
         )
     };
-    let worked = |place| {
-        let heard = run(command(&["explain", "-"]).write_stdin(scene(place)));
-        assert_eq!(heard.code, 0, "{}", heard.err);
-        heard.out
+    let computed = |place| {
+        let output = run(command(&["explain", "-"]).write_stdin(scene(place)));
+        assert_eq!(output.code, 0, "{}", output.err);
+        output.out
     };
-    let told = "rd = sqrt(55.6231^2 + 171.19^2) = 180.000 mm";
+    let printed = "rd = sqrt(55.6231^2 + 171.19^2) = 180.000 mm";
     // The ground vector is derived in both cases.
     let ground = "from the coordinates of the points";
-    let given = worked("{ from = \"D\", length = 180, angle = 72 }");
+    let given = computed("{ from = \"D\", length = 180, angle = 72 }");
     assert!(
         !given.contains("rd = sqrt(") && given.contains(ground),
         "{given}"
     );
-    let listed = worked("[55.6231, 171.19]");
-    assert!(listed.contains(told), "{listed}");
+    let listed = computed("[55.6231, 171.19]");
+    assert!(listed.contains(printed), "{listed}");
 }
 
 #[test]
 fn digits_option_sets_significant_digits() {
-    let text = done(&["explain", "four-bar", "--digits", "10"]);
+    let text = run_ok(&["explain", "four-bar", "--digits", "10"]);
     assert!(
         text.contains("  m = sqrt(mx^2 + my^2) = 360.5551275 mm\n"),
         "{text}"
@@ -60,20 +60,20 @@ fn utf8_locale_uses_greek_letters() {
     let utf8 = utf8
         .env("LC_ALL", "en_US.UTF-8")
         .env("TERM", "xterm-256color");
-    let heard = run(utf8);
-    assert_eq!((heard.code, heard.err.as_str()), (0, ""));
+    let output = run(utf8);
+    assert_eq!((output.code, output.err.as_str()), (0, ""));
     assert!(
-        heard
+        output
             .out
             .contains("  θ3 = -α + β = -13.8979 + 43.2773 = 29.3794 deg\n"),
         "{}",
-        heard.out
+        output.out
     );
 }
 
 #[test]
 fn markdown_has_headings_tables_and_formulas() {
-    let text = done(&["explain", "four-bar", "--format", "markdown"]);
+    let text = run_ok(&["explain", "four-bar", "--format", "markdown"]);
     assert!(text.starts_with("# Four-bar crank-rocker\n\n"), "{text}");
     for piece in [
         "\n## 1 Vector polygons\n",
@@ -91,32 +91,32 @@ fn output_file_equals_standard_output() {
     let file = folder("explain").join("four-bar.md");
     let path = file.to_str().unwrap();
     assert_eq!(
-        done(&["explain", "four-bar", "--format", "markdown", "-o", path]),
+        run_ok(&["explain", "four-bar", "--format", "markdown", "-o", path]),
         ""
     );
     let written = std::fs::read_to_string(&file).unwrap();
     assert_eq!(
         written,
-        done(&["explain", "four-bar", "--format", "markdown"])
+        run_ok(&["explain", "four-bar", "--format", "markdown"])
     );
 }
 
 /// Prints as much of the working as exists, followed by the cause of the end.
 #[test]
 fn position_outside_range_exits_with_1_and_partial_working() {
-    let heard = krank(&["explain", "double-rocker", "--at", "200"]);
-    assert_eq!(heard.code, 1);
-    assert!(heard.out.contains("State: no-assembly."), "{}", heard.out);
+    let output = krank(&["explain", "double-rocker", "--at", "200"]);
+    assert_eq!(output.code, 1);
+    assert!(output.out.contains("State: no-assembly."), "{}", output.out);
     assert!(
-        heard.err.contains("cannot be assembled at 200 deg"),
+        output.err.contains("cannot be assembled at 200 deg"),
         "{}",
-        heard.err
+        output.err
     );
 }
 
 #[test]
 fn other_assembly_has_its_own_working() {
-    let text = done(&["explain", "four-bar", "--assembly", "C=-"]);
+    let text = run_ok(&["explain", "four-bar", "--assembly", "C=-"]);
     assert!(text.contains("C lies to the right of B -> D"), "{text}");
     assert!(text.contains("  theta3 = -alpha - beta = "), "{text}");
 }

@@ -3,7 +3,7 @@
 
 #[cfg(feature = "tui")]
 use super::krank;
-use super::{Run, command, done, folder, refused, run};
+use super::{Run, command, folder, refused, run, run_ok};
 use std::fs::{self, File};
 use std::io::{Read, Write};
 use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
@@ -76,31 +76,33 @@ fn output_does_not_overwrite_the_input_scene() {
         for command in [
             "sweep", "table", "check", "explain", "report", "draw", "motor", "cycle", "accuracy",
         ] {
-            let told = shell(&folder, &format!("$KRANK {command} scene.toml -o {name}"));
-            assert_eq!(told.code, 2, "{command} {name}: {}", told.err);
+            let run_output = shell(&folder, &format!("$KRANK {command} scene.toml -o {name}"));
+            assert_eq!(run_output.code, 2, "{command} {name}: {}", run_output.err);
             assert!(
-                told.err.contains("the output file is the input scene"),
+                run_output
+                    .err
+                    .contains("the output file is the input scene"),
                 "{}",
-                told.err
+                run_output.err
             );
         }
-        let told = shell(&folder, &format!("$KRANK sweep - -o {name} < scene.toml"));
-        assert_eq!(told.code, 2, "{name}: {}", told.err);
+        let run_output = shell(&folder, &format!("$KRANK sweep - -o {name} < scene.toml"));
+        assert_eq!(run_output.code, 2, "{name}: {}", run_output.err);
     }
-    let told = shell(
+    let run_output = shell(
         &folder,
         "$KRANK plot scene.toml --columns C.x -o scene.toml",
     );
-    assert_eq!(told.code, 2, "{}", told.err);
-    let told = shell(&folder, "$KRANK table scene.toml >> scene.toml");
-    assert_eq!(told.code, 2, "{}", told.err);
+    assert_eq!(run_output.code, 2, "{}", run_output.err);
+    let run_output = shell(&folder, "$KRANK table scene.toml >> scene.toml");
+    assert_eq!(run_output.code, 2, "{}", run_output.err);
     assert_eq!(fs::read_to_string(&scene).unwrap(), before);
     // `start` writes a scene and may overwrite its input; both hard links remain.
-    let told = shell(
+    let run_output = shell(
         &folder,
         "$KRANK start scene.toml --assembly C=- -o scene.toml",
     );
-    assert_eq!(told.code, 0, "{}", told.err);
+    assert_eq!(run_output.code, 0, "{}", run_output.err);
     assert_ne!(fs::read_to_string(&scene).unwrap(), before);
     assert_eq!(fs::metadata(&scene).unwrap().nlink(), 2);
 }
@@ -108,7 +110,7 @@ fn output_does_not_overwrite_the_input_scene() {
 #[test]
 fn pipes_and_descriptors_work_as_input_and_output() {
     let (folder, scene) = scene("pipes");
-    let expected = done(&["table", text(&scene)]);
+    let expected = run_ok(&["table", text(&scene)]);
     for line in [
         "$KRANK table /dev/stdin < scene.toml",
         "cat scene.toml | $KRANK table -",
@@ -120,24 +122,24 @@ fn pipes_and_descriptors_work_as_input_and_output() {
         "$KRANK table scene.toml -o /dev/fd/3 3>&1",
         "mkfifo out && { cat out & $KRANK table scene.toml -o out; wait; }",
     ] {
-        let told = shell(&folder, line);
+        let run_output = shell(&folder, line);
         assert_eq!(
-            (told.code, told.out.as_str()),
+            (run_output.code, run_output.out.as_str()),
             (0, expected.as_str()),
             "{line}"
         );
     }
     // Output to a descriptor opened for appending is appended.
-    let told = shell(
+    let run_output = shell(
         &folder,
         "echo first > log; $KRANK table scene.toml -o /dev/fd/3 3>> log; cat log",
     );
-    assert_eq!(told.out, format!("first\n{expected}"));
-    let told = shell(
+    assert_eq!(run_output.out, format!("first\n{expected}"));
+    let run_output = shell(
         &folder,
         "echo first > log; $KRANK table scene.toml -o /dev/stdout >> log",
     );
-    assert_eq!(told.code, 0, "{}", told.err);
+    assert_eq!(run_output.code, 0, "{}", run_output.err);
     let log = fs::read_to_string(folder.join("log")).unwrap();
     assert_eq!(log, format!("first\n{expected}"));
     assert_eq!(names(&folder), ["in", "log", "out", "scene.toml"]);
@@ -169,12 +171,12 @@ fn endless_input_is_rejected_and_blocked_read_is_interruptible() {
     // A configuration must be a regular file.
     #[cfg(feature = "tui")]
     {
-        let told = krank(&["four-bar", "--print", "--config", text(&pipe)]);
-        assert_eq!(told.code, 2);
+        let run_output = krank(&["four-bar", "--print", "--config", text(&pipe)]);
+        assert_eq!(run_output.code, 2);
         assert!(
-            told.err.contains("it is a pipe, not a file"),
+            run_output.err.contains("it is a pipe, not a file"),
             "{}",
-            told.err
+            run_output.err
         );
     }
 }
@@ -190,9 +192,9 @@ fn overwriting_keeps_mode_owner_and_symlinks() {
     symlink("out.csv", &link).unwrap();
     let dangling = folder.join("dangling.csv");
     symlink("made.csv", &dangling).unwrap();
-    let expected = done(&["table", "press"]);
+    let expected = run_ok(&["table", "press"]);
     for name in [&link, &dangling] {
-        done(&["table", "press", "-o", text(name)]);
+        run_ok(&["table", "press", "-o", text(name)]);
         assert_eq!(fs::read_to_string(name).unwrap(), expected);
         assert!(fs::symlink_metadata(name).unwrap().is_symlink());
     }
@@ -214,8 +216,8 @@ fn read_only_output_file_is_rejected() {
     let file = fresh("read-only").join("out.csv");
     fs::write(&file, "kept").unwrap();
     fs::set_permissions(&file, fs::Permissions::from_mode(0o444)).unwrap();
-    let told = refused(1, &["table", "press", "-o", text(&file)]);
-    assert!(told.contains("it is read-only"), "{told}");
+    let output = refused(1, &["table", "press", "-o", text(&file)]);
+    assert!(output.contains("it is read-only"), "{output}");
     assert_eq!(fs::read_to_string(&file).unwrap(), "kept");
 }
 
@@ -244,22 +246,22 @@ fn file_in_unwritable_folder_is_written_in_place() {
         fs::write(&file, "old").unwrap();
         fs::set_permissions(&file, fs::Permissions::from_mode(0o666)).unwrap();
         let name = text(&file);
-        let told = as_nobody(&folder, &format!("$KRANK table press -o {name}"));
-        assert_eq!(told.code, 0, "{mode:o}: {}", told.err);
+        let run_output = as_nobody(&folder, &format!("$KRANK table press -o {name}"));
+        assert_eq!(run_output.code, 0, "{mode:o}: {}", run_output.err);
         assert_eq!(
             fs::read_to_string(&file).unwrap(),
-            done(&["table", "press"])
+            run_ok(&["table", "press"])
         );
         let found = fs::metadata(&file).unwrap();
         assert_eq!((found.uid(), found.mode() & 0o777), (0, 0o666));
         assert_eq!(names(&place), ["out.csv"]);
         // A file of another user without write permission stays unchanged.
         fs::set_permissions(&file, fs::Permissions::from_mode(0o644)).unwrap();
-        let told = as_nobody(&folder, &format!("$KRANK check press -o {name}"));
-        assert_eq!(told.code, 1, "{}", told.err);
+        let run_output = as_nobody(&folder, &format!("$KRANK check press -o {name}"));
+        assert_eq!(run_output.code, 1, "{}", run_output.err);
         assert_eq!(
             fs::read_to_string(&file).unwrap(),
-            done(&["table", "press"])
+            run_ok(&["table", "press"])
         );
     }
 }
@@ -275,11 +277,11 @@ fn file_size_limit_keeps_the_old_file() {
         if is_linked {
             fs::hard_link(&one, &two).unwrap();
         }
-        let told = shell(
+        let run_output = shell(
             &folder,
             "trap '' XFSZ; ulimit -f 8; exec $KRANK sweep press -o one.csv",
         );
-        assert_eq!(told.code, 1, "{}", told.err);
+        assert_eq!(run_output.code, 1, "{}", run_output.err);
         assert_eq!(fs::read_to_string(&one).unwrap(), "kept");
         let left: Vec<String> = names(&folder)
             .into_iter()
@@ -303,7 +305,7 @@ fn full_disk_keeps_the_old_file() {
         eprintln!("skipped: nothing may be mounted here");
         return;
     }
-    let told = ["one", "linked"].map(|name| {
+    let output = ["one", "linked"].map(|name| {
         fs::write(disk.join(name), "kept").unwrap();
         if name == "linked" {
             fs::hard_link(disk.join(name), disk.join("second")).unwrap();
@@ -317,9 +319,9 @@ fn full_disk_keeps_the_old_file() {
     let left = names(&disk);
     let unmounted = Command::new("umount").arg(&disk).status().unwrap();
     assert!(unmounted.success());
-    for told in told {
-        assert_eq!(told.code, 1, "{}", told.err);
-        assert!(told.err.contains("No space"), "{}", told.err);
+    for output in output {
+        assert_eq!(output.code, 1, "{}", output.err);
+        assert!(output.err.contains("No space"), "{}", output.err);
     }
     assert_eq!(kept, ["kept", "kept"]);
     assert_eq!(left, ["linked", "one", "second"]);
@@ -335,7 +337,7 @@ fn killed_process_leaves_old_or_new_file() {
     };
     let texts = ["C.x", "C.y"].map(|column| {
         let arguments = sweep(column);
-        done(&arguments.each_ref().map(String::as_str))
+        run_ok(&arguments.each_ref().map(String::as_str))
     });
     fs::write(&one, &texts[0]).unwrap();
     // From round 20 on, the file has two names, so it is written in place.
@@ -360,12 +362,12 @@ fn killed_process_leaves_old_or_new_file() {
         assert!(texts.contains(&now), "round {round}: torn");
     }
     assert_eq!(fs::metadata(&one).unwrap().nlink(), 2);
-    let told = shell(&folder, "$KRANK table press -o three.txt");
-    assert_eq!(told.code, 0, "{}", told.err);
+    let run_output = shell(&folder, "$KRANK table press -o three.txt");
+    assert_eq!(run_output.code, 0, "{}", run_output.err);
     assert_eq!(names(&folder), ["one.csv", "state", "three.txt", "two.csv"]);
     let records = folder.join("state/krank/recovery/writing");
-    let told = shell(&folder, "$KRANK table press -o one.csv");
-    assert_eq!(told.code, 0, "{}", told.err);
+    let run_output = shell(&folder, "$KRANK table press -o one.csv");
+    assert_eq!(run_output.code, 0, "{}", run_output.err);
     assert!(names(&records).is_empty(), "{:?}", names(&records));
 }
 
@@ -445,16 +447,16 @@ fn file_locked_by_another_process_is_not_written() {
             format!("$KRANK sweep press -o {name}"),
             format!("$KRANK solve four-bar --goal r4.angle.swing=60 --vary r2.length -o {name}"),
         ] {
-            let told = shell(&folder, &line);
-            assert_eq!(told.code, 1, "{line}: {}", told.err);
+            let run_output = shell(&folder, &line);
+            assert_eq!(run_output.code, 1, "{line}: {}", run_output.err);
             let busy = format!("cannot write `{name}`: another program is writing to it");
-            assert!(told.err.contains(&busy), "{line}: {}", told.err);
+            assert!(run_output.err.contains(&busy), "{line}: {}", run_output.err);
             assert_eq!(fs::read_to_string(&file).unwrap(), "kept", "{line}");
         }
     }
     drop(held);
-    let told = shell(&folder, &format!("{STUDY} link.csv"));
-    assert_eq!(told.code, 0, "{}", told.err);
+    let run_output = shell(&folder, &format!("{STUDY} link.csv"));
+    assert_eq!(run_output.code, 0, "{}", run_output.err);
     let rows = fs::read_to_string(&file).unwrap();
     assert_eq!(rows.lines().count(), 4, "{rows}");
     assert_eq!(names(&folder), ["link.csv", "rows.csv"]);
@@ -464,32 +466,36 @@ fn file_locked_by_another_process_is_not_written() {
 #[test]
 fn study_rows_can_go_to_pipes_and_devices() {
     let folder = fresh("study-places");
-    let told = shell(&folder, &format!("{STUDY} rows.csv"));
-    assert_eq!(told.code, 0, "{}", told.err);
+    let run_output = shell(&folder, &format!("{STUDY} rows.csv"));
+    assert_eq!(run_output.code, 0, "{}", run_output.err);
     let rows = fs::read_to_string(folder.join("rows.csv")).unwrap();
     for line in [
         format!("{STUDY} /dev/stdout | cat"),
         format!("echo first > log; {STUDY} /dev/stdout >> log; tail -n +2 log"),
         format!("mkfifo out && {{ cat out & {STUDY} out; wait; }}"),
     ] {
-        let told = shell(&folder, &line);
-        assert_eq!((told.code, told.out.as_str()), (0, rows.as_str()), "{line}");
+        let run_output = shell(&folder, &line);
+        assert_eq!(
+            (run_output.code, run_output.out.as_str()),
+            (0, rows.as_str()),
+            "{line}"
+        );
     }
-    let told = shell(&folder, &format!("{STUDY} /dev/full"));
-    assert_eq!(told.code, 1, "{}", told.err);
-    assert!(told.err.contains("No space"), "{}", told.err);
-    let told = shell(&folder, &format!("{STUDY} missing/rows.csv"));
-    assert_eq!(told.code, 1, "{}", told.err);
+    let run_output = shell(&folder, &format!("{STUDY} /dev/full"));
+    assert_eq!(run_output.code, 1, "{}", run_output.err);
+    assert!(run_output.err.contains("No space"), "{}", run_output.err);
+    let run_output = shell(&folder, &format!("{STUDY} missing/rows.csv"));
+    assert_eq!(run_output.code, 1, "{}", run_output.err);
     // If the write fails because the disk is full, the older file stays: before the header, and within the first rows.
     fs::write(folder.join("rows.csv"), "kept").unwrap();
     let many = STUDY.replace("/3", "/300");
     assert_ne!(many, STUDY);
     for (blocks, study) in [(0, STUDY), (1, &many)] {
-        let told = shell(
+        let run_output = shell(
             &folder,
             &format!("trap '' XFSZ; ulimit -f {blocks}; exec {study} rows.csv"),
         );
-        assert_eq!(told.code, 1, "{}", told.err);
+        assert_eq!(run_output.code, 1, "{}", run_output.err);
         assert_eq!(fs::read_to_string(folder.join("rows.csv")).unwrap(), "kept");
     }
 }

@@ -1,14 +1,14 @@
 //! Tests of `table` with loads: driver torque, forces at joints and guides, and equilibrium checks.
 
-use super::{PARALLEL_CRANKS, command, done, json, rows, run};
+use super::{PARALLEL_CRANKS, command, json, rows, run, run_ok};
 use std::collections::BTreeMap;
 
 /// Returns the tables of a scene given on standard input.
 fn table(scene: &str, args: &[&str]) -> String {
     let mut command = command(&[&["table", "-"], args].concat());
-    let heard = run(command.write_stdin(scene));
-    assert_eq!(heard.code, 0, "{}", heard.err);
-    heard.out
+    let output = run(command.write_stdin(scene));
+    assert_eq!(output.code, 0, "{}", output.err);
+    output.out
 }
 
 /// Returns the part of the output after the kinematics.
@@ -20,7 +20,7 @@ fn forces(text: &str) -> &str {
 
 #[test]
 fn table_prints_forces_below_kinematics() {
-    let text = done(&["table", "four-bar-load", "--at", "60"]);
+    let text = run_ok(&["table", "four-bar-load", "--at", "60"]);
     let expected = "\
 driver r2             total      loads     gravity    inertia
 torque [N m]       -6.44714   -7.30178   0.0577280   0.796909
@@ -84,7 +84,7 @@ fn table_and_sweep_agree_to_the_bit() {
         "toggle-press",
         "excavator-boom",
     ] {
-        let csv = done(&["table", preset, "--format", "csv"]);
+        let csv = run_ok(&["table", preset, "--format", "csv"]);
         let found = figures(&csv);
         let at = found.get("driver.angle").or(found.get("driver.position"));
         let at = at.unwrap().to_string();
@@ -99,10 +99,10 @@ fn table_and_sweep_agree_to_the_bit() {
             "--no-units",
             "--columns",
         ];
-        let sweep = done(&[&sweep[..], &[columns]].concat());
+        let sweep = run_ok(&[&sweep[..], &[columns]].concat());
         let header: Vec<&str> = sweep.lines().next().unwrap().split(',').collect();
         let row = rows(&sweep).remove(0);
-        let json = json(&done(&["table", preset, "--format", "json"]));
+        let json = json(&run_ok(&["table", preset, "--format", "json"]));
         let forces = json["forces"].as_object().unwrap();
         let mut agreed = 0;
         for (name, value) in header.iter().zip(&row) {
@@ -124,7 +124,7 @@ fn table_and_sweep_agree_to_the_bit() {
 #[test]
 fn scene_without_loads_and_masses_shows_no_forces() {
     for format in ["text", "csv", "json"] {
-        let shown = done(&["table", "four-bar", "--format", format]);
+        let shown = run_ok(&["table", "four-bar", "--format", format]);
         for word in ["N m", "torque", "force", "fx"] {
             assert!(!shown.contains(word), "{word} in {shown}");
         }
@@ -134,7 +134,7 @@ fn scene_without_loads_and_masses_shows_no_forces() {
 /// Unless a load acts on the pin itself, the forces on its two links are opposite.
 #[test]
 fn joint_forces_on_both_links_are_opposite() {
-    let found = figures(&done(&[
+    let found = figures(&run_ok(&[
         "table",
         "press-ram",
         "--at",
@@ -154,12 +154,12 @@ fn joint_forces_on_both_links_are_opposite() {
         }
     }
     // The gas acts on the piston instead of its pin, and the die acts on the ram.
-    let text = done(&["table", "engine"]);
+    let text = run_ok(&["table", "engine"]);
     assert!(
         text.contains("r3 at C, by piston") && !text.contains("piston at C"),
         "{text}"
     );
-    let text = done(&["table", "press-ram", "--at", "20"]);
+    let text = run_ok(&["table", "press-ram", "--at", "20"]);
     assert!(
         text.contains("r5 at F, by ram") && !text.contains("ram at F"),
         "{text}"
@@ -185,19 +185,19 @@ fn guide_reports_its_line_of_action() {
 
 #[test]
 fn dead_point_has_no_driver_force() {
-    let end = json(&done(&["check", "excavator-boom", "--format", "json"]));
+    let end = json(&run_ok(&["check", "excavator-boom", "--format", "json"]));
     let end = end["range"][1].as_f64().unwrap().to_string();
     let args = ["table", "excavator-boom", "--at", &end];
-    let text = done(&args);
+    let text = run_ok(&args);
     assert!(
         text.contains("\nNo force of the driver exists here"),
         "{text}"
     );
     assert!(!text.contains("N m"), "{text}");
-    let json = json(&done(&[&args[..], &["--format", "json"]].concat()));
+    let json = json(&run_ok(&[&args[..], &["--format", "json"]].concat()));
     let forces = json["forces"].as_object().unwrap();
     assert!(forces["driver.force"].is_null() && forces["boom.Q.fx"].is_null());
-    let csv = done(&[&args[..], &["--format", "csv"]].concat());
+    let csv = run_ok(&[&args[..], &["--format", "csv"]].concat());
     assert!(csv.contains("\ndriver.force,,N,found\n"), "{csv}");
 }
 
@@ -235,26 +235,26 @@ fn indeterminate_forces_are_listed() {
 
 #[test]
 fn check_lists_loads_and_masses() {
-    let text = done(&["check", "press-ram"]);
+    let text = run_ok(&["check", "press-ram"]);
     let line = "\nforces     1 press, 5 links with a mass, gravity\n";
     assert!(text.contains(line), "{text}");
-    let engine = json(&done(&["check", "engine", "--format", "json"]));
+    let engine = json(&run_ok(&["check", "engine", "--format", "json"]));
     assert_eq!(engine["acting"]["forces"], 1);
     assert_eq!(engine["acting"]["masses"], 3);
-    let bare = done(&["check", "four-bar"]);
-    assert!(!bare.contains("\nforces"), "{bare}");
+    let plain = run_ok(&["check", "four-bar"]);
+    assert!(!plain.contains("\nforces"), "{plain}");
 }
 
 /// The loads of a four-stroke engine repeat after two turns of the crank; its motion after one.
 #[test]
 fn sweep_of_forces_covers_the_period_of_the_loads() {
     let rows = |columns: &str| {
-        done(&["sweep", "engine", "--columns", columns])
+        run_ok(&["sweep", "engine", "--columns", columns])
             .lines()
             .count()
     };
     assert_eq!(rows("driver.torque"), 1 + 721);
     assert_eq!(rows("C.x"), 1 + 361);
-    let text = done(&["check", "engine"]);
+    let text = run_ok(&["check", "engine"]);
     assert!(text.contains("repeated after 720 deg"), "{text}");
 }

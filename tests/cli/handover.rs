@@ -1,6 +1,6 @@
 //! Tests of exports: DXF, drawings to scale, scripts and comparison with measurements.
 
-use super::{done, folder, krank, presets, refused, rows};
+use super::{folder, krank, presets, refused, rows, run_ok};
 use std::process::Command;
 
 /// An entity of a DXF document: its kind and its pairs of code and value.
@@ -47,7 +47,7 @@ fn read_dxf(text: &str) -> Vec<Entity> {
 }
 
 fn table(scene: &str, at: &str, columns: &str) -> Vec<f64> {
-    let text = done(&[
+    let text = run_ok(&[
         "sweep",
         scene,
         "--from",
@@ -66,7 +66,7 @@ fn table(scene: &str, at: &str, columns: &str) -> Vec<f64> {
 
 #[test]
 fn dxf_has_a_layer_per_link_and_exact_coordinates() {
-    let text = done(&[
+    let text = run_ok(&[
         "draw", "four-bar", "--at", "75", "--traces", "C", "--format", "dxf",
     ]);
     assert!(
@@ -102,14 +102,14 @@ fn dxf_has_a_layer_per_link_and_exact_coordinates() {
     assert_eq!(of("CIRCLE", "ground").len(), 2);
     assert!(of("VERTEX", "paths").len() > 700);
     for preset in presets() {
-        let all = read_dxf(&done(&["draw", &preset, "--format", "dxf"]));
+        let all = read_dxf(&run_ok(&["draw", &preset, "--format", "dxf"]));
         assert!(all.iter().any(|e| e.kind == "LINE"), "{preset}");
     }
 }
 
 #[test]
 fn dxf_is_always_in_millimetres() {
-    let text = done(&["draw", "excavator-boom", "--format", "dxf"]);
+    let text = run_ok(&["draw", "excavator-boom", "--format", "dxf"]);
     let place = table("excavator-boom", "2", "P.x,P.y");
     let all = read_dxf(&text);
     let pin = |e: &&Entity| e.kind == "CIRCLE" && (e.number(10) - 1000.0 * place[0]).abs() < 1e-9;
@@ -143,15 +143,15 @@ fn circles(svg: &str) -> (f64, Vec<[f64; 2]>) {
 #[test]
 fn svg_scale_sets_printed_size() {
     for (scale, factor) in [("1:2", 0.5), ("1:5", 0.2), ("2:1", 2.0)] {
-        let svg = done(&["draw", "four-bar", "--format", "svg", "--scale", scale]);
+        let svg = run_ok(&["draw", "four-bar", "--format", "svg", "--scale", scale]);
         let (width, circles) = circles(&svg);
         assert!(width > 0.0);
         // The ground pins are 400 mm apart, so one pair of circles must have that distance.
-        let apart = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+        let distance = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
         let fits = circles.iter().any(|a| {
             circles
                 .iter()
-                .any(|b| (apart(a, b) - 400.0 * factor).abs() < 0.02 * factor.max(1.0))
+                .any(|b| (distance(a, b) - 400.0 * factor).abs() < 0.02 * factor.max(1.0))
         });
         assert!(fits, "{scale}: {circles:?}");
     }
@@ -180,14 +180,14 @@ fn python(file: &str, args: &[&str]) -> Option<String> {
 
 /// Runs a MATLAB script with Octave and returns its output, or `None` without Octave.
 fn octave(file: &str) -> Option<String> {
-    let asked = ["--no-gui", "--quiet", "--no-init-file", file];
-    let output = Command::new("octave").args(asked).output().ok()?;
+    let requested = ["--no-gui", "--quiet", "--no-init-file", file];
+    let output = Command::new("octave").args(requested).output().ok()?;
     Some(String::from_utf8(output.stdout).unwrap())
 }
 
 /// Returns start, end and step for the script of a preset. They avoid round values, where a change
 /// point may lie: there a script loses half of its digits.
-fn asked(preset: &str) -> [&'static str; 3] {
+fn script_range(preset: &str) -> [&'static str; 3] {
     match preset {
         // These ranges lie between the stops.
         "double-wishbone" | "ackermann" => ["1.3", "13.3", "3"],
@@ -201,16 +201,19 @@ fn asked(preset: &str) -> [&'static str; 3] {
 
 /// Checks that the rows of a script agree with a sweep by krank.
 fn agrees(preset: &str, found: &str) {
-    let [from, to, step] = asked(preset);
-    let heads: Vec<&str> = found.lines().next().unwrap().split(',').collect();
-    let names: Vec<&str> = heads.iter().map(|h| h.split(' ').next().unwrap()).collect();
+    let [from, to, step] = script_range(preset);
+    let headers: Vec<&str> = found.lines().next().unwrap().split(',').collect();
+    let names: Vec<&str> = headers
+        .iter()
+        .map(|h| h.split(' ').next().unwrap())
+        .collect();
     let columns = names[1..].join(",");
     let window = ["--from", from, "--to", to, "--step", step];
     let named = ["sweep", preset, "--columns", &columns];
-    let expected = done(&[&named[..], &window].concat());
+    let expected = run_ok(&[&named[..], &window].concat());
     assert_eq!(
         expected.lines().next().unwrap(),
-        format!("{},state", heads.join(",")),
+        format!("{},state", headers.join(",")),
         "{preset}"
     );
     let (found, expected) = (rows(found), rows(&expected));
@@ -235,8 +238,8 @@ fn python_scripts_of_all_presets_match_krank() {
     for preset in presets() {
         let file = folder.join(format!("{}.py", preset.replace('-', "_")));
         let file = file.to_str().unwrap();
-        done(&["export", &preset, "--format", "python", "-o", file]);
-        let Some(found) = python(file, &asked(&preset)) else {
+        run_ok(&["export", &preset, "--format", "python", "-o", file]);
+        let Some(found) = python(file, &script_range(&preset)) else {
             return;
         };
         agrees(&preset, &found);
@@ -251,8 +254,8 @@ fn matlab_scripts_of_all_presets_match_krank() {
         let name = preset.replace('-', "_");
         let file = folder.join(format!("{name}.m"));
         let file = file.to_str().unwrap();
-        done(&["export", &preset, "--format", "matlab", "-o", file]);
-        let [from, to, step] = asked(&preset);
+        run_ok(&["export", &preset, "--format", "matlab", "-o", file]);
+        let [from, to, step] = script_range(&preset);
         all += &format!(
             "[r, h] = {name}({from}, {to}, {step});\nprintf('%s%s', strjoin(h, ','), char(10));\n\
              for k = 1:rows(r), printf('%.17g,', r(k, 1:end-1)); printf('%.17g%s', r(k, end), char(10)); end\n\
@@ -294,14 +297,17 @@ fn python_scripts_interpolate_input_tables() {
         let [scene, script] = ["toml", "py"].map(|end| folder.join(format!("{name}.{end}")));
         std::fs::write(&scene, text).unwrap();
         let [scene, script] = [scene.to_str().unwrap(), script.to_str().unwrap()];
-        done(&["export", scene, "--format", "python", "-o", script]);
+        run_ok(&["export", scene, "--format", "python", "-o", script]);
         let Some(found) = python(script, &[from, to, "7.5"]) else {
             return;
         };
-        let heads: Vec<&str> = found.lines().next().unwrap().split(',').collect();
-        let names: Vec<&str> = heads.iter().map(|h| h.split(' ').next().unwrap()).collect();
+        let headers: Vec<&str> = found.lines().next().unwrap().split(',').collect();
+        let names: Vec<&str> = headers
+            .iter()
+            .map(|h| h.split(' ').next().unwrap())
+            .collect();
         let columns = names[1..].join(",");
-        let expected = done(&[
+        let expected = run_ok(&[
             "sweep",
             scene,
             "--from",
@@ -353,7 +359,7 @@ fn agrees_with_names(folder: &std::path::Path, names: &[&str]) -> bool {
     let [scene, script] = ["toml", "py"].map(|end| folder.join(format!("names.{end}")));
     std::fs::write(&scene, text).unwrap();
     let [scene, script] = [scene.to_str().unwrap(), script.to_str().unwrap()];
-    done(&["export", scene, "--format", "python", "-o", script]);
+    run_ok(&["export", scene, "--format", "python", "-o", script]);
     let Some(found) = python(script, &["60", "60", "1"]) else {
         return false;
     };
@@ -426,12 +432,12 @@ fn scene_names_do_not_shadow_script_names() {
     let [scene, script] = ["toml", "py"].map(|end| folder.join(format!("parts.{end}")));
     std::fs::write(&scene, text).unwrap();
     let [scene, script] = [scene.to_str().unwrap(), script.to_str().unwrap()];
-    done(&["export", scene, "--format", "python", "-o", script]);
+    run_ok(&["export", scene, "--format", "python", "-o", script]);
     let Some(found) = python(script, &["60", "60", "1"]) else {
         return;
     };
-    let heads: Vec<&str> = found.lines().next().unwrap().split(',').collect();
-    let columns: Vec<&str> = heads[1..]
+    let headers: Vec<&str> = found.lines().next().unwrap().split(',').collect();
+    let columns: Vec<&str> = headers[1..]
         .iter()
         .map(|h| h.split(' ').next().unwrap())
         .collect();
@@ -455,7 +461,7 @@ fn long_link_names_give_distinct_dxf_layers() {
     );
     let scene = folder("handover-layers").join("long.toml");
     std::fs::write(&scene, text).unwrap();
-    let drawn = done(&["draw", scene.to_str().unwrap(), "--format", "dxf"]);
+    let drawn = run_ok(&["draw", scene.to_str().unwrap(), "--format", "dxf"]);
     let all = read_dxf(&drawn);
     let layers: std::collections::BTreeSet<&str> = all
         .iter()
@@ -468,7 +474,7 @@ fn long_link_names_give_distinct_dxf_layers() {
 
 #[test]
 fn scripts_use_the_names_and_values_of_the_scene() {
-    let script = done(&["export", "four-bar", "--format", "python"]);
+    let script = run_ok(&["export", "four-bar", "--format", "python"]);
     for line in [
         "r3 = 300.0",
         "    u_r2 = turn(q)",
@@ -477,7 +483,7 @@ fn scripts_use_the_names_and_values_of_the_scene() {
     ] {
         assert!(script.lines().any(|l| l == line), "{line}\n{script}");
     }
-    let matlab = done(&["export", "four-bar", "--format", "octave"]);
+    let matlab = run_ok(&["export", "four-bar", "--format", "octave"]);
     assert!(
         matlab.starts_with("function [rows, heads] = four_bar(low, high, step)\n"),
         "{matlab}"
@@ -486,7 +492,7 @@ fn scripts_use_the_names_and_values_of_the_scene() {
         matlab.contains("    C = circles(B, abs(r3), D, abs(r4), 1);\n"),
         "{matlab}"
     );
-    let coupled = done(&["export", "stephenson-six-bar", "--format", "python"]);
+    let coupled = run_ok(&["export", "stephenson-six-bar", "--format", "python"]);
     assert!(coupled.contains("newton(lambda z: ["), "{coupled}");
     for text in [&script, &matlab, &coupled] {
         assert!(text.is_ascii() && !text.contains("<<"), "{text}");
@@ -500,8 +506,8 @@ fn non_numeric_measurements_are_reported_with_line_and_column() {
     let text = "driver.angle [deg],C.x [mm],C.y [mm]\n10,1,2\n\nx,3,4\n20,\"1,2,3\",5\n30,,6\n";
     std::fs::write(&file, text).unwrap();
     let path = file.to_str().unwrap();
-    let told = |columns: &str, format: &str| {
-        let asked = [
+    let output = |columns: &str, format: &str| {
+        let requested = [
             "sweep",
             "four-bar",
             "--measured",
@@ -509,7 +515,7 @@ fn non_numeric_measurements_are_reported_with_line_and_column() {
             "--columns",
             columns,
         ];
-        let done = krank(&[&asked[..], &["--format", format]].concat());
+        let done = krank(&[&requested[..], &["--format", format]].concat());
         assert_eq!(done.code, 0);
         // Text pages wrap their lines.
         (done.out + &done.err)
@@ -519,11 +525,11 @@ fn non_numeric_measurements_are_reported_with_line_and_column() {
     };
     let both = "since they are not numbers: line 4, driver.angle: `x`; line 5, C.x: `1,2,3`.";
     for format in ["csv", "text", "json"] {
-        let told = told("C.x,C.y", format);
-        assert!(told.contains(both), "{told}");
+        let output = output("C.x,C.y", format);
+        assert!(output.contains(both), "{output}");
     }
     // A bad cell in an unselected column is not reported.
-    assert!(told("C.y", "csv").contains("line 4, driver.angle: `x`."));
+    assert!(output("C.y", "csv").contains("line 4, driver.angle: `x`."));
 }
 
 /// The measurements are krank's own values, two of them shifted by known amounts.
@@ -543,7 +549,7 @@ fn measured_columns_follow_computed_columns() {
     );
     std::fs::write(&file, text).unwrap();
     let path = file.to_str().unwrap();
-    let text = done(&["sweep", "four-bar", "--measured", path, "--columns", "C.x"]);
+    let text = run_ok(&["sweep", "four-bar", "--measured", path, "--columns", "C.x"]);
     assert!(
         text.starts_with(
             "driver.angle [deg],C.x [mm],C.x.measured [mm],C.x.difference [mm],state\n"
@@ -557,7 +563,7 @@ fn measured_columns_follow_computed_columns() {
         "{text}"
     );
     assert_eq!((cell(0, 1), rows[0][4].as_str()), (a[0], "ok"));
-    let text = done(&["sweep", "four-bar", "--measured", path, "--format", "text"]);
+    let text = run_ok(&["sweep", "four-bar", "--measured", path, "--format", "text"]);
     let line = text
         .lines()
         .find(|line| line.contains("C.x [mm]") && line.contains("2.24"));
@@ -565,9 +571,9 @@ fn measured_columns_follow_computed_columns() {
         line.is_some_and(|line| line.contains("-3.00") && line.contains("20")),
         "{text}"
     );
-    let plot = done(&["plot", "four-bar", "--columns", "C.x", "--measured", path]);
+    let plot = run_ok(&["plot", "four-bar", "--columns", "C.x", "--measured", path]);
     assert!(plot.contains("C.x measured"), "{plot}");
-    let svg = done(&[
+    let svg = run_ok(&[
         "plot",
         "four-bar",
         "--columns",
@@ -609,14 +615,14 @@ fn scale_out_of_range_is_rejected() {
         "0:1", "1:0", "-1:2", "nan:1", "inf:1", "1e300:1", "1:1e300", "10001:1", "2",
     ] {
         let option = format!("--scale={scale}");
-        let said = refused(2, &["draw", "four-bar", "--format", "svg", &option]);
+        let text = refused(2, &["draw", "four-bar", "--format", "svg", &option]);
         assert!(
-            said.contains("between 1:10000 and 10000:1"),
-            "{scale}: {said}"
+            text.contains("between 1:10000 and 10000:1"),
+            "{scale}: {text}"
         );
     }
     for scale in ["1:10000", "10000:1", "2.5:1"] {
-        done(&["draw", "four-bar", "--format", "svg", "--scale", scale]);
+        run_ok(&["draw", "four-bar", "--format", "svg", "--scale", scale]);
     }
 }
 
@@ -629,7 +635,7 @@ fn root_mean_square_of_huge_differences_does_not_overflow() {
         "driver.angle [deg],C.vy [mm/s]\n0,0\n30,1e308\n60,0\n90,0\n",
     )
     .unwrap();
-    let report = done(&[
+    let report = run_ok(&[
         "report",
         "four-bar",
         "--at",

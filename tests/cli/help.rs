@@ -1,17 +1,17 @@
 //! Tests of `krank help`: every topic exists, is readable plain text and agrees with the program.
 
-use super::{command, done, presets, refused, run};
+use super::{command, presets, refused, run, run_ok};
 use std::collections::BTreeSet;
 
 const README: &str = include_str!("../../README.md");
 
 /// Returns the names listed under a heading of the contents.
 fn listed(heading: &str) -> Vec<String> {
-    let contents = done(&["help"]);
-    let behind = contents
+    let contents = run_ok(&["help"]);
+    let after = contents
         .lines()
         .skip_while(|line| !line.starts_with(heading));
-    let rows = behind.skip(2).take_while(|line| !line.is_empty());
+    let rows = after.skip(2).take_while(|line| !line.is_empty());
     let first = |line: &str| line.split_whitespace().next().unwrap().to_owned();
     let named = rows.filter(|line| !line.starts_with(' '));
     named.map(first).collect()
@@ -25,7 +25,7 @@ fn topics() -> Vec<String> {
 
 /// Returns a topic as printed.
 fn topic(name: &str) -> String {
-    done(&["help", name])
+    run_ok(&["help", name])
 }
 
 #[test]
@@ -34,7 +34,7 @@ fn contents_list_topics_and_commands() {
     assert!(commands.contains(&"sweep".into()), "{commands:?}");
     for command in &commands {
         assert!(
-            done(&["help", command]).contains("Usage: krank"),
+            run_ok(&["help", command]).contains("Usage: krank"),
             "{command}"
         );
     }
@@ -48,7 +48,7 @@ fn topics_are_plain_text_without_pager_in_a_pipe() {
     for name in topics() {
         let text = topic(&name);
         assert!(text.is_ascii() && !text.contains('\x1b'), "{name}");
-        assert_eq!(text, done(&["help", &name, "--no-pager"]));
+        assert_eq!(text, run_ok(&["help", &name, "--no-pager"]));
         let mut with_pager = command(&["help", &name]);
         with_pager
             .env("PAGER", "false")
@@ -82,7 +82,7 @@ fn unknown_topic_lists_available_topics() {
 
 #[test]
 fn unknown_word_is_searched_in_all_topics() {
-    let found = done(&["help", "sensitivity"]);
+    let found = run_ok(&["help", "sensitivity"]);
     for part in [
         "no topic or command is named `sensitivity`; it occurs in:\n",
         "\nTopics: krank help TOPIC\n",
@@ -94,9 +94,9 @@ fn unknown_word_is_searched_in_all_topics() {
     ] {
         assert!(found.contains(part), "{part:?}\n{found}");
     }
-    assert!(done(&["help", "time ratio"]).contains("\n    - Time ratio: the slow travel"));
+    assert!(run_ok(&["help", "time ratio"]).contains("\n    - Time ratio: the slow travel"));
     // The questions come first, as whole rows.
-    let found = done(&["help", "compare"]);
+    let found = run_ok(&["help", "compare"]);
     let lines: Vec<&str> = found.lines().take(6).collect();
     assert_eq!(lines[2], "How do I ...?");
     assert!(
@@ -111,11 +111,11 @@ fn unknown_word_is_searched_in_all_topics() {
         ("dead points", "find the range, dead points"),
         ("own scene", "write my own scene"),
     ] {
-        let found = done(&["help", word]);
+        let found = run_ok(&["help", word]);
         let first = found.lines().nth(4).unwrap();
         assert!(first.starts_with(question), "{word}: {found}");
     }
-    let near = done(&["help", "column"]);
+    let near = run_ok(&["help", "column"]);
     assert!(near.contains("did you mean `columns`?"), "{near}");
     for word in [" ", "ensitivity"] {
         refused(2, &["help", word]);
@@ -126,7 +126,7 @@ fn unknown_word_is_searched_in_all_topics() {
 #[test]
 fn search_finds_keys_by_name_and_purpose() {
     for (word, row) in [("undo", "`u`"), ("revert", "`u`"), ("Ctrl-R", "`Ctrl-R`")] {
-        let found = done(&["help", word]);
+        let found = run_ok(&["help", word]);
         let (_, keys) = found.split_once("\nKeys of the workbench").unwrap();
         assert!(keys.lines().any(|line| line.starts_with(row)), "{found}");
     }
@@ -137,21 +137,21 @@ fn search_finds_keys_by_name_and_purpose() {
 fn every_mentioned_topic_exists() {
     let names = topics();
     let commands = listed("Commands");
-    let mut texts = vec![README.to_owned(), done(&["--help"])];
+    let mut texts = vec![README.to_owned(), run_ok(&["--help"])];
     texts.extend(names.iter().map(|name| topic(name)));
-    let mut asked = BTreeSet::new();
+    let mut requested = BTreeSet::new();
     for text in &texts {
         let words: Vec<&str> = text.split_whitespace().collect();
         for three in words.windows(3) {
             let is_code = three[0].starts_with('`') && three[2].contains('`');
             if three[0].trim_matches('`') == "krank" && three[1] == "help" && is_code {
                 let word = three[2].split('`').next().unwrap();
-                asked.insert(word.to_owned());
+                requested.insert(word.to_owned());
             }
         }
     }
-    assert!(asked.len() > 4, "{asked:?}");
-    for word in asked {
+    assert!(requested.len() > 4, "{requested:?}");
+    for word in requested {
         // Examples of words that are searched.
         let is_searched = ["compare", "transmission"].contains(&word.as_str());
         let is_there = is_searched || names.contains(&word) || commands.contains(&word);
@@ -169,11 +169,11 @@ fn scene_topic_documents_every_key() {
     let shown = topic("scene");
     let group = |title: &str| -> Vec<&str> {
         let lines = shown.lines();
-        let behind = lines.skip_while(|line| !line.starts_with(title)).skip(1);
-        behind.take_while(|line| !line.is_empty()).collect()
+        let after = lines.skip_while(|line| !line.starts_with(title)).skip(1);
+        after.take_while(|line| !line.is_empty()).collect()
     };
     let stub = "[ground]\nA = [0, 0]\nD = [4, 0]\n[driver]\nlink = \"r\"\nangle = 1\n[links]\nr = { from = \"A\", to = \"B\", length = 1 }\n";
-    let mut told = 0;
+    let mut printed = 0;
     for (title, scene) in [
         ("key ", format!("zzzzzzzz = 1\n{stub}")),
         ("`[driver]`", stub.replace("angle", "zzzzzzzz = 1\nangle")),
@@ -206,25 +206,25 @@ fn scene_topic_documents_every_key() {
             format!("{stub}[redundant]\nzzzzzzzz = 1\n"),
         ),
     ] {
-        let heard = run(command(&["check", "-"]).write_stdin(scene));
-        assert_eq!(heard.code, 2);
-        let fault = heard.err.split("unknown key `zzzzzzzz`").nth(1);
-        let fault = fault.unwrap_or_else(|| panic!("{title}: {}", heard.err));
+        let output = run(command(&["check", "-"]).write_stdin(scene));
+        assert_eq!(output.code, 2);
+        let fault = output.err.split("unknown key `zzzzzzzz`").nth(1);
+        let fault = fault.unwrap_or_else(|| panic!("{title}: {}", output.err));
         let (_, known) = fault.split_once("known keys: ").unwrap();
         let known = known.lines().next().unwrap();
         for key in known.split(", ") {
             // The tables of the scene have their own rows.
             let table = key.trim_matches('`');
             let rows = [format!("`[{table}]`"), format!("`[[{table}]]`")];
-            let is_told = group(title).iter().any(|line| line.contains(key))
+            let is_shown = group(title).iter().any(|line| line.contains(key))
                 || shown
                     .lines()
                     .any(|line| rows.iter().any(|row| line.starts_with(row)));
-            assert!(is_told, "{title} lacks {key}:\n{:#?}", group(title));
-            told += 1;
+            assert!(is_shown, "{title} lacks {key}:\n{:#?}", group(title));
+            printed += 1;
         }
     }
-    assert!(told > 40, "{told}");
+    assert!(printed > 40, "{printed}");
 }
 
 /// Compares the last components of all preset column names with the topic.
@@ -233,7 +233,7 @@ fn columns_topic_documents_every_preset_column() {
     let shown = topic("columns");
     let mut kinds = BTreeSet::new();
     for preset in presets() {
-        let header = done(&["sweep", &preset, "--no-units"]);
+        let header = run_ok(&["sweep", &preset, "--no-units"]);
         let header = header.lines().next().unwrap().to_owned();
         for name in header.split(',') {
             let last = name.rsplit('.').next().unwrap();
@@ -243,8 +243,8 @@ fn columns_topic_documents_every_preset_column() {
     }
     assert!(kinds.len() > 20, "{kinds:?}");
     for kind in kinds {
-        let told = shown.contains(&format!(".{kind}")) || shown.contains(&format!("`{kind}`"));
-        assert!(told, "{kind}");
+        let is_shown = shown.contains(&format!(".{kind}")) || shown.contains(&format!("`{kind}`"));
+        assert!(is_shown, "{kind}");
     }
 }
 
@@ -253,7 +253,7 @@ fn columns_topic_documents_every_preset_column() {
 fn columns_topic_documents_error_columns() {
     let shown = topic("columns");
     let columns = ["--columns", "C.x,r4.omega", "--bounds", "--sensitivity"];
-    let header = done(&[&["sweep", "four-bar"], &columns[..]].concat());
+    let header = run_ok(&[&["sweep", "four-bar"], &columns[..]].concat());
     let header = header.lines().next().unwrap();
     for (option, column, unit) in [
         ("--bounds", "C.x.bound", "[mm]"),
@@ -262,11 +262,11 @@ fn columns_topic_documents_error_columns() {
     ] {
         assert!(header.contains(&format!("{column} {unit}")), "{header}");
         for command in ["sweep", "table"] {
-            assert!(done(&[command, "--help"]).contains(option));
+            assert!(run_ok(&[command, "--help"]).contains(option));
         }
         assert!(shown.contains(&format!("`{option}`")), "{option}");
-        let is_told = !unit.contains("per") || shown.contains(&format!("`{unit}`"));
-        assert!(is_told, "{unit}");
+        let is_shown = !unit.contains("per") || shown.contains(&format!("`{unit}`"));
+        assert!(is_shown, "{unit}");
     }
     assert!(shown.contains("`C.x.bound`") && shown.contains("`C.x.sensitivity`"));
 }
@@ -280,6 +280,6 @@ fn scene_topic_shows_actual_check_output() {
         lines.collect()
     };
     let scene = topic("scene");
-    let check = done(&["check", "stephenson-six-bar"]);
+    let check = run_ok(&["check", "stephenson-six-bar"]);
     assert!(flush(&scene).contains(&flush(&check)), "{scene}");
 }

@@ -1,6 +1,6 @@
 //! Tests of `krank import`, and of other programs' files as scenes.
 
-use super::{command, done, folder, json, krank, refused, run};
+use super::{command, folder, json, krank, refused, run, run_ok};
 use std::fs;
 
 fn file(name: &str) -> String {
@@ -11,18 +11,21 @@ fn file(name: &str) -> String {
 #[test]
 fn import_writes_a_scene_that_opens() {
     let source = file("four-bar.pmks.txt");
-    let text = done(&["import", &source]);
+    let text = run_ok(&["import", &source]);
     assert!(
         text.starts_with("# Imported from a file of PMKS."),
         "{text}"
     );
     let scene = folder("import").join("four-bar.toml");
     let scene = scene.to_str().unwrap();
-    let heard = krank(&["import", &source, "-o", scene]);
-    assert_eq!((heard.code, heard.out.as_str()), (0, ""));
+    let output = krank(&["import", &source, "-o", scene]);
+    assert_eq!((output.code, output.out.as_str()), (0, ""));
     assert_eq!(fs::read_to_string(scene).unwrap(), text);
-    let check = json(&done(&["check", scene, "--format", "json"]));
-    assert_eq!(check, json(&done(&["check", &source, "--format", "json"])));
+    let check = json(&run_ok(&["check", scene, "--format", "json"]));
+    assert_eq!(
+        check,
+        json(&run_ok(&["check", &source, "--format", "json"]))
+    );
 }
 
 /// A file of another program is a scene for every command, by its contents.
@@ -31,13 +34,13 @@ fn commands_read_files_of_other_programs() {
     let copy = folder("import").join("unnamed");
     fs::copy(file("slider-crank.pmks.txt"), &copy).unwrap();
     let copy = format!("./{}", copy.file_name().unwrap().to_str().unwrap());
-    let heard = run(command(&["table", &copy, "--at", "60"]).current_dir(folder("import")));
-    assert_eq!(heard.code, 0, "{}", heard.err);
+    let output = run(command(&["table", &copy, "--at", "60"]).current_dir(folder("import")));
+    assert_eq!(output.code, 0, "{}", output.err);
     // The file marks no input, and names none.
     assert!(
-        heard.err.contains("note: line 3: the file marks no input"),
+        output.err.contains("note: line 3: the file marks no input"),
         "{}",
-        heard.err
+        output.err
     );
     let piped = run(command(&["check", "-"])
         .pipe_stdin(file("four-bar.pyslvs"))
@@ -50,9 +53,9 @@ fn commands_read_files_of_other_programs() {
 fn addresses_are_files() {
     let address = fs::read_to_string(file("four-bar.pmks-plus.txt")).unwrap();
     let address = address.trim();
-    let text = done(&["import", address]);
+    let text = run_ok(&["import", address]);
     assert!(text.contains("CBE = { from = \"B\""), "{text}");
-    assert!(done(&["check", address]).contains("CBE"));
+    assert!(run_ok(&["check", address]).contains("CBE"));
     let packed = refused(2, &["check", "https://app.pmksplus.com/?0.2.2.6.1.R.Y.Y.N"]);
     assert!(packed.contains("packed of version 0"), "{packed}");
     let other = refused(2, &["check", "https://example.org/linkage"]);
@@ -63,19 +66,19 @@ fn addresses_are_files() {
 #[test]
 fn a_scene_that_needs_more_is_written_and_explained() {
     let scene = folder("import").join("gears.toml");
-    let heard = krank(&[
+    let output = krank(&[
         "import",
         &file("gears.linkage2"),
         "-o",
         scene.to_str().unwrap(),
     ]);
-    assert_eq!(heard.code, 2, "{}", heard.err);
+    assert_eq!(output.code, 2, "{}", output.err);
     assert!(
-        heard.err.contains("krank does not model gears"),
+        output.err.contains("krank does not model gears"),
         "{}",
-        heard.err
+        output.err
     );
-    assert!(heard.err.contains("error:"), "{}", heard.err);
+    assert!(output.err.contains("error:"), "{}", output.err);
     let text = fs::read_to_string(&scene).unwrap();
     assert!(
         text.contains("krank does not model gears; left out\n"),
@@ -83,16 +86,16 @@ fn a_scene_that_needs_more_is_written_and_explained() {
     );
     // Later commands say the same.
     let later = refused(2, &["check", scene.to_str().unwrap()]);
-    assert!(heard.err.ends_with(&later), "{later}\n{}", heard.err);
+    assert!(output.err.ends_with(&later), "{later}\n{}", output.err);
 }
 
 #[test]
 fn import_refuses_what_it_cannot_read() {
     let press = concat!(env!("CARGO_MANIFEST_DIR"), "/presets/press.toml");
-    let told = refused(2, &["import", press]);
-    assert!(told.contains("no file of PMKS"), "{told}");
-    let told = refused(2, &["import", "missing.linkage2"]);
-    assert!(told.contains("missing.linkage2"), "{told}");
+    let output = refused(2, &["import", press]);
+    assert!(output.contains("no file of PMKS"), "{output}");
+    let output = refused(2, &["import", "missing.linkage2"]);
+    assert!(output.contains("missing.linkage2"), "{output}");
     // The file is not replaced by its scene.
     let copy = folder("import").join("same.linkage2");
     fs::copy(file("four-bar.linkage2"), &copy).unwrap();
@@ -104,26 +107,30 @@ fn import_refuses_what_it_cannot_read() {
     );
     let large = folder("import").join("large.linkage2");
     fs::write(&large, format!("<linkage2>{}", " ".repeat(1 << 20))).unwrap();
-    let told = refused(2, &["import", large.to_str().unwrap()]);
-    assert!(told.contains("too large"), "{told}");
+    let output = refused(2, &["import", large.to_str().unwrap()]);
+    assert!(output.contains("too large"), "{output}");
 }
 
 /// The workbench never saves over the file of another program: the scene is a new one.
 #[cfg(feature = "tui")]
 #[test]
 fn workbench_opens_a_file_as_a_new_scene() {
-    let screen = done(&[&file("four-bar.pmks.txt"), "--print", "--size", "100x30"]);
+    let screen = run_ok(&[&file("four-bar.pmks.txt"), "--print", "--size", "100x30"]);
     assert!(screen.contains("four-bar.pmks"), "{screen}");
     assert!(!screen.contains("four-bar.pmks.txt"), "{screen}");
 }
 
 #[test]
 fn turkish_remarks_are_turkish() {
-    let heard = krank(&["--language", "tr", "import", &file("gears.pmks.txt")]);
-    assert!(heard.err.contains("dislileri modellemez"), "{}", heard.err);
+    let output = krank(&["--language", "tr", "import", &file("gears.pmks.txt")]);
     assert!(
-        heard.out.contains("PMKS programının bir dosyasından"),
+        output.err.contains("dislileri modellemez"),
         "{}",
-        heard.out
+        output.err
+    );
+    assert!(
+        output.out.contains("PMKS programının bir dosyasından"),
+        "{}",
+        output.out
     );
 }

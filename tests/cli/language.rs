@@ -1,6 +1,6 @@
 //! Tests of Turkish: selection of the language, translations, unchanged machine formats and decimal commas.
 
-use super::{Run, command, done, folder, presets, refused, rows, run};
+use super::{Run, command, folder, presets, refused, rows, run, run_ok};
 use assert_cmd::Command;
 use std::path::Path;
 
@@ -48,7 +48,7 @@ fn is_turkish(screen: &str) {
 #[test]
 fn turkish_tables_use_the_terms_of_the_lecture_notes() {
     let table = turkish(&["table", "four-bar", "--at", "60"]);
-    for said in [
+    for message in [
         "\nKonum ",
         "\nHız ",
         "\nİvme ",
@@ -56,7 +56,7 @@ fn turkish_tables_use_the_terms_of_the_lecture_notes() {
         "bulunan",
         "tahrik r2",
     ] {
-        assert!(table.contains(said), "{said}\n{table}");
+        assert!(table.contains(message), "{message}\n{table}");
     }
     is_turkish(&table);
     // Terms that are keys in scenes and columns are translated in prose.
@@ -69,15 +69,15 @@ fn turkish_tables_use_the_terms_of_the_lecture_notes() {
         (&["explain", "four-bar"], &["ok"]),
         (&["list"], &["load", "press", "leg", "Kite"]),
     ] {
-        let told = turkish(args);
+        let output = turkish(args);
         // Names of presets are typed by the user and stay English.
-        let told = told.lines().map(|line| match args {
+        let output = output.lines().map(|line| match args {
             ["list"] => line.split_once("  ").map_or(line, |(_, title)| title),
             _ => line,
         });
-        let told: Vec<&str> = told.collect();
+        let output: Vec<&str> = output.collect();
         for word in gone {
-            let mut words = told
+            let mut words = output
                 .iter()
                 .flat_map(|it| it.split(|c: char| !c.is_alphanumeric()));
             assert!(!words.any(|it| it == *word), "{args:?}: {word}");
@@ -95,7 +95,7 @@ fn turkish_tables_use_the_terms_of_the_lecture_notes() {
     };
     assert_eq!(
         figures(&table),
-        figures(&done(&["table", "four-bar", "--at", "60"]))
+        figures(&run_ok(&["table", "four-bar", "--at", "60"]))
     );
 }
 
@@ -154,9 +154,9 @@ fn columns_keys_and_exit_codes_do_not_depend_on_language() {
         (2, &["table", "four-bra"]),
         (2, &["sweep", "four-bar", "--step", "0"]),
     ] {
-        let told = krank_in(&UTF8, &[args, &["--language", "tr"]].concat());
-        assert_eq!(told.code, code, "{}", told.err);
-        assert!(told.err.starts_with("hata: "), "{}", told.err);
+        let run_output = krank_in(&UTF8, &[args, &["--language", "tr"]].concat());
+        assert_eq!(run_output.code, code, "{}", run_output.err);
+        assert!(run_output.err.starts_with("hata: "), "{}", run_output.err);
     }
 }
 
@@ -172,7 +172,7 @@ fn turkish_is_transliterated_in_ascii_locale() {
             let Run { out, err, .. } = run(&mut command(&args));
             assert!(out.is_ascii() && err.is_ascii(), "{args:?}");
             // An unknown in the working is `?` in both languages.
-            let english = done(&args[..2]);
+            let english = run_ok(&args[..2]);
             assert_eq!(
                 out.matches('?').count(),
                 english.matches('?').count(),
@@ -192,11 +192,11 @@ fn turkish_is_transliterated_in_ascii_locale() {
         &["help", "limits"],
     ] {
         let args = [args, &["--language", "tr"]].concat();
-        assert!(done(&args).is_ascii(), "{args:?}");
+        assert!(run_ok(&args).is_ascii(), "{args:?}");
         let all = krank_in(&UTF8, &args);
         assert!(all.out.contains('ı'), "{args:?}");
         let letters = |text: &str| text.chars().count();
-        assert_eq!(letters(&all.out), letters(&done(&args)), "{args:?}");
+        assert_eq!(letters(&all.out), letters(&run_ok(&args)), "{args:?}");
     }
 }
 
@@ -215,10 +215,10 @@ fn manual_is_turkish_and_topics_have_names_in_both_languages() {
         assert_eq!(text, turkish(&["help", in_turkish]), "{name}");
         assert_ne!(
             text,
-            done(&["help", in_turkish]),
+            run_ok(&["help", in_turkish]),
             "{name} is told in English"
         );
-        assert_eq!(done(&["help", in_turkish]), done(&["help", name]));
+        assert_eq!(run_ok(&["help", in_turkish]), run_ok(&["help", name]));
         assert!(text.contains('ı'), "{text}");
     }
     assert!(turkish(&["help", "sahne"]).contains("\n`name`"));
@@ -248,7 +248,7 @@ fn four_bar_screen_is_turkish_in_utf8_and_ascii() {
     insta::assert_snapshot!("turkish-80x24", large);
     is_turkish(&large);
     let args = ["four-bar", "--print", "--size", "40x12", "--language", "tr"];
-    let small = done(&args);
+    let small = run_ok(&args);
     insta::assert_snapshot!("turkish-40x12", small);
     is_turkish(&small);
     assert!(small.is_ascii());
@@ -296,7 +296,7 @@ fn csv_with_decimal_comma_has_the_same_values() {
         "C.x,r4.omega",
     ];
     let comma = [&plain[..], &["--decimal", "comma"]].concat();
-    let text = done(&comma);
+    let text = run_ok(&comma);
     assert!(
         text.starts_with("driver.angle [deg];C.x [mm];r4.omega [rad/s];state\n"),
         "{text}"
@@ -308,15 +308,15 @@ fn csv_with_decimal_comma_has_the_same_values() {
         reader.records().map(|row| cells(row.unwrap())).collect()
     };
     assert!(text.contains("5,561364134655267"), "{text}");
-    assert_eq!(read(b';', &text), rows(&done(&plain)));
-    let tabs = done(&[&comma[..], &["--separator", "tab"]].concat());
-    assert_eq!(read(b'\t', &tabs), rows(&done(&plain)));
-    let semicolons = done(&[&plain[..], &["--separator", "semicolon"]].concat());
-    assert_eq!(semicolons, done(&plain).replace(',', ";"));
+    assert_eq!(read(b';', &text), rows(&run_ok(&plain)));
+    let tabs = run_ok(&[&comma[..], &["--separator", "tab"]].concat());
+    assert_eq!(read(b'\t', &tabs), rows(&run_ok(&plain)));
+    let semicolons = run_ok(&[&plain[..], &["--separator", "semicolon"]].concat());
+    assert_eq!(semicolons, run_ok(&plain).replace(',', ";"));
     for command in ["table", "motor"] {
         let args = [command, "four-bar-load", "--format", "csv"];
-        let text = done(&[&args[..], &["--decimal", "comma"]].concat());
-        assert_eq!(read(b';', &text), rows(&done(&args)), "{command}");
+        let text = run_ok(&[&args[..], &["--decimal", "comma"]].concat());
+        assert_eq!(read(b';', &text), rows(&run_ok(&args)), "{command}");
     }
 }
 
@@ -338,7 +338,7 @@ fn conflicting_decimal_and_separator_are_rejected() {
 
 #[test]
 fn speed_accepts_decimal_comma() {
-    let scene = done(&["start", "four-bar"]);
+    let scene = run_ok(&["start", "four-bar"]);
     assert!(scene.contains("speed = \"15 rad/s\""), "{scene}");
     let file = folder("decimal-comma").join("comma.toml");
     let path = file.to_str().unwrap();
@@ -363,8 +363,8 @@ const OF_FAULTS: [&str; 27] = [
 ];
 
 /// Returns the prose of a report: without source lines, places and TOML examples.
-fn said(report: &str) -> Vec<String> {
-    let mut said = Vec::new();
+fn prose_of(report: &str) -> Vec<String> {
+    let mut message = Vec::new();
     for line in report.lines() {
         let (number, rest) = line.split_once(" |").unwrap_or(("x", line));
         let is_source = number.trim().parse::<u32>().is_ok();
@@ -378,10 +378,10 @@ fn said(report: &str) -> Vec<String> {
         let marks = level.unwrap_or(marks);
         if !is_source && !is_place && !is_code {
             let plain = marks.split('`').step_by(2).collect::<Vec<_>>().join(" ");
-            said.push(plain.split('"').step_by(2).collect::<Vec<_>>().join(" "));
+            message.push(plain.split('"').step_by(2).collect::<Vec<_>>().join(" "));
         }
     }
-    said
+    message
 }
 
 /// Returns the words of at least two letters.
@@ -407,8 +407,8 @@ fn every_scene_error_is_translated() {
             lines.map(|line| line.trim().to_owned()).collect()
         };
         assert_eq!(kept(&english), kept(&turkish));
-        let english = said(&english);
-        for line in said(&turkish) {
+        let english = prose_of(&english);
+        for line in prose_of(&turkish) {
             let words = words_of(&line);
             let word = words.iter().find(|word| OF_FAULTS.contains(word));
             let shared = words.len() > 1 && english.contains(&line);
@@ -424,7 +424,7 @@ fn every_scene_error_is_translated() {
 #[test]
 fn prose_of_a_report_excludes_code_and_places() {
     let report = "hata: kotu\n --> a.toml:3:1\n  |\n3 | the = 1\n  |  ^^ is bad `the`\n  = yardim: the rule\n";
-    assert_eq!(said(report), ["kotu", "", "is bad  ", "the rule"]);
+    assert_eq!(prose_of(report), ["kotu", "", "is bad  ", "the rule"]);
     assert_eq!(words_of("is bad, 3 `x"), ["is", "bad"]);
 }
 
@@ -434,8 +434,8 @@ fn coordinates_accept_decimal_comma() {
     let alike = |args: &[&str]| {
         let typed: Vec<String> = args.iter().map(|it| (*it).to_owned()).collect();
         let point: Vec<String> = args.iter().map(|it| it.replace(',', ".")).collect();
-        let told = |args: &[String]| done(&args.iter().map(String::as_str).collect::<Vec<_>>());
-        assert_eq!(told(&typed), told(&point), "{args:?}");
+        let output = |args: &[String]| run_ok(&args.iter().map(String::as_str).collect::<Vec<_>>());
+        assert_eq!(output(&typed), output(&point), "{args:?}");
     };
     alike(&["table", "four-bar", "--at", "15,5"]);
     alike(&["draw", "four-bar", "--at", "-0,5"]);

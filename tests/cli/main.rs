@@ -101,7 +101,7 @@ fn run(command: &mut Command) -> Run {
 }
 
 /// Runs krank, checks that it succeeds with an empty standard error, and returns its output.
-fn done(args: &[&str]) -> String {
+fn run_ok(args: &[&str]) -> String {
     let Run { code, out, err } = krank(args);
     assert_eq!((code, err.as_str()), (0, ""), "krank {args:?}");
     out
@@ -129,7 +129,7 @@ fn folder(test: &str) -> PathBuf {
 
 fn presets() -> Vec<String> {
     let first = |line: &str| line.split_whitespace().next().unwrap().to_owned();
-    done(&["list"]).lines().map(first).collect()
+    run_ok(&["list"]).lines().map(first).collect()
 }
 
 /// Returns the cells of a CSV text without its header.
@@ -170,7 +170,7 @@ fn help_has_an_example_for_each_command() {
             continue;
         }
         let args = [command, "--help"];
-        let out = done(&args[usize::from(command.is_empty())..]);
+        let out = run_ok(&args[usize::from(command.is_empty())..]);
         let example = format!("\n  krank {command}");
         assert!(out.contains("Example"), "{out}");
         assert!(out.contains(example.trim_end()), "{out}");
@@ -181,7 +181,7 @@ fn help_has_an_example_for_each_command() {
 #[test]
 fn version_matches_the_package() {
     assert_eq!(
-        done(&["--version"]),
+        run_ok(&["--version"]),
         concat!("krank ", env!("CARGO_PKG_VERSION"), "\n")
     );
 }
@@ -193,8 +193,8 @@ fn long_version_lists_features_target_profile_and_licence() {
         &["--long", "--version"],
         &["-V", "--long"],
     ] {
-        let long = done(args);
-        assert!(long.starts_with(&done(&["--version"])), "{long}");
+        let long = run_ok(args);
+        assert!(long.starts_with(&run_ok(&["--version"])), "{long}");
         let rows: Vec<_> = long.lines().skip(1).collect();
         let names = rows.iter().map(|row| row.split_once("  ").unwrap().0);
         assert!(
@@ -206,7 +206,7 @@ fn long_version_lists_features_target_profile_and_licence() {
         assert!(rows[1].contains(std::env::consts::ARCH), "{long}");
         assert!(long.ends_with("MIT OR Apache-2.0\n"), "{long}");
     }
-    let turkish = done(&["--version", "--long", "--language", "tr"]);
+    let turkish = run_ok(&["--version", "--long", "--language", "tr"]);
     assert!(turkish.contains("\nlisans "), "{turkish}");
     assert!(refused(2, &["--long"]).contains("--version"));
 }
@@ -217,14 +217,14 @@ fn every_preset_checks_prints_and_sweeps() {
     assert!(presets.len() >= 19, "{presets:?}");
     for preset in &presets {
         assert!(
-            done(&["check", preset]).contains("\nmobility   1"),
+            run_ok(&["check", preset]).contains("\nmobility   1"),
             "{preset}"
         );
         assert!(
-            done(&["table", preset]).contains("\nstate ok\n"),
+            run_ok(&["table", preset]).contains("\nstate ok\n"),
             "{preset}"
         );
-        let csv = done(&["sweep", preset]);
+        let csv = run_ok(&["sweep", preset]);
         // A suspension moves through 30 degrees between its stops.
         assert!(rows(&csv).len() > 30, "{preset}");
         for cell in csv.split([',', '\n']) {
@@ -277,13 +277,13 @@ fn mistyped_command_and_extra_argument_give_different_errors() {
 
 #[test]
 fn help_command_equals_help_option() {
-    assert_eq!(done(&["help", "sweep"]), done(&["sweep", "--help"]));
+    assert_eq!(run_ok(&["help", "sweep"]), run_ok(&["sweep", "--help"]));
 }
 
 #[test]
 fn man_pages_are_printed() {
-    assert!(done(&["man"]).contains(".TH krank 1"));
-    assert!(done(&["man", "sweep"]).contains(".TH krank-sweep 1"));
+    assert!(run_ok(&["man"]).contains(".TH krank 1"));
+    assert!(run_ok(&["man", "sweep"]).contains(".TH krank-sweep 1"));
 }
 
 /// The message names a command that works without a terminal.

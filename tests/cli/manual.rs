@@ -3,7 +3,7 @@
 use super::language::spoken;
 use super::readme::QUICK;
 use super::synthesize::arguments;
-use super::{command, done, folder, run};
+use super::{command, folder, run, run_ok};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 const TESTED: [&str; 2] = ["synthesis.md", "tutorial.md"];
 
 /// This command takes a minute in a debug build; `tolerances.md` has shorter ones.
-const SLOW: &str = "tolerance SCENE --tolerance 0.1";
+const SLOW_COMMAND: &str = "tolerance SCENE --tolerance 0.1";
 
 /// Arguments that replace placeholders of the manual.
 const REPLACED: [(&str, &str); 8] = [
@@ -59,7 +59,7 @@ fn commands(name: &str, text: &str) -> Vec<String> {
     });
     let in_pixels = |line: &str| line.contains("--format png") || line.contains("--format gif");
     let all = all.filter(|line| cfg!(feature = "pictures") || !in_pixels(line));
-    all.filter(|line| *line != SLOW)
+    all.filter(|line| *line != SLOW_COMMAND)
         .map(str::to_owned)
         .collect()
 }
@@ -71,7 +71,7 @@ fn prepared(name: &str) -> PathBuf {
     fs::create_dir_all(here.join("answered")).unwrap();
     let press = include_str!("../../presets/press.toml");
     fs::write(here.join("press.toml"), format!("tolerance = 0.1\n{press}")).unwrap();
-    let values = done(&["sweep", "four-bar-load", "--columns", "C.x", "--step", "30"]);
+    let values = run_ok(&["sweep", "four-bar-load", "--columns", "C.x", "--step", "30"]);
     fs::write(here.join("measured.csv"), values).unwrap();
     let drawing = include_str!("../import/fastened.linkage2");
     fs::write(here.join("leg.linkage2"), drawing).unwrap();
@@ -96,13 +96,13 @@ fn every_command_of_the_manual_runs() {
         for shown in commands {
             let replaced = REPLACED.iter();
             let line = replaced.fold(shown.clone(), |line, (word, with)| line.replace(word, with));
-            let heard = run(command(&arguments(&line)).current_dir(&here));
-            assert_eq!(heard.code, 0, "{name}: krank {shown}: {}", heard.err);
+            let output = run(command(&arguments(&line)).current_dir(&here));
+            assert_eq!(output.code, 0, "{name}: krank {shown}: {}", output.err);
             let is_note = |line: &str| line.starts_with("note: ");
             assert!(
-                heard.err.lines().all(is_note),
+                output.err.lines().all(is_note),
                 "{name}: krank {shown}: {}",
-                heard.err
+                output.err
             );
             ran += 1;
         }
@@ -132,13 +132,13 @@ const NOT_RUN: [&str; 15] = [
     "draw six-bar.toml --traces E",
     "grade class *.csv",
     // Slow.
-    SLOW,
+    SLOW_COMMAND,
 ];
 
 /// Commands in sentences are run, except those that are listed. A name alone must be that of a command.
 #[test]
 fn every_command_in_a_sentence_runs() {
-    let help = done(&["--help"]);
+    let help = run_ok(&["--help"]);
     // `krank --help` does not list every command.
     let is_command = |word: &str| QUICK.contains(&word) || help.contains(&format!("\n  {word} "));
     let readme = include_str!("../../README.md").to_owned();
@@ -172,9 +172,9 @@ fn every_command_in_a_sentence_runs() {
             if is_command(words[0]) && words.get(1).is_some_and(|word| word.starts_with('-')) {
                 words.insert(1, "four-bar");
             }
-            let heard = run(command(&words).current_dir(&here));
+            let output = run(command(&words).current_dir(&here));
             assert_eq!(
-                (heard.code, heard.err.as_str()),
+                (output.code, output.err.as_str()),
                 (0, ""),
                 "{name}: krank {shown}"
             );
@@ -352,8 +352,8 @@ fn blocks(text: &str) -> Vec<String> {
 fn completed(part: &str, lines: &[(&str, &str)]) -> String {
     let mut scene = format!("\n{part}");
     for (heading, line) in lines {
-        let begins = scene.find(&format!("\n{heading}"));
-        let end = begins.and_then(|at| Some(at + 1 + scene[at + 1..].find('\n')?));
+        let starts = scene.find(&format!("\n{heading}"));
+        let end = starts.and_then(|at| Some(at + 1 + scene[at + 1..].find('\n')?));
         match end {
             Some(end) => scene.insert_str(end, &format!("\n{line}")),
             None => scene += &format!("\n{heading}\n{line}\n"),
@@ -371,8 +371,8 @@ fn every_scene_of_the_manual_opens() {
             true => &["synthesize", "my.toml", "--top", "1"][..],
             false => &["check", "my.toml"],
         };
-        let heard = spoken(language, &here, arguments);
-        assert_eq!(heard.code, 0, "{name}: {scene}\n{}", heard.err);
+        let output = spoken(language, &here, arguments);
+        assert_eq!(output.code, 0, "{name}: {scene}\n{}", output.err);
     };
     for (folder, language) in [("english", "en"), ("turkish", "tr")] {
         let mut opened = 0;

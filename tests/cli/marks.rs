@@ -1,6 +1,6 @@
 //! Tests of `[marks]`: points that appear in drawings, but in no table and no count.
 
-use super::{done, folder, refused};
+use super::{folder, refused, run_ok};
 use std::fs;
 
 const MARKED: &str = r#"
@@ -32,9 +32,9 @@ fn scene(name: &str, text: &str) -> String {
 #[test]
 fn marks_are_drawn_but_not_listed_in_tables() {
     let marked = scene("marked.toml", MARKED);
-    let bare = MARKED.replace("[marks]\nT1 = [10, 30]\nT2 = [\"10 + 5\", 35]\n", "");
-    let bare = scene("bare.toml", &bare);
-    let drawn = done(&["draw", &marked]);
+    let plain = MARKED.replace("[marks]\nT1 = [10, 30]\nT2 = [\"10 + 5\", 35]\n", "");
+    let plain = scene("bare.toml", &plain);
+    let drawn = run_ok(&["draw", &marked]);
     assert!(drawn.contains("T1") && drawn.contains("T2"), "{drawn}");
     // All results are the same without the marks.
     for args in [
@@ -46,14 +46,14 @@ fn marks_are_drawn_but_not_listed_in_tables() {
         let of = |scene: &str| {
             let mut args = args.to_vec();
             args.insert(1, scene);
-            done(&args).replace("marked", "bare")
+            run_ok(&args).replace("marked", "bare")
         };
-        let told = of(&marked);
-        assert!(!told.contains("T1"), "{args:?}\n{told}");
-        assert_eq!(told, of(&bare), "{args:?}");
+        let output = of(&marked);
+        assert!(!output.contains("T1"), "{args:?}\n{output}");
+        assert_eq!(output, of(&plain), "{args:?}");
     }
     // A mark can be named as a column.
-    let column = done(&["sweep", &marked, "--step", "180", "--columns", "T2.x"]);
+    let column = run_ok(&["sweep", &marked, "--step", "180", "--columns", "T2.x"]);
     assert!(column.lines().nth(1).unwrap().contains(",15,"), "{column}");
 }
 

@@ -1,6 +1,6 @@
 //! Tests of `explain --method`: iterations, halvings, drawings and invalid guesses.
 
-use super::{command, done, folder, krank, refused, run};
+use super::{command, folder, krank, refused, run, run_ok};
 
 /// Returns the cells of the table below a heading.
 fn table(text: &str, head: &str) -> Vec<Vec<String>> {
@@ -17,7 +17,7 @@ fn table(text: &str, head: &str) -> Vec<Vec<String>> {
 /// Reference values were computed independently in Python: Cramer's rule on the two equations.
 #[test]
 fn newton_table_matches_independent_iteration() {
-    let text = done(&[
+    let text = run_ok(&[
         "explain",
         "four-bar",
         "--method",
@@ -54,16 +54,16 @@ fn outcome_of_a_bad_guess_is_explained() {
         ("r3=20,r4=20", "It ends after 0 steps: J is singular there"),
         ("r3=20,r4=199.99", "It diverges: after 1 step "),
     ] {
-        let text = done(&[
+        let text = run_ok(&[
             "explain", "four-bar", "--method", "newton", "--guess", guess,
         ]);
         assert!(text.contains(end), "{guess}: {text}");
     }
     // At a dead point each step only halves the error.
-    let check = done(&["check", "double-rocker", "--format", "json"]);
+    let check = run_ok(&["check", "double-rocker", "--format", "json"]);
     let place = super::json(&check)["dead_points"][0].as_f64().unwrap();
     let at = place.to_string();
-    let text = done(&[
+    let text = run_ok(&[
         "explain",
         "double-rocker",
         "--method",
@@ -79,7 +79,7 @@ fn outcome_of_a_bad_guess_is_explained() {
 #[test]
 fn bisection_keeps_the_half_with_the_sign_change() {
     let guess = ["explain", "four-bar", "--method", "bisection", "--guess"];
-    let text = done(&[&guess[..], &["r3=0..90"]].concat());
+    let text = run_ok(&[&guess[..], &["r3=0..90"]].concat());
     let rows = table(&text, "k  a");
     let expected = [
         "0 0 90.0000 45.0000 45749.9 2.7e-1",
@@ -100,18 +100,18 @@ fn bisection_keeps_the_half_with_the_sign_change() {
         text.contains("This root is the assembly of this motion."),
         "{text}"
     );
-    let other = done(&[&guess[..], &["r3=-90..0"]].concat());
+    let other = run_ok(&[&guess[..], &["r3=-90..0"]].concat());
     assert!(
         other.contains("This root is the other assembly."),
         "{other}"
     );
-    let none = done(&[&guess[..], &["r3=40..90"]].concat());
+    let none = run_ok(&[&guess[..], &["r3=40..90"]].concat());
     assert!(none.contains("f has the same sign at both ends"), "{none}");
 }
 
 #[test]
 fn graphical_method_prints_scale_and_reading_accuracy() {
-    let text = done(&["explain", "four-bar", "--method", "graphical"]);
+    let text = run_ok(&["explain", "four-bar", "--method", "graphical"]);
     for piece in [
         "an A4 sheet at 1:2.",
         "Draw a circle about B with r3 = 300.000 mm (150.0 mm on paper).",
@@ -139,7 +139,7 @@ fn coupled_groups_explain_unavailable_methods() {
         ),
         ("newton", "It converges in"),
     ] {
-        let text = done(&["explain", "stephenson-six-bar", "--method", method]);
+        let text = run_ok(&["explain", "stephenson-six-bar", "--method", method]);
         assert!(text.contains(why), "{text}");
     }
 }
@@ -149,7 +149,7 @@ fn invalid_guesses_are_rejected_with_a_fix() {
     let of = |scene: &str, method: &str, guess: &str| {
         refused(2, &["explain", scene, "--method", method, "--guess", guess])
     };
-    for (scene, method, guess, told) in [
+    for (scene, method, guess, output) in [
         ("four-bar", "newton", "q3=20", "no vector is named `q3`"),
         (
             "four-bar",
@@ -185,7 +185,7 @@ fn invalid_guesses_are_rejected_with_a_fix() {
         ),
     ] {
         let err = of(scene, method, guess);
-        assert!(err.contains(told), "{guess}: {err}");
+        assert!(err.contains(output), "{guess}: {err}");
     }
     let args = [
         "explain",
@@ -195,7 +195,7 @@ fn invalid_guesses_are_rejected_with_a_fix() {
         "--guess",
         "r3=20cm,r4=80",
     ];
-    let text = done(&args);
+    let text = run_ok(&args);
     assert!(
         text.contains("From the guess theta4 = 80 deg, r3 = 200 mm:")
             || text.contains("From the guess r3 = 200 mm, theta4 = 80 deg:"),
@@ -208,7 +208,7 @@ fn invalid_guesses_are_rejected_with_a_fix() {
 fn every_method_explains_every_preset() {
     for name in super::presets() {
         for method in ["newton", "bisection", "graphical"] {
-            let text = done(&["explain", &name, "--method", method]);
+            let text = run_ok(&["explain", &name, "--method", method]);
             assert!(text.is_ascii(), "{name} {method}");
             assert!(
                 text.lines().all(|l| l.len() <= 80 && l.trim_end() == l),
@@ -216,8 +216,8 @@ fn every_method_explains_every_preset() {
             );
         }
         assert_eq!(
-            done(&["explain", &name, "--method", "closed"]),
-            done(&["explain", &name])
+            run_ok(&["explain", &name, "--method", "closed"]),
+            run_ok(&["explain", &name])
         );
     }
 }
@@ -225,7 +225,7 @@ fn every_method_explains_every_preset() {
 #[test]
 fn position_outside_motion_exits_with_1() {
     for method in ["newton", "bisection", "graphical"] {
-        let heard = krank(&[
+        let output = krank(&[
             "explain",
             "double-rocker",
             "--method",
@@ -233,12 +233,12 @@ fn position_outside_motion_exits_with_1() {
             "--at",
             "200",
         ]);
-        assert_eq!(heard.code, 1, "{method}");
-        assert!(heard.out.contains("State: no-assembly."), "{}", heard.out);
+        assert_eq!(output.code, 1, "{method}");
+        assert!(output.out.contains("State: no-assembly."), "{}", output.out);
         assert!(
-            !heard.out.contains("assembly of this motion"),
+            !output.out.contains("assembly of this motion"),
             "{}",
-            heard.out
+            output.out
         );
     }
 }
@@ -250,8 +250,8 @@ fn markdown_has_tables_and_a_fenced_chart() {
     let mut args = command(&[
         "explain", "four-bar", "--method", "newton", "--format", "markdown",
     ]);
-    let heard = run(args.args(["--at", "200", "-o", path]));
-    assert_eq!((heard.code, heard.out.as_str()), (0, ""));
+    let output = run(args.args(["--at", "200", "-o", path]));
+    assert_eq!((output.code, output.out.as_str()), (0, ""));
     let written = std::fs::read_to_string(&file).unwrap();
     assert!(written.contains("\n| k | theta3 \\[deg\\] |"), "{written}");
     assert!(

@@ -1,16 +1,16 @@
 //! Tests of `krank motor`: values in three formats, rejected arguments, and scenes without loads.
 
-use super::{done, json, krank, presets, refused, rows};
+use super::{json, krank, presets, refused, rows, run_ok};
 use std::f64::consts::PI;
 
-fn near(value: &serde_json::Value, exact: f64, most: f64) {
+fn near(value: &serde_json::Value, exact: f64, maximum: f64) {
     let value = value.as_f64().unwrap();
-    assert!((value - exact).abs() <= most, "{value} for {exact}");
+    assert!((value - exact).abs() <= maximum, "{value} for {exact}");
 }
 
 #[test]
 fn text_fits_80_columns_and_has_all_sections() {
-    let text = done(&["motor", "four-bar-load"]);
+    let text = run_ok(&["motor", "four-bar-load"]);
     assert!(
         text.is_ascii() && text.lines().all(|line| line.len() <= 80),
         "{text}"
@@ -32,26 +32,26 @@ fn text_fits_80_columns_and_has_all_sections() {
 #[test]
 fn every_preset_is_evaluated_or_reports_missing_loads() {
     for preset in presets() {
-        let heard = krank(&["motor", &preset]);
-        assert!(heard.out.is_ascii(), "{}", heard.out);
+        let output = krank(&["motor", &preset]);
+        assert!(output.out.is_ascii(), "{}", output.out);
         assert!(
-            heard.out.lines().all(|line| line.len() <= 80),
+            output.out.lines().all(|line| line.len() <= 80),
             "{}",
-            heard.out
+            output.out
         );
         for bad in ["NaN", "inf", "nan"] {
-            assert!(!heard.out.contains(bad), "{preset}: {}", heard.out);
+            assert!(!output.out.contains(bad), "{preset}: {}", output.out);
         }
-        match heard.code {
+        match output.code {
             0 => assert!(
-                heard.out.contains("energy [J]")
-                    || heard.err.contains("no loads, springs or masses"),
+                output.out.contains("energy [J]")
+                    || output.err.contains("no loads, springs or masses"),
                 "{preset}"
             ),
             1 => assert!(
-                heard.err.contains("no loads, springs or masses"),
+                output.err.contains("no loads, springs or masses"),
                 "{preset}: {}",
-                heard.err
+                output.err
             ),
             code => panic!("{preset}: {code}"),
         }
@@ -61,7 +61,7 @@ fn every_preset_is_evaluated_or_reports_missing_loads() {
 #[test]
 fn json_energies_balance() {
     for preset in ["four-bar-load", "engine", "press-ram", "toggle-press"] {
-        let found = json(&done(&["motor", preset, "--format", "json"]));
+        let found = json(&run_ok(&["motor", preset, "--format", "json"]));
         let torque = &found["torque"];
         let of = |part: &serde_json::Value, key: &str| part[key].as_f64().unwrap();
         let size = of(torque, "put_in") + of(torque, "given_back");
@@ -78,9 +78,9 @@ fn json_energies_balance() {
             found["cycle"]["error"].as_f64().unwrap() < 1e-10,
             "{preset}"
         );
-        let wished = &found["evenness"]["wished"];
+        let requested = &found["evenness"]["wished"];
         let speed = found["driver"]["speed"].as_f64().unwrap();
-        let energy = of(wished, "inertia") * speed * speed * of(wished, "fluctuation");
+        let energy = of(requested, "inertia") * speed * speed * of(requested, "fluctuation");
         near(&found["evenness"]["energy"], energy, 1e-9 * size);
     }
 }
@@ -88,7 +88,7 @@ fn json_energies_balance() {
 /// The work of a press is the area under its force curve, and its motor must supply it.
 #[test]
 fn press_work_equals_area_under_its_curve() {
-    let found = json(&done(&["motor", "press-ram", "--format", "json"]));
+    let found = json(&run_ok(&["motor", "press-ram", "--format", "json"]));
     let knots = [
         [40.0, 0.0],
         [38.0, 18e3],
@@ -106,7 +106,7 @@ fn press_work_equals_area_under_its_curve() {
 
 #[test]
 fn csv_lists_the_cycle_step_by_step() {
-    let csv = done(&["motor", "engine", "--format", "csv"]);
+    let csv = run_ok(&["motor", "engine", "--format", "csv"]);
     let header = csv.lines().next().unwrap();
     assert_eq!(
         header,
@@ -121,14 +121,14 @@ fn csv_lists_the_cycle_step_by_step() {
         let parts: f64 = (2..5).map(|i| number(row, i)).sum();
         assert!((number(row, 1) - parts).abs() < 1e-9, "{row:?}");
     }
-    let found = json(&done(&["motor", "engine", "--format", "json"]));
+    let found = json(&run_ok(&["motor", "engine", "--format", "json"]));
     near(&found["torque"]["work"], number(&rows[720], 6), 1e-9);
 }
 
 #[test]
 fn options_override_values_of_the_scene() {
     let with = |more: &[&str]| {
-        json(&done(
+        json(&run_ok(
             &[&["motor", "four-bar-load", "--format", "json"], more].concat(),
         ))
     };
@@ -162,30 +162,33 @@ fn options_override_values_of_the_scene() {
 #[test]
 fn flywheel_headline_agrees_with_the_details() {
     let with = |more: &[&str]| {
-        let told = done(&[&["motor", "toggle-press"], more].concat());
+        let output = run_ok(&[&["motor", "toggle-press"], more].concat());
         let args = [&["motor", "toggle-press", "--format", "json"], more].concat();
-        (told, json(&done(&args)))
+        (output, json(&run_ok(&args)))
     };
-    let (told, found) = with(&["--rated", "150", "--peak", "300", "--flywheel", "5000"]);
-    assert!(told.contains("motor: enough, with the flywheel"), "{told}");
+    let (output, found) = with(&["--rated", "150", "--peak", "300", "--flywheel", "5000"]);
+    assert!(
+        output.contains("motor: enough, with the flywheel"),
+        "{output}"
+    );
     assert_eq!(found["motor"]["enough"], true);
     assert_eq!(found["motor"]["even_enough"], true);
     // A motor below the mean torque is not enough with any flywheel.
-    let (told, found) = with(&["--rated", "10", "--peak", "300", "--flywheel", "5000"]);
-    assert!(told.contains("motor: not enough"), "{told}");
+    let (output, found) = with(&["--rated", "10", "--peak", "300", "--flywheel", "5000"]);
+    assert!(output.contains("motor: not enough"), "{output}");
     assert_eq!(found["motor"]["enough"], false);
     // If the requested fluctuation is exceeded, the motor itself must supply the peak.
     let uneven = ["--rated", "150", "--peak", "300", "--flywheel", "5000"];
-    let (told, found) = with(&[&uneven[..], &["--fluctuation", "0.01"]].concat());
-    assert!(told.contains("motor: not enough"), "{told}");
+    let (output, found) = with(&[&uneven[..], &["--fluctuation", "0.01"]].concat());
+    assert!(output.contains("motor: not enough"), "{output}");
     assert_eq!(found["motor"]["enough"], false);
     assert_eq!(found["motor"]["even_enough"], false);
-    let (told, found) = with(&["--rated", "450", "--flywheel", "1"]);
+    let (output, found) = with(&["--rated", "450", "--flywheel", "1"]);
     assert!(
-        told.contains("motor: enough, but the flywheel is too small"),
-        "{told}"
+        output.contains("motor: enough, but the flywheel is too small"),
+        "{output}"
     );
-    assert!(told.contains("impossible"), "{told}");
+    assert!(output.contains("impossible"), "{output}");
     assert_eq!(found["motor"]["even_enough"], false);
 }
 
@@ -201,14 +204,14 @@ fn ram_is_measured_without_loads() {
         "--tolerance",
         "0.5",
     ];
-    let heard = krank(&args);
-    assert_eq!(heard.code, 0, "a ram is something to tell");
+    let output = krank(&args);
+    assert_eq!(output.code, 0, "a ram is something to tell");
     assert!(
-        heard
+        output
             .err
             .contains("the scene has no loads, springs or masses"),
         "{}",
-        heard.err
+        output.err
     );
     for phrase in [
         "stroke           89.53",
@@ -216,7 +219,7 @@ fn ram_is_measured_without_loads() {
         "closing     opening",
         "dwells",
     ] {
-        assert!(heard.out.contains(phrase), "{phrase}\n{}", heard.out);
+        assert!(output.out.contains(phrase), "{phrase}\n{}", output.out);
     }
     let json = json(&krank(&[&args[..], &["--format", "json"]].concat()).out);
     assert!(json["torque"].is_null() && json["cycle"].is_null());
@@ -260,14 +263,14 @@ fn ram_is_measured_without_loads() {
 
 #[test]
 fn dead_points_are_named_and_have_empty_cells() {
-    let boom = done(&["motor", "excavator-boom"]);
+    let boom = run_ok(&["motor", "excavator-boom"]);
     assert!(boom.contains("dead points at "), "{boom}");
     assert!(
         boom.contains("motor: not compared: the maximum force does not exist"),
         "{boom}"
     );
     // Values exist in every state except at the dead points.
-    let csv = rows(&done(&["motor", "excavator-boom", "--format", "csv"]));
+    let csv = rows(&run_ok(&["motor", "excavator-boom", "--format", "csv"]));
     for (k, row) in csv.iter().enumerate() {
         let is_dead = k % 180 == 0;
         assert_eq!(row[10], if is_dead { "dead-point" } else { "ok" });
@@ -276,9 +279,9 @@ fn dead_points_are_named_and_have_empty_cells() {
         }
         assert_ne!(row[4], "0", "{row:?}");
     }
-    let found = json(&done(&["motor", "excavator-boom", "--format", "json"]));
+    let found = json(&run_ok(&["motor", "excavator-boom", "--format", "json"]));
     assert!(found["motor"]["enough"].is_null());
-    let part = done(&["motor", "excavator-boom", "--from", "1.8", "--to", "2.8"]);
+    let part = run_ok(&["motor", "excavator-boom", "--from", "1.8", "--to", "2.8"]);
     assert!(
         !part.contains("dead points") && part.contains("from 1.8 to 2.8 m and back"),
         "{part}"

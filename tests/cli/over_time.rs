@@ -1,6 +1,6 @@
 //! Tests of values over time: the driver's motion law with its speed and acceleration.
 
-use super::{done, folder, json, krank, refused, rows};
+use super::{folder, json, krank, refused, rows, run_ok};
 use std::f64::consts::PI;
 use std::fs;
 
@@ -75,7 +75,7 @@ fn near(found: f64, exact: f64, size: f64) {
 fn rows_over_time_follow_the_motion_law() {
     let path = scene("rows.toml", INDEXED);
     let args = ["sweep", &path, "--time", "--step", "0.01", "--columns"];
-    let csv = done(
+    let csv = run_ok(
         &[
             &args[..],
             &["r2.omega,r2.alpha,C.x,C.vx,C.ax,driver.torque"],
@@ -111,9 +111,9 @@ fn rows_over_time_follow_the_motion_law() {
 #[test]
 fn table_at_a_time_follows_the_law_and_accepts_bounds() {
     let path = scene("table.toml", INDEXED);
-    let asked = ["table", &path, "--time", "0.2", "--columns", "C.vx,C.ax"];
-    let found = json(&done(
-        &[&asked[..], &["--bounds", "--format", "json"]].concat(),
+    let requested = ["table", &path, "--time", "0.2", "--columns", "C.vx,C.ax"];
+    let found = json(&run_ok(
+        &[&requested[..], &["--bounds", "--format", "json"]].concat(),
     ));
     let [angle, speed, acceleration] = crank(0.2);
     let [_, x1, x2] = slider(angle);
@@ -134,7 +134,7 @@ fn table_at_a_time_follows_the_law_and_accepts_bounds() {
 #[test]
 fn rounding_errors_of_the_law_are_within_bounds() {
     let path = scene("bounds.toml", INDEXED);
-    let found = json(&done(&[
+    let found = json(&run_ok(&[
         "table", &path, "--time", "0.2", "--bounds", "--format", "json",
     ]));
     let crank = &found["vectors"][0];
@@ -177,7 +177,7 @@ fn constant_law_equals_constant_speed() {
         &format!("{head}speed = \"180 deg/s\"\n[links]{tail}"),
     );
     let swept = |path: &str| {
-        rows(&done(&[
+        rows(&run_ok(&[
             "sweep", path, "--time", "--to", "2", "--step", "0.125",
         ]))
     };
@@ -194,9 +194,9 @@ fn constant_law_equals_constant_speed() {
 #[test]
 fn plots_over_time_follow_the_law() {
     let path = scene("plot.toml", INDEXED);
-    let asked = ["plot", &path, "--columns", "r2.omega", "--against", "time"];
+    let requested = ["plot", &path, "--columns", "r2.omega", "--against", "time"];
     // Peak speed of the cycloid 2 h / T, and of the return pi h / (2 T).
-    let text = done(&asked);
+    let text = run_ok(&requested);
     assert!(text.contains("8.377") && text.contains("-8.224"), "{text}");
 }
 
@@ -205,7 +205,9 @@ fn plots_over_time_follow_the_law() {
 #[test]
 fn motor_covers_the_period_of_the_motion() {
     let path = scene("motor.toml", INDEXED);
-    let found = json(&done(&["motor", &path, "--rated", "1", "--format", "json"]));
+    let found = json(&run_ok(&[
+        "motor", &path, "--rated", "1", "--format", "json",
+    ]));
     let figure = |keys: [&str; 2]| found[keys[0]][keys[1]].as_f64().unwrap();
     let torque = |time: f64| {
         let [angle, speed, acceleration] = crank(time);
@@ -214,9 +216,12 @@ fn motor_covers_the_period_of_the_motion() {
     };
     let count = 220_000;
     let all = || (0..count).map(|k| torque(1.1 * (f64::from(k) + 0.5) / f64::from(count)));
-    let most = all().fold(0.0, f64::max);
+    let maximum = all().fold(0.0, f64::max);
     let largest = found["torque"]["largest"]["value"].as_f64().unwrap();
-    assert!((largest - most).abs() < 1e-4 * most, "{largest} {most}");
+    assert!(
+        (largest - maximum).abs() < 1e-4 * maximum,
+        "{largest} {maximum}"
+    );
     let square: f64 = all().map(|torque| torque * torque).sum();
     let rms = (square / f64::from(count)).sqrt();
     assert!((figure(["torque", "rms"]) - rms).abs() < 1e-6 * rms);
@@ -226,14 +231,14 @@ fn motor_covers_the_period_of_the_motion() {
         1.0,
     );
     near(found["period"].as_f64().unwrap(), 1.1, 1.0);
-    let text = done(&["motor", &path, "--rated", "1"]);
+    let text = run_ok(&["motor", &path, "--rated", "1"]);
     assert!(
         text.contains("over one period of the motion, 1.1 s"),
         "{text}"
     );
     assert!(refused(2, &["motor", &path, "--from", "0", "--to", "9"]).contains("--from"));
     // CSV has the steps: torque, its inertia part and the cumulative work.
-    let csv = done(&["motor", &path, "--format", "csv"]);
+    let csv = run_ok(&["motor", &path, "--format", "csv"]);
     assert_eq!(
         csv.lines().next().unwrap(),
         "time [s],driver.angle [deg],driver.speed [rad/s],driver.torque [N m],driver.torque.load [N m],\
@@ -245,8 +250,8 @@ fn motor_covers_the_period_of_the_motion() {
     let number = |row: &[String], i: usize| row[i].parse::<f64>().unwrap();
     for row in &steps[..360] {
         let exact = torque(number(row, 0));
-        assert!((number(row, 3) - exact).abs() < 1e-9 * most, "{row:?}");
-        assert!((number(row, 6) - exact).abs() < 1e-9 * most, "{row:?}");
+        assert!((number(row, 3) - exact).abs() < 1e-9 * maximum, "{row:?}");
+        assert!((number(row, 6) - exact).abs() < 1e-9 * maximum, "{row:?}");
     }
     // The work over a whole period is zero.
     let put_in = figure(["energy", "put_in"]);
@@ -283,7 +288,7 @@ rod = { point = "T", on = "r2", through = "A", angle = 0 }
 "#;
     let scene = scene("telescope.toml", text);
     let columns = "rod.length,rod.rate,rod.accel";
-    let swept = done(&[
+    let swept = run_ok(&[
         "sweep",
         &scene,
         "--time",
@@ -323,17 +328,18 @@ rod = { point = "T", on = "r2", through = "A", angle = 0 }
 fn check_summarizes_the_motion() {
     let path = scene("told.toml", INDEXED);
     let h = 120_f64.to_radians();
-    let told = done(&["check", &path]);
+    let output = run_ok(&["check", &path]);
     let line = "motion     cycloidal, harmonic, in 1.1 s, of which 0.2 s at rest; at most 8.378 rad/s and 64.60 rad/s^2";
     assert!(
-        told.split_whitespace()
+        output
+            .split_whitespace()
             .collect::<Vec<_>>()
             .join(" ")
             .contains(&line.split_whitespace().collect::<Vec<_>>().join(" ")),
-        "{told}"
+        "{output}"
     );
-    assert!(told.contains("link r2, opens at 0 deg\n"), "{told}");
-    let facts = json(&done(&["check", &path, "--format", "json"]));
+    assert!(output.contains("link r2, opens at 0 deg\n"), "{output}");
+    let facts = json(&run_ok(&["check", &path, "--format", "json"]));
     let motion = &facts["motion"];
     near(motion["speed"].as_f64().unwrap(), 2.0 * h / 0.5, 1.0);
     near(

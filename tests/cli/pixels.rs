@@ -59,9 +59,9 @@ fn png_pixels_have_the_colours_of_the_links() {
     assert!((1.3..2.3).contains(&slope), "{slope}");
     // Labels need no system font: right of the last support there is only a label.
     let dark = |x: u32, y: u32| at(x, y).iter().all(|channel| *channel < 0x80);
-    let mut beside = (385..400).flat_map(|x| (0..picture.height()).map(move |y| (x, y)));
+    let mut nearby = (385..400).flat_map(|x| (0..picture.height()).map(move |y| (x, y)));
     assert!(
-        beside.any(|(x, y)| dark(x, y)),
+        nearby.any(|(x, y)| dark(x, y)),
         "no name of the rightmost point"
     );
 }

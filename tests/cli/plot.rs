@@ -1,9 +1,9 @@
 //! Tests of `plot`: output, x axis and rejected arguments.
 
-use super::{Run, done, folder, krank, refused};
+use super::{Run, folder, krank, refused, run_ok};
 
 fn plot(args: &[&str]) -> String {
-    done(&[&["plot"], args].concat())
+    run_ok(&[&["plot"], args].concat())
 }
 
 #[test]
@@ -46,8 +46,8 @@ fn extrema_show_solved_values_unless_disabled() {
         text.contains("30.000 at 0.00") && text.contains("10.000 at 180.00"),
         "{text}"
     );
-    let bare = plot(&[&args[..], &["--no-extrema"]].concat());
-    assert!(!bare.contains(" at "), "{bare}");
+    let plain = plot(&[&args[..], &["--no-extrema"]].concat());
+    assert!(!plain.contains(" at "), "{plain}");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Tests that the README and the manual show the actual behaviour of krank.
 
 use super::language::spoken;
-use super::{command, done, folder, run};
+use super::{command, folder, run, run_ok};
 
 const README: &str = include_str!("../../README.md");
 const SCENE: &str = include_str!("../../src/manual/english/scene.md");
@@ -15,8 +15,8 @@ const YANLISLAR: &str = include_str!("../../src/manual/turkish/faults.md");
 /// Returns the fenced blocks of a text in this language.
 pub(super) fn blocks(text: &'static str, language: &str) -> Vec<&'static str> {
     let opening = format!("```{language}\n");
-    let behind = text.split(opening.as_str()).skip(1);
-    behind
+    let after = text.split(opening.as_str()).skip(1);
+    after
         .map(|text| text.split("```").next().unwrap())
         .collect()
 }
@@ -26,12 +26,12 @@ fn readme_scene_opens() {
     let mut check = command(&["check", "-"]);
     let scene = blocks(README, "toml")[0];
     assert_eq!(scene, blocks(SCENE, "toml")[0], "the manual shows another");
-    let heard = run(check.write_stdin(scene));
-    assert_eq!((heard.code, heard.err.as_str()), (0, ""));
+    let output = run(check.write_stdin(scene));
+    assert_eq!((output.code, output.err.as_str()), (0, ""));
     assert!(
-        heard.out.starts_with("Four-bar crank-rocker\n"),
+        output.out.starts_with("Four-bar crank-rocker\n"),
         "{}",
-        heard.out
+        output.out
     );
 }
 
@@ -41,8 +41,8 @@ fn shown_output_matches_actual_output() {
     let [[table], [check], [fault]] = texts.each_ref().map(Vec::as_slice) else {
         panic!("there are other blocks of output than this test knows");
     };
-    assert!(done(&["table", "four-bar"]).starts_with(table));
-    assert_eq!(done(&["check", "stephenson-six-bar"]), *check);
+    assert!(run_ok(&["table", "four-bar"]).starts_with(table));
+    assert_eq!(run_ok(&["check", "stephenson-six-bar"]), *check);
 
     let here = folder("readme");
     let broken = blocks(README, "toml")[0].replace("\"D\", length", "\"D\", lenght");
@@ -77,7 +77,7 @@ fn readme_pictures_match_draw_output() {
         let kept = std::fs::read_to_string(root.join(&link)).unwrap();
         let command = [&["draw"], arguments, &["--format", "svg"]].concat();
         assert!(
-            kept == done(&command),
+            kept == run_ok(&command),
             "another: krank {} -o {link}",
             command.join(" ")
         );
@@ -137,7 +137,7 @@ pub(super) const QUICK: [&str; 21] = [
 ];
 
 /// Runs the quick commands among these lines in a new folder, and returns their number.
-fn ran<'a>(lines: impl Iterator<Item = &'a str>, name: &str) -> usize {
+fn run_quick_commands<'a>(lines: impl Iterator<Item = &'a str>, name: &str) -> usize {
     // `krank exercise` does not overwrite the files of an earlier run.
     std::fs::remove_dir_all(folder(name)).unwrap();
     let here = folder(name);
@@ -145,8 +145,8 @@ fn ran<'a>(lines: impl Iterator<Item = &'a str>, name: &str) -> usize {
     for line in lines {
         let args: Vec<_> = line.split(' ').map(|arg| arg.trim_matches('\'')).collect();
         if QUICK.contains(&args[0]) {
-            let heard = run(command(&args).current_dir(&here));
-            assert_eq!((heard.code, heard.err.as_str()), (0, ""), "{line}");
+            let output = run(command(&args).current_dir(&here));
+            assert_eq!((output.code, output.err.as_str()), (0, ""), "{line}");
             ran += 1;
         }
     }
@@ -161,7 +161,7 @@ fn readme_commands_run() {
         .filter_map(|line| line.strip_prefix("    krank "));
     let shown = shown.filter(|line| *line != MOVING);
     let shown = shown.map(|line| line.split("  ").next().unwrap().trim());
-    assert_eq!(ran(shown, "readme-commands"), 4);
+    assert_eq!(run_quick_commands(shown, "readme-commands"), 4);
     for code in [
         "cargo run --release",
         "cargo test",
@@ -178,13 +178,13 @@ fn commands_chapter_of_the_manual_runs() {
     let shown = COMMANDS
         .lines()
         .filter_map(|line| line.strip_prefix("- `krank ")?.split('`').next());
-    assert_eq!(ran(shown, "manual-commands"), 28);
+    assert_eq!(run_quick_commands(shown, "manual-commands"), 28);
 }
 
 /// The chapter contains every command listed by `krank --help`.
 #[test]
 fn every_command_has_a_line_in_the_manual() {
-    let help = done(&["--help"]);
+    let help = run_ok(&["--help"]);
     let list = help.split("Commands:\n").nth(1).unwrap();
     let names = list.lines().take_while(|line| !line.is_empty());
     let names = names.filter_map(|line| line.strip_prefix("  ")?.split(' ').next());

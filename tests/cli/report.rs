@@ -1,11 +1,11 @@
 //! Tests of `report`: the working as a hand-in document, in four formats.
 
-use super::{command, done, folder, krank, refused, run};
+use super::{command, folder, krank, refused, run, run_ok};
 
 #[test]
 fn file_extension_selects_the_format() {
     let here = folder("report");
-    for (name, begins) in [
+    for (name, starts) in [
         ("a.html", "<!DOCTYPE html>\n"),
         ("a.TEX", "\\documentclass[a4paper,11pt]{article}\n"),
         ("a.md", "# Four-bar crank-rocker\n"),
@@ -14,23 +14,23 @@ fn file_extension_selects_the_format() {
     ] {
         let file = here.join(name);
         assert_eq!(
-            done(&["report", "four-bar", "-o", file.to_str().unwrap()]),
+            run_ok(&["report", "four-bar", "-o", file.to_str().unwrap()]),
             ""
         );
         let written = std::fs::read_to_string(&file).unwrap();
-        assert!(written.starts_with(begins), "{name}: {written}");
+        assert!(written.starts_with(starts), "{name}: {written}");
     }
     let file = here.join("b.html");
     let path = file.to_str().unwrap();
-    done(&["report", "four-bar", "--format", "latex", "-o", path]);
+    run_ok(&["report", "four-bar", "--format", "latex", "-o", path]);
     let written = std::fs::read_to_string(&file).unwrap();
     assert!(written.starts_with("\\documentclass"), "{written}");
-    assert!(done(&["report", "four-bar"]).starts_with("<!DOCTYPE html>\n"));
+    assert!(run_ok(&["report", "four-bar"]).starts_with("<!DOCTYPE html>\n"));
 }
 
 #[test]
 fn text_report_is_ascii_within_80_columns() {
-    let text = done(&["report", "press-ram", "--format", "text"]);
+    let text = run_ok(&["report", "press-ram", "--format", "text"]);
     assert!(text.is_ascii(), "{text}");
     let long: Vec<&str> = text.lines().filter(|line| line.len() > 80).collect();
     assert!(long.is_empty(), "{long:#?}");
@@ -48,7 +48,7 @@ fn options_set_digits_and_driver_angle() {
     let args = [
         "report", "four-bar", "--at", "90", "--digits", "10", "--format", "text",
     ];
-    let text = done(&args);
+    let text = run_ok(&args);
     assert!(text.contains("theta3 = 22.99126939"), "{text}");
     assert!(refused(2, &["report", "four-bar", "--digits", "0"]).contains("1..=17"));
     assert!(refused(2, &["report", "four-bar", "--format", "pdf"]).contains("latex"));
@@ -57,11 +57,11 @@ fn options_set_digits_and_driver_angle() {
 
 #[test]
 fn position_outside_range_exits_with_1() {
-    let heard = krank(&["report", "double-rocker", "--at", "200", "--format", "text"]);
-    assert_eq!(heard.code, 1);
-    assert!(heard.out.contains("State: no-assembly."), "{}", heard.out);
-    let said = "cannot be assembled at 200 deg";
-    assert!(heard.err.contains(said), "{}", heard.err);
+    let output = krank(&["report", "double-rocker", "--at", "200", "--format", "text"]);
+    assert_eq!(output.code, 1);
+    assert!(output.out.contains("State: no-assembly."), "{}", output.out);
+    let text = "cannot be assembled at 200 deg";
+    assert!(output.err.contains(text), "{}", output.err);
 }
 
 #[test]
@@ -69,15 +69,15 @@ fn markdown_contains_text_pictures() {
     let mut utf8 = command(&["report", "four-bar", "--format", "markdown"]);
     utf8.env("LC_ALL", "en_US.UTF-8")
         .env("TERM", "xterm-256color");
-    let heard = run(&mut utf8);
-    assert_eq!((heard.code, heard.err.as_str()), (0, ""));
-    assert_eq!(heard.out.matches("```").count() % 2, 0);
+    let output = run(&mut utf8);
+    assert_eq!((output.code, output.err.as_str()), (0, ""));
+    assert_eq!(output.out.matches("```").count() % 2, 0);
     for piece in [
         "| θ \\[deg\\] | 180 | 60 | θ3 = ? | θ4 = ? |",
         "```text\n",
         "  /_\\",
     ] {
-        assert!(heard.out.contains(piece), "{piece}\n{}", heard.out);
+        assert!(output.out.contains(piece), "{piece}\n{}", output.out);
     }
 }
 
@@ -91,7 +91,7 @@ fn printed_values_are_compared_with_computed_ones() {
     std::fs::write(&file, printed).unwrap();
     let path = file.to_str().unwrap();
     let of = |language: &str| {
-        done(&[
+        run_ok(&[
             "report",
             "four-bar",
             "--at",
@@ -105,9 +105,9 @@ fn printed_values_are_compared_with_computed_ones() {
         ])
     };
     let text = of("en");
-    let (_, beside) = text.split_once(" Comparison with notes.csv\n").unwrap();
+    let (_, nearby) = text.split_once(" Comparison with notes.csv\n").unwrap();
     let row = |name: &str| -> Vec<&str> {
-        let line = beside.lines().find(|line| line.starts_with(name)).unwrap();
+        let line = nearby.lines().find(|line| line.starts_with(name)).unwrap();
         line.split_whitespace().collect()
     };
     assert_eq!(
@@ -128,10 +128,10 @@ fn printed_values_are_compared_with_computed_ones() {
     );
     // A value with a wrong unit and an unknown name are listed.
     assert!(
-        beside
+        nearby
             .replace('\n', " ")
             .contains("not in this unit: B.a, nothing."),
-        "{beside}"
+        "{nearby}"
     );
     assert!(of("tr").contains("notes.csv ile"), "{}", of("tr"));
     std::fs::write(&file, "no figures\n").unwrap();
@@ -147,7 +147,7 @@ fn motion_file_is_compared_column_by_column() {
     let file = here.join("motion.csv");
     let path = file.to_str().unwrap();
     let columns = "C.x,r3.angle,r4.omega";
-    done(&[
+    run_ok(&[
         "sweep",
         "four-bar",
         "--step",
@@ -159,9 +159,9 @@ fn motion_file_is_compared_column_by_column() {
     ]);
     let of = || {
         let args = ["report", "four-bar", "--against", path, "--format", "text"];
-        let text = done(&args);
-        let (_, beside) = text.split_once(" Comparison with motion.csv\n").unwrap();
-        beside.to_owned()
+        let text = run_ok(&args);
+        let (_, nearby) = text.split_once(" Comparison with motion.csv\n").unwrap();
+        nearby.to_owned()
     };
     let row = |text: &str, name: &str| -> Vec<String> {
         let line = text.lines().find(|line| line.starts_with(name)).unwrap();
@@ -204,7 +204,7 @@ fn motion_file_is_compared_column_by_column() {
 fn notation_option_sets_unit_vectors() {
     let of = |command: &str, notation: &str| {
         let format = ["--format", "text"];
-        done(&[&[command, "four-bar", "--notation", notation], &format[..]].concat())
+        run_ok(&[&[command, "four-bar", "--notation", notation], &format[..]].concat())
     };
     for command in ["explain", "report"] {
         let [lecture, own] = ["lecture", "krank"].map(|notation| of(command, notation));
@@ -227,9 +227,9 @@ fn notation_option_sets_unit_vectors() {
             }
         }
     }
-    assert_eq!(done(&["explain", "four-bar"]), of("explain", "krank"));
+    assert_eq!(run_ok(&["explain", "four-bar"]), of("explain", "krank"));
     assert_eq!(
-        done(&["report", "four-bar", "--format", "text"]),
+        run_ok(&["report", "four-bar", "--format", "text"]),
         of("report", "lecture")
     );
     assert!(of("report", "krank").contains("dn/dt = -omega u(theta)"));
@@ -280,7 +280,7 @@ fn report_has_the_values_of_the_notes_in_both_languages() {
     ];
     for (scene, figures) in figures {
         for language in ["en", "tr"] {
-            let text = done(&[
+            let text = run_ok(&[
                 "report",
                 scene,
                 "--format",
@@ -310,10 +310,10 @@ fn unknown_file_extension_is_rejected() {
     let file = here.join("four-bar.pdf");
     let _ = std::fs::remove_file(&file);
     let path = file.to_str().unwrap();
-    let said = refused(2, &["report", "four-bar", "-o", path]);
-    assert!(said.contains(".pdf") && said.contains(".tex"), "{said}");
+    let text = refused(2, &["report", "four-bar", "-o", path]);
+    assert!(text.contains(".pdf") && text.contains(".tex"), "{text}");
     assert!(!file.exists());
-    done(&["report", "four-bar", "--format", "text", "-o", path]);
+    run_ok(&["report", "four-bar", "--format", "text", "-o", path]);
     assert!(file.exists());
 }
 

@@ -1,6 +1,6 @@
 //! Tests of `check` and of the sources of scenes.
 
-use super::{PARALLEL_CRANKS, command, done, folder, json, refused, run};
+use super::{PARALLEL_CRANKS, command, folder, json, refused, run, run_ok};
 use krank::scene::presets;
 
 /// A four-bar with a control character in its name.
@@ -29,7 +29,7 @@ fn negative_slide_coordinate_is_explained() {
     let text = presets::find("slider-crank").unwrap().text;
     let turned = text.replace("\"A\", angle = 0 }", "\"A\", angle = 180 }");
     assert_ne!(text, turned);
-    let told = "r4 is negative where the scene opens, -28.0252 cm: it is measured from `through` along `angle = 180`, and \
+    let output = "r4 is negative where the scene opens, -28.0252 cm: it is measured from `through` along `angle = 180`, and \
                 its vector points back; set `angle = 0` to make it positive, at theta 180 deg, as in lecture notes";
     // The table normalizes any notation of the direction to 0 up to 360.
     let down = text.replace("\"A\", angle = 0 }", "\"A\", angle = -180 }");
@@ -37,23 +37,23 @@ fn negative_slide_coordinate_is_explained() {
     for (text, angle) in [(down, "-180"), (over, "540")] {
         let file = folder("backwards").join("scene.toml");
         std::fs::write(&file, text).unwrap();
-        let shown = done(&["check", file.to_str().unwrap()]);
+        let shown = run_ok(&["check", file.to_str().unwrap()]);
         let words: Vec<_> = shown.split_whitespace().collect();
-        let told = told.replace("`angle = 180`", &format!("`angle = {angle}`"));
-        assert!(words.join(" ").contains(&told), "{shown}");
+        let output = output.replace("`angle = 180`", &format!("`angle = {angle}`"));
+        assert!(words.join(" ").contains(&output), "{shown}");
     }
-    for (text, says) in [(text, false), (&*turned, true)] {
+    for (text, expected) in [(text, false), (&*turned, true)] {
         let file = folder("backwards").join("scene.toml");
         std::fs::write(&file, text).unwrap();
-        let shown = done(&["check", file.to_str().unwrap()]);
+        let shown = run_ok(&["check", file.to_str().unwrap()]);
         let words: Vec<_> = shown.split_whitespace().collect();
-        assert_eq!(words.join(" ").contains(told), says, "{shown}");
+        assert_eq!(words.join(" ").contains(output), expected, "{shown}");
     }
 }
 
 #[test]
 fn check_summarizes_the_scene() {
-    let text = done(&["check", "four-bar"]);
+    let text = run_ok(&["check", "four-bar"]);
     for line in [
         "Four-bar crank-rocker",
         "unit       mm",
@@ -88,31 +88,31 @@ s = { point = "C", on = "b", through = "D", angle = 0 }
 [start]
 C = [40, 20]
 "#;
-    let heard = run(command(&["check", "-"]).write_stdin(scene));
-    assert_eq!(heard.code, 0, "{}", heard.err);
-    let range = heard.out.lines().find(|l| l.starts_with("range")).unwrap();
+    let output = run(command(&["check", "-"]).write_stdin(scene));
+    assert_eq!(output.code, 0, "{}", output.err);
+    let range = output.out.lines().find(|l| l.starts_with("range")).unwrap();
     assert_eq!(range, "range      -160 to -40 mm");
 }
 
 #[test]
 fn check_names_slides_and_coupled_groups() {
-    let slider_crank = done(&["check", "slider-crank"]);
+    let slider_crank = run_ok(&["check", "slider-crank"]);
     assert!(
         slider_crank.contains("r4: pin C in a slot of ground"),
         "{slider_crank}"
     );
     assert!(slider_crank.contains("dyad RRP at C"), "{slider_crank}");
-    let six_bar = done(&["check", "stephenson-six-bar"]);
+    let six_bar = run_ok(&["check", "stephenson-six-bar"]);
     assert!(six_bar.contains("unknowns: links"), "{six_bar}");
     assert!(six_bar.contains("(by Newton)"), "{six_bar}");
 }
 
 #[test]
 fn check_reports_redundant_constraints_and_driven_slides() {
-    let heard = run(command(&["check", "-"]).write_stdin(PARALLEL_CRANKS));
+    let output = run(command(&["check", "-"]).write_stdin(PARALLEL_CRANKS));
     let line = "mobility   1, not counting 1 redundant constraint: ";
-    assert!(heard.out.contains(line), "{}", heard.out);
-    let boom = done(&["check", "excavator-boom"]);
+    assert!(output.out.contains(line), "{}", output.out);
+    let boom = run_ok(&["check", "excavator-boom"]);
     assert!(boom.contains("groups     1. driver: slide rod\n"), "{boom}");
     assert!(
         boom.contains("driver     slide rod, opens at 2 m, 0.15 m/s"),
@@ -122,10 +122,10 @@ fn check_reports_redundant_constraints_and_driven_slides() {
 
 #[test]
 fn check_reports_redundancies_and_their_misfit() {
-    let text = done(&["check", "triple-parallelogram"]);
+    let text = run_ok(&["check", "triple-parallelogram"]);
     let line = "redundant  r5 repeats r2, r3, r4; they differ by at most ";
     assert!(text.contains(line), "{text}");
-    let facts = json(&done(&[
+    let facts = json(&run_ok(&[
         "check",
         "triple-parallelogram",
         "--format",
@@ -151,19 +151,19 @@ fn misfit_within_the_limit_of_the_scene_is_accepted() {
         "e = { from = \"G\", to = \"F\", length = 1 }",
         "e = { from = \"G\", to = \"F\", length = 1.00001 }",
     );
-    let heard = run(command(&["check", "-"]).write_stdin(drawn.clone()));
-    assert_eq!(heard.code, 2);
+    let output = run(command(&["check", "-"]).write_stdin(drawn.clone()));
+    assert_eq!(output.code, 2);
     assert!(
-        heard.err.contains("misses the others by 1e-5 m"),
+        output.err.contains("misses the others by 1e-5 m"),
         "{}",
-        heard.err
+        output.err
     );
     let proposed = "[redundant]\n           misfit = 1e-4\n";
-    assert!(heard.err.contains(proposed), "{}", heard.err);
+    assert!(output.err.contains(proposed), "{}", output.err);
     let accepted = drawn + "[redundant]\nmisfit = 1e-4\n";
-    let heard = run(command(&["check", "-", "--format", "json"]).write_stdin(accepted));
-    assert_eq!((heard.code, heard.err.as_str()), (0, ""));
-    let misfit = json(&heard.out)["redundancies"][0]["misfit"]
+    let output = run(command(&["check", "-", "--format", "json"]).write_stdin(accepted));
+    assert_eq!((output.code, output.err.as_str()), (0, ""));
+    let misfit = json(&output.out)["redundancies"][0]["misfit"]
         .as_f64()
         .unwrap();
     assert!((misfit - 1e-5).abs() < 1e-9, "{misfit:e}");
@@ -176,15 +176,15 @@ fn proposed_start_of_centre_of_mass_works() {
         [links]\ncrank = { from = \"A\", to = \"B\", length = 50 }\n\
         table = { points = { O = [0, 0] }, com = [80, 0], mass = 1 }\n\
         [slides]\nslot = { point = \"B\", on = \"table\", through = [0, 0] }\n";
-    let heard = run(command(&["check", "-"]).write_stdin(lever));
-    assert_eq!(heard.code, 2);
-    let lines: Vec<&str> = heard.err.lines().map(str::trim).collect();
+    let output = run(command(&["check", "-"]).write_stdin(lever));
+    assert_eq!(output.code, 2);
+    let lines: Vec<&str> = output.err.lines().map(str::trim).collect();
     let lines: Vec<&str> = lines.into_iter().filter(|l| l.starts_with('"')).collect();
-    assert_eq!(lines.len(), 2, "{}", heard.err);
+    assert_eq!(lines.len(), 2, "{}", output.err);
     for line in lines {
         let started = format!("{lever}[start]\n{line}\n");
-        let heard = run(command(&["table", "-", "--format", "csv"]).write_stdin(started));
-        assert_eq!(heard.code, 0, "{line}: {}", heard.err);
+        let output = run(command(&["table", "-", "--format", "csv"]).write_stdin(started));
+        assert_eq!(output.code, 0, "{line}: {}", output.err);
     }
     // A saved start can be read again.
     let started = format!("{lever}[start]\n\"table.com\" = [26, -24]\n");
@@ -201,33 +201,33 @@ fn proposed_start_of_centre_of_mass_works() {
 
 #[test]
 fn check_prints_range_as_doubles_and_with_12_decimals() {
-    let full = json(&done(&["check", "four-bar", "--format", "json"]));
+    let full = json(&run_ok(&["check", "four-bar", "--format", "json"]));
     assert_eq!(full["range"], serde_json::json!([0.0, 360.0]));
     assert_eq!(full["period"], 360.0);
-    let limited = json(&done(&["check", "double-rocker", "--format", "json"]));
+    let limited = json(&run_ok(&["check", "double-rocker", "--format", "json"]));
     let (low, high) = (&limited["range"][0], &limited["range"][1]);
     assert!(limited["period"].is_null());
     let (low, high) = (low.as_f64().unwrap(), high.as_f64().unwrap());
     assert!(0.0 < low && low < high && high < 180.0);
-    let text = done(&["check", "double-rocker"]);
+    let text = run_ok(&["check", "double-rocker"]);
     let line = format!("range      {low:.12} to {high:.12} deg");
     assert!(text.contains(&line), "{text}");
 }
 
 #[test]
 fn check_reports_extremes_of_transmission_angle() {
-    let text = done(&["check", "slider-crank"]);
-    let told = "angle      transmission angle at C: smallest 60.0000 deg, at 90 deg; largest\n\
+    let text = run_ok(&["check", "slider-crank"]);
+    let output = "angle      transmission angle at C: smallest 60.0000 deg, at 90 deg; largest\n\
                 \x20            90.0000 deg, at 0 deg\n";
-    assert!(text.contains(told), "{text}");
-    let facts = json(&done(&["check", "scotch-yoke", "--format", "json"]));
+    assert!(text.contains(output), "{text}");
+    let facts = json(&run_ok(&["check", "scotch-yoke", "--format", "json"]));
     let angle = |which: &str| facts["transmission"][0][which]["angle"].as_f64();
     assert_eq!(
         (angle("smallest"), angle("largest")),
         (Some(90.0), Some(90.0))
     );
     assert_eq!(facts["near_misses"], serde_json::json!([]));
-    let six_bar = json(&done(&["check", "watt-six-bar", "--format", "json"]));
+    let six_bar = json(&run_ok(&["check", "watt-six-bar", "--format", "json"]));
     assert_eq!(six_bar["transmission"].as_array().map(Vec::len), Some(2));
     assert_eq!(
         six_bar["transmission"][0]["group"],
@@ -245,25 +245,30 @@ fn near_miss_of_change_point_is_noted() {
         .replace("D = [4, 0]", "D = [3, 0]")
         .replace("C = [3, 2]", "C = [3, 1]");
     for args in [&["table", "-"][..], &["sweep", "-", "--to", "5"]] {
-        let heard = run(command(args).write_stdin(scene.as_str()));
-        assert_eq!(heard.code, 0, "{}", heard.err);
+        let output = run(command(args).write_stdin(scene.as_str()));
+        assert_eq!(output.code, 0, "{}", output.err);
         let note = "note: almost a change point or dead point at 0 deg: the sine of the \
                     transmission angle at C is 0.000365; the motion keeps its assembly\n";
-        assert!(heard.err.starts_with(note), "{}", heard.err);
-        assert_eq!(heard.err.lines().count(), 2, "at 0 and 180: {}", heard.err);
+        assert!(output.err.starts_with(note), "{}", output.err);
+        assert_eq!(
+            output.err.lines().count(),
+            2,
+            "at 0 and 180: {}",
+            output.err
+        );
     }
-    let heard = run(command(&["check", "-"]).write_stdin(scene.as_str()));
-    assert_eq!(heard.err, "");
+    let output = run(command(&["check", "-"]).write_stdin(scene.as_str()));
+    assert_eq!(output.err, "");
     assert!(
-        heard.out.contains("\nnear miss  almost a change"),
+        output.out.contains("\nnear miss  almost a change"),
         "{}",
-        heard.out
+        output.out
     );
 }
 
 #[test]
 fn check_json_names_every_part() {
-    let facts = json(&done(&["check", "slider-crank", "--format", "json"]));
+    let facts = json(&run_ok(&["check", "slider-crank", "--format", "json"]));
     assert_eq!(facts["unit"], "cm");
     assert_eq!(facts["driver"]["kind"], "link");
     assert_eq!(facts["driver"]["speed"], 200.0);
@@ -276,29 +281,29 @@ fn check_json_names_every_part() {
 #[test]
 fn scene_can_come_from_standard_input() {
     let mut on_stdin = command(&["check", "-"]);
-    let heard = run(on_stdin.write_stdin(MINE));
-    assert_eq!((heard.code, heard.err.as_str()), (0, ""));
+    let output = run(on_stdin.write_stdin(MINE));
+    assert_eq!((output.code, output.err.as_str()), (0, ""));
     assert!(
-        heard
+        output
             .out
             .contains("opens at 90 deg, 6.28319 rad/s, 0 rad/s^2"),
         "{}",
-        heard.out
+        output.out
     );
     let mut exact = command(&["check", "-", "--format", "json"]);
     let facts = json(&run(exact.write_stdin(MINE)).out);
     assert_eq!(facts["driver"]["speed"], std::f64::consts::TAU);
     assert!(
-        heard.out.starts_with("Mine ?[2J\n"),
+        output.out.starts_with("Mine ?[2J\n"),
         "a control character: {}",
-        heard.out
+        output.out
     );
 
     let mut broken = command(&["check", "-"]);
-    let heard = run(broken.write_stdin(MINE.replace("2.5", "-2.5")));
-    assert_eq!((heard.code, heard.out.as_str()), (2, ""));
-    assert!(heard.err.contains("stdin:14:"), "{}", heard.err);
-    assert!(heard.err.is_ascii());
+    let output = run(broken.write_stdin(MINE.replace("2.5", "-2.5")));
+    assert_eq!((output.code, output.out.as_str()), (2, ""));
+    assert!(output.err.contains("stdin:14:"), "{}", output.err);
+    assert!(output.err.is_ascii());
 }
 
 #[test]
@@ -350,23 +355,23 @@ fn impossible_scene_exits_with_2_and_names_the_line() {
 
 #[test]
 fn check_prints_zero_without_rounding_error() {
-    let text = done(&["check", "toggle-press"]);
+    let text = run_ok(&["check", "toggle-press"]);
     assert!(
         text.contains("S: + at (0, 0), - at (0, -440.744) now"),
         "{text}"
     );
-    let text = done(&["check", "scissor-lift"]);
+    let text = run_ok(&["check", "scissor-lift"]);
     assert!(text.contains("smallest 0.0000 deg, at 0 m;"), "{text}");
 }
 
 #[test]
 fn check_classifies_double_cranks() {
     for preset in ["parallelogram", "antiparallelogram", "kite"] {
-        let text = done(&["check", preset]);
+        let text = run_ok(&["check", preset]);
         let class = "four-bar, double crank: change point, s + l = p + q";
         assert!(text.contains(class), "{text}");
     }
-    let text = done(&["check", "drag-link"]);
+    let text = run_ok(&["check", "drag-link"]);
     assert!(text.contains("double crank (drag link): Grashof"), "{text}");
 }
 
@@ -381,17 +386,17 @@ fn check_lists_parameters_with_their_values() {
     let file = folder("parameters").join("scene.toml");
     std::fs::write(&file, text).unwrap();
     let name = file.to_str().unwrap();
-    let shown = done(&["check", name]);
-    let told = "parameters rod = 2 * crank + 0.1 + 0.2 = 3\n           crank = 1.35\n";
-    assert!(shown.contains(told), "{shown}");
-    let found = json(&done(&["check", name, "--format", "json"]));
+    let shown = run_ok(&["check", name]);
+    let output = "parameters rod = 2 * crank + 0.1 + 0.2 = 3\n           crank = 1.35\n";
+    assert!(shown.contains(output), "{shown}");
+    let found = json(&run_ok(&["check", name, "--format", "json"]));
     let expected = serde_json::json!([
         { "name": "rod", "value": 3.0, "formula": "2 * crank + 0.1 + 0.2" },
         { "name": "crank", "value": 1.35 },
     ]);
     assert_eq!(found["parameters"], expected);
     // A scene without parameters has no such line.
-    assert!(!done(&["check", "four-bar"]).contains("parameters"));
+    assert!(!run_ok(&["check", "four-bar"]).contains("parameters"));
 }
 
 #[test]
@@ -402,13 +407,13 @@ fn check_reports_unreachable_knots() {
     let file = folder("dead-knots").join("scene.toml");
     std::fs::write(&file, text.replacen("[vectors]", load, 1)).unwrap();
     let name = file.to_str().unwrap();
-    let shown = done(&["check", name]);
-    let told = "`over` of P: the motion never reaches the knots at 0 deg, 400 deg";
-    assert!(shown.contains(told), "{shown}");
-    let found = json(&done(&["check", name, "--format", "json"]));
+    let shown = run_ok(&["check", name]);
+    let output = "`over` of P: the motion never reaches the knots at 0 deg, 400 deg";
+    assert!(shown.contains(output), "{shown}");
+    let found = json(&run_ok(&["check", name, "--format", "json"]));
     let dead = serde_json::json!([{ "on": "P", "at": [0.0, 400.0] }]);
     assert_eq!(found["dead_knots"], dead);
-    assert!(!done(&["check", "drag-link-press"]).contains("never reaches"));
+    assert!(!run_ok(&["check", "drag-link-press"]).contains("never reaches"));
 }
 
 /// A figure can combine columns and parameters, with or without units.
@@ -422,7 +427,7 @@ fn figures_can_use_parameters() {
     let file = folder("figure-of-parameters").join("scene.toml");
     std::fs::write(&file, &text).unwrap();
     let name = file.to_str().unwrap();
-    let table = done(&[
+    let table = run_ok(&[
         "sweep",
         name,
         "--from",
@@ -439,15 +444,18 @@ fn figures_can_use_parameters() {
     assert!((row[1] - 2.7 - row[2]).abs() < 1e-12, "{table}");
     // A length needs a unit.
     std::fs::write(&file, text.replace(" * 1 cm", "")).unwrap();
-    let said = refused(2, &["check", name]);
-    assert!(said.contains("`2 * crank` is a plain number"), "{said}");
+    let message = refused(2, &["check", name]);
+    assert!(
+        message.contains("`2 * crank` is a plain number"),
+        "{message}"
+    );
     // The parameter itself can have the unit.
     let text = text
         .replace(" * 1 cm", "")
         .replace("crank = 1.35", "crank = \"13.5 mm\"");
     std::fs::write(&file, text).unwrap();
-    let told = "parameters crank = 13.5 mm = 1.35 cm\n";
-    assert!(done(&["check", name]).contains(told));
+    let output = "parameters crank = 13.5 mm = 1.35 cm\n";
+    assert!(run_ok(&["check", name]).contains(output));
 }
 
 /// The slide is drawn at 0 and is computed 2.5e-15 mm below, which is within its bound.
@@ -479,13 +487,13 @@ Q = [53.783203125, 27.779296875]
         )
     };
     let file = folder("negative_zero").join("scene.toml");
-    for (through, says) in [
+    for (through, expected) in [
         ("53.783203125, 27.779296875", false),
         ("53.783203126, 27.779296876", true),
     ] {
         std::fs::write(&file, scene(through)).unwrap();
-        let shown = done(&["check", file.to_str().unwrap()]);
-        assert_eq!(shown.contains("s4 is negative"), says, "{shown}");
+        let shown = run_ok(&["check", file.to_str().unwrap()]);
+        assert_eq!(shown.contains("s4 is negative"), expected, "{shown}");
     }
 }
 
@@ -496,7 +504,7 @@ fn check_reports_error_of_each_range_end() {
     let file = folder("end_errors").join("scene.toml");
     std::fs::write(&file, text.replace("C = [3, 2]", "C = [1.7, 0.7]")).unwrap();
     let file = file.to_str().unwrap();
-    let facts = json(&done(&["check", file, "--format", "json"]));
+    let facts = json(&run_ok(&["check", file, "--format", "json"]));
     assert!(facts["period"].is_null(), "{facts}");
     let [ends, bounds] = ["range", "range_bounds"].map(|key| {
         let list = facts[key].as_array().unwrap();
@@ -506,8 +514,8 @@ fn check_reports_error_of_each_range_end() {
         let half_ulp = 0.5 * (end.abs().next_up() - end.abs());
         assert!(0.0 < bound && bound <= half_ulp, "{end} {bound}");
     }
-    let shown = done(&["check", file]);
+    let shown = run_ok(&["check", file]);
     assert!(shown.contains("error of the lower end at most "), "{shown}");
-    let full = json(&done(&["check", "four-bar", "--format", "json"]));
+    let full = json(&run_ok(&["check", "four-bar", "--format", "json"]));
     assert_eq!(full["range_bounds"], serde_json::json!([0.0, 0.0]));
 }

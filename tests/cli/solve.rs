@@ -1,6 +1,6 @@
 //! Tests of `krank solve`: designs that meet goals, against closed forms; written scenes and rejected arguments.
 
-use super::{done, folder, json, krank};
+use super::{folder, json, krank, run_ok};
 
 /// Returns the stroke of an offset slider-crank: sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2).
 fn stroke(r: f64, l: f64, e: f64) -> f64 {
@@ -9,7 +9,7 @@ fn stroke(r: f64, l: f64, e: f64) -> f64 {
 
 #[test]
 fn report_lists_found_designs_next_to_the_given_one() {
-    let text = done(&[
+    let text = run_ok(&[
         "solve",
         "slider-crank",
         "--vary",
@@ -38,7 +38,7 @@ fn report_lists_found_designs_next_to_the_given_one() {
 fn written_scene_meets_the_goal() {
     let file = folder("solve").join("found.toml");
     let file = file.to_str().unwrap();
-    let found = json(&done(&[
+    let found = json(&run_ok(&[
         "solve",
         "offset-slider-crank",
         "--vary",
@@ -69,7 +69,7 @@ fn written_scene_meets_the_goal() {
         .zip(given.lines())
         .filter(|(one, other)| one == other);
     assert_eq!(same.count() + 2, given.lines().count(), "{text}");
-    let again = done(&[
+    let again = run_ok(&[
         "solve",
         file,
         "--vary",
@@ -85,7 +85,7 @@ fn written_scene_meets_the_goal() {
 /// If no design meets the goal, the nearest one is printed, but not as a solution.
 #[test]
 fn unreachable_goal_exits_with_1_and_prints_nearest_design() {
-    let heard = krank(&[
+    let output = krank(&[
         "solve",
         "slider-crank",
         "--vary",
@@ -95,19 +95,19 @@ fn unreachable_goal_exits_with_1_and_prints_nearest_design() {
         "--starts",
         "2",
     ]);
-    assert_eq!(heard.code, 1, "{}", heard.err);
+    assert_eq!(output.code, 1, "{}", output.err);
     assert!(
-        heard.out.contains("nearest") && heard.out.contains("12"),
+        output.out.contains("nearest") && output.out.contains("12"),
         "{}",
-        heard.out
+        output.out
     );
-    assert!(heard.err.contains("no design"), "{}", heard.err);
+    assert!(output.err.contains("no design"), "{}", output.err);
 }
 
 #[test]
 fn optimum_lies_on_the_transmission_limit() {
     // Without offset, the transmission angle has its minimum when the crank is across: cos = r / l.
-    let found = json(&done(&[
+    let found = json(&run_ok(&[
         "solve",
         "slider-crank",
         "--vary",
@@ -172,9 +172,9 @@ fn invalid_searches_are_rejected_with_a_fix() {
     ] {
         let mut all = vec!["solve", "slider-crank"];
         all.extend(&args);
-        let heard = krank(&all);
-        assert_eq!(heard.code, 2, "{args:?}: {}", heard.err);
-        assert!(heard.err.contains(words), "{args:?}: {}", heard.err);
+        let output = krank(&all);
+        assert_eq!(output.code, 2, "{args:?}: {}", output.err);
+        assert!(output.err.contains(words), "{args:?}: {}", output.err);
     }
 }
 
@@ -190,25 +190,25 @@ fn missing_goal_value_is_reported_with_the_reason() {
         "0",
         "--goal",
     ];
-    let asked = |figure: &str, more: &[&str]| {
+    let requested = |figure: &str, more: &[&str]| {
         let done = krank(&[&goal[..], &[figure], more].concat());
         assert_eq!(done.code, 1);
         done.out
     };
-    let text = asked("driver.angle.ratio = 40", &[]);
+    let text = requested("driver.angle.ratio = 40", &[]);
     assert!(
         text.contains("driver.angle.ratio: it turns fully"),
         "{text}"
     );
     // The table has no column for a nearest design.
-    let heads = text
+    let headers = text
         .lines()
         .find(|line| line.trim_start().starts_with("given  ") || line.trim() == "given");
     assert!(
-        heads.is_some_and(|heads| !heads.contains("nearest")),
+        headers.is_some_and(|headers| !headers.contains("nearest")),
         "{text}"
     );
-    let found = json(&asked("driver.angle.ratio = 40", &["--format", "json"]));
+    let found = json(&requested("driver.angle.ratio = 40", &["--format", "json"]));
     assert_eq!(found["lacks"]["driver.angle.ratio"], "it turns fully");
     let best = krank(&[
         "solve",

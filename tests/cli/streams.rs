@@ -1,6 +1,6 @@
 //! Tests of pipes, output files and memory use.
 
-use super::{Run, command, done, folder, krank, refused};
+use super::{Run, command, folder, krank, refused, run_ok};
 use std::io::{BufRead, BufReader};
 use std::process::{Child, Command, Stdio};
 
@@ -71,13 +71,13 @@ fn output_option_writes_results_to_a_file() {
         &["table", "four-bar"],
         &["check", "four-bar"],
     ] {
-        let on_stdout = done(args);
-        assert_eq!(done(&[args, &["-o", path]].concat()), "");
+        let on_stdout = run_ok(args);
+        assert_eq!(run_ok(&[args, &["-o", path]].concat()), "");
         assert_eq!(std::fs::read_to_string(&file).unwrap(), on_stdout);
     }
     assert_eq!(
-        done(&["table", "press", "-o", "-"]),
-        done(&["table", "press"])
+        run_ok(&["table", "press", "-o", "-"]),
+        run_ok(&["table", "press"])
     );
 }
 
@@ -118,10 +118,10 @@ fn failed_write_of_help_or_version_is_reported() {
             .output()
             .unwrap();
         assert_eq!(output.status.code(), Some(1), "{argument}");
-        let told = String::from_utf8(output.stderr).unwrap();
+        let printed = String::from_utf8(output.stderr).unwrap();
         assert!(
-            told.contains("cannot write the results: No space"),
-            "{argument}: {told}"
+            printed.contains("cannot write the results: No space"),
+            "{argument}: {printed}"
         );
     }
 }
@@ -143,10 +143,10 @@ fn messages_replace_characters_unsafe_for_the_terminal() {
     // Letters are replaced by similar ASCII letters; other and control characters become `?`.
     assert!(err.contains("`kurbel??[2J.toml`"), "{err}");
     let mut utf8 = command(&["check", "k\u{fc}rbel\u{1b}.toml"]);
-    let heard = super::run(utf8.env("LC_ALL", "C.UTF-8").env("TERM", "xterm"));
+    let output = super::run(utf8.env("LC_ALL", "C.UTF-8").env("TERM", "xterm"));
     assert!(
-        heard.err.contains("`k\u{fc}rbel\u{fffd}.toml`"),
+        output.err.contains("`k\u{fc}rbel\u{fffd}.toml`"),
         "{}",
-        heard.err
+        output.err
     );
 }

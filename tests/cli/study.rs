@@ -1,7 +1,7 @@
 //! Tests of `study`: rows against closed forms, identical bytes for any number of threads and
 //! parts, resumed files, and charts.
 
-use super::{Run, done, folder, json, krank, refused, rows};
+use super::{Run, folder, json, krank, refused, rows, run_ok};
 use std::fs;
 
 const CRANK: &str = "offset-slider-crank";
@@ -28,7 +28,7 @@ fn number(cell: &str) -> f64 {
 
 #[test]
 fn rows_match_the_closed_forms() {
-    let csv = done(&study(&[
+    let csv = run_ok(&study(&[
         "--vary",
         "r2.length=30..50/3,r3.length=110..150/5,r4.through.y=-20..-10/2",
     ]));
@@ -73,12 +73,12 @@ fn rows_do_not_depend_on_threads_or_parts() {
         assert_eq!(run.out, alone.out, "{threads}");
     }
     let head = alone.out.lines().next().unwrap().to_owned() + "\n";
-    let mut whole = head.clone();
+    let mut text = head.clone();
     for part in ["1/4", "2/4", "3/4", "4/4"] {
         let run = krank(&study(&[&vary[..], &["--part", part]].concat()));
-        whole += run.out.strip_prefix(&head).unwrap();
+        text += run.out.strip_prefix(&head).unwrap();
     }
-    assert_eq!(whole, alone.out);
+    assert_eq!(text, alone.out);
 }
 
 /// A file truncated anywhere is completed; a file of another study is not changed.
@@ -95,12 +95,12 @@ fn resume_completes_truncated_files_and_rejects_others() {
     let resume = [&args[..], &["--resume"]].concat();
     let started = krank(&args);
     assert_eq!((started.code, started.out.as_str()), (0, ""));
-    let whole = fs::read_to_string(&path).unwrap();
-    for cut in [0, 7, 200, whole.len() / 2, whole.len() - 1, whole.len()] {
-        fs::write(&path, &whole[..cut]).unwrap();
+    let text = fs::read_to_string(&path).unwrap();
+    for cut in [0, 7, 200, text.len() / 2, text.len() - 1, text.len()] {
+        fs::write(&path, &text[..cut]).unwrap();
         let run = krank(&resume);
         assert_eq!(run.code, 0, "{cut}: {}", run.err);
-        assert_eq!(fs::read_to_string(&path).unwrap(), whole, "{cut}");
+        assert_eq!(fs::read_to_string(&path).unwrap(), text, "{cut}");
     }
     let done = krank(&resume);
     assert!(
@@ -120,7 +120,7 @@ fn resume_completes_truncated_files_and_rejects_others() {
     assert!(refused(2, &other).contains("belongs to another study: line 41 "));
     let other = study(&["--vary", "r2.length=30..50/4", "-o", file, "--resume"]);
     assert!(refused(2, &other).contains("belongs to another study: line 1 "));
-    assert_eq!(fs::read_to_string(&path).unwrap(), whole);
+    assert_eq!(fs::read_to_string(&path).unwrap(), text);
     for wrong in [
         &["--resume"][..],
         &["--resume", "-o", "-"],
@@ -145,8 +145,8 @@ fn resume_rejects_a_file_in_which_a_row_was_changed() {
         file,
     ]);
     assert_eq!(krank(&args).code, 0);
-    let whole = fs::read_to_string(&path).unwrap();
-    let mut lines: Vec<String> = whole.lines().map(str::to_owned).collect();
+    let text = fs::read_to_string(&path).unwrap();
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
     let cells = &mut lines[21];
     let digit = cells.rfind(|c: char| ('1'..='8').contains(&c)).unwrap();
     cells.replace_range(digit..=digit, "9");
@@ -189,7 +189,7 @@ fn failed_designs_are_rows_with_a_reason() {
         "--columns",
         "r2.angle.swing,r3.angle.swing",
     ];
-    let found = rows(&done(&args));
+    let found = rows(&run_ok(&args));
     assert_eq!(found[0][1], "");
     assert_eq!(found[0][3], "ok");
     assert!(
@@ -221,7 +221,7 @@ fn refused_with_rows(args: &[&str]) -> String {
 #[test]
 fn latin_hypercube_is_determined_by_its_seed() {
     let latin = |seed| {
-        done(&study(&[
+        run_ok(&study(&[
             "--vary",
             "r2.length=30..40,r3.length=110..150",
             "--latin",
@@ -281,7 +281,7 @@ fn invalid_variations_are_rejected() {
 #[test]
 fn json_and_text_contain_the_same_values() {
     let vary = ["--vary", "r2.length=30..40/2", "--format"];
-    let found = json(&done(&study(&[&vary[..], &["json"]].concat())));
+    let found = json(&run_ok(&study(&[&vary[..], &["json"]].concat())));
     assert_eq!(found["units"]["r4.length.stroke"], "mm");
     assert_eq!(found["designs"][1]["r2.length"], 40.0);
     let [stroke, ratio] = closed(40.0, 120.0, 50.0);
@@ -294,8 +294,8 @@ fn json_and_text_contain_the_same_values() {
     let Run { code, out, err } = krank(&study(&[&vary[..], &["text"]].concat()));
     assert_eq!(code, 0);
     assert_eq!(out.lines().count(), 3);
-    let told = format!("maximum {stroke:.4} mm at r2.length = 40.0000 mm");
-    assert!(err.contains(&told), "{told}: {err}");
+    let output = format!("maximum {stroke:.4} mm at r2.length = 40.0000 mm");
+    assert!(err.contains(&output), "{output}: {err}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Tests of `sweep`: columns, rows and numbers.
 
-use super::{Run, command, done, folder, json, krank, refused, rows, run};
+use super::{Run, command, folder, json, krank, refused, rows, run, run_ok};
 
 fn header(csv: &str) -> &str {
     csv.lines().next().unwrap()
@@ -14,7 +14,7 @@ fn driver(csv: &str) -> Vec<String> {
 #[test]
 fn columns_have_units_and_lie_between_driver_and_state() {
     let args = ["sweep", "four-bar", "--to", "0", "--columns"];
-    let sweep = |columns| done(&[&args[..], &[columns]].concat());
+    let sweep = |columns| run_ok(&[&args[..], &[columns]].concat());
     assert_eq!(
         header(&sweep("C.x,C.vx,r4.omega")),
         "driver.angle [deg],C.x [mm],C.vx [mm/s],r4.omega [rad/s],state"
@@ -31,7 +31,7 @@ fn columns_have_units_and_lie_between_driver_and_state() {
         header(&sweep("state,C.x,driver.angle,C.x")),
         "driver.angle [deg],C.x [mm],state"
     );
-    let bare = done(&[
+    let plain = run_ok(&[
         "sweep",
         "four-bar",
         "--to",
@@ -41,14 +41,14 @@ fn columns_have_units_and_lie_between_driver_and_state() {
         "--no-units",
     ]);
     assert_eq!(
-        header(&bare),
+        header(&plain),
         "driver.angle,C.x,C.y,C.vx,C.vy,C.ax,C.ay,state"
     );
 }
 
 #[test]
 fn default_columns_are_all_vectors_and_points() {
-    let csv = done(&["sweep", "slider-crank", "--to", "0"]);
+    let csv = run_ok(&["sweep", "slider-crank", "--to", "0"]);
     let names: Vec<_> = header(&csv).split(',').collect();
     assert_eq!(names.len(), 1 + 2 * 3 + 6 + 4 * 6 + 1, "{names:?}");
     for name in [
@@ -63,7 +63,7 @@ fn default_columns_are_all_vectors_and_points() {
 
 #[test]
 fn driven_slide_writes_driver_position() {
-    let csv = done(&["sweep", "excavator-boom"]);
+    let csv = run_ok(&["sweep", "excavator-boom"]);
     assert!(header(&csv).starts_with("driver.position [m],"), "{csv}");
     let rows = rows(&csv);
     assert!((100..=252).contains(&rows.len()), "{} rows", rows.len());
@@ -71,7 +71,7 @@ fn driven_slide_writes_driver_position() {
 
 #[test]
 fn driver_values_are_the_nearest_doubles() {
-    let csv = done(&["sweep", "four-bar", "--step", "0.1", "--columns", "C.x"]);
+    let csv = run_ok(&["sweep", "four-bar", "--step", "0.1", "--columns", "C.x"]);
     let written = driver(&csv);
     assert_eq!(written.len(), 3601);
     for (k, cell) in written.iter().enumerate() {
@@ -84,7 +84,7 @@ fn driver_values_are_the_nearest_doubles() {
 fn range_and_step_signs_give_expected_rows() {
     let at = |args: &[&str]| {
         let all = [&["sweep", "four-bar", "--columns", "C.x"], args].concat();
-        driver(&done(&all))
+        driver(&run_ok(&all))
     };
     assert_eq!(at(&["--from", "60", "--to", "60"]), ["60"]);
     assert_eq!(
@@ -108,8 +108,8 @@ fn range_and_step_signs_give_expected_rows() {
 /// A default sweep starts and ends exactly at the limits, where positions exist but rates do not.
 #[test]
 fn default_range_ends_at_limits_with_positions_but_no_rates() {
-    let facts = json(&done(&["check", "double-rocker", "--format", "json"]));
-    let csv = done(&["sweep", "double-rocker", "--columns", "C.x,C.vx,C.ax"]);
+    let facts = json(&run_ok(&["check", "double-rocker", "--format", "json"]));
+    let csv = run_ok(&["sweep", "double-rocker", "--columns", "C.x,C.vx,C.ax"]);
     let rows = rows(&csv);
     for (row, limit) in [(&rows[0], 0), (&rows[rows.len() - 1], 1)] {
         assert_eq!(row[0].parse(), Ok(facts["range"][limit].as_f64().unwrap()));
@@ -211,9 +211,9 @@ fn sweep_rejects_invalid_ranges_and_columns() {
 #[test]
 fn formats_agree() {
     let args = ["sweep", "press-ram", "--step", "7.3", "--format"];
-    let csv = rows(&done(&[&args[..], &["csv"]].concat()));
-    let parsed = json(&done(&[&args[..], &["json"]].concat()));
-    let text = done(&[&args[..], &["text", "--digits", "4"]].concat());
+    let csv = rows(&run_ok(&[&args[..], &["csv"]].concat()));
+    let parsed = json(&run_ok(&[&args[..], &["json"]].concat()));
+    let text = run_ok(&[&args[..], &["text", "--digits", "4"]].concat());
     let names = parsed["units"].as_object().unwrap();
     assert_eq!(parsed["rows"].as_array().unwrap().len(), csv.len());
     assert_eq!(text.lines().count(), csv.len() + 1);
@@ -230,9 +230,9 @@ fn formats_agree() {
             let slack = 1e-3 * exact.abs();
             let turned = name.ends_with(".angle") && rounded == 0.0 && exact > 359.0;
             // Text shows zero if the value may be nothing but rounding error.
-            let nought = rounded == 0.0 && exact.abs() < 1e-9;
+            let zero = rounded == 0.0 && exact.abs() < 1e-9;
             assert!(
-                (rounded - exact).abs() <= slack || turned || nought,
+                (rounded - exact).abs() <= slack || turned || zero,
                 "{name}: {line}"
             );
         }
@@ -242,7 +242,7 @@ fn formats_agree() {
 
 #[test]
 fn text_columns_line_up() {
-    let text = done(&["sweep", "four-bar", "--columns", "C.*", "--format", "text"]);
+    let text = run_ok(&["sweep", "four-bar", "--columns", "C.*", "--format", "text"]);
     let ends = |line: &str| line.find("state").or_else(|| line.find("ok"));
     let first = ends(text.lines().next().unwrap()).unwrap();
     assert!(text.lines().all(|line| ends(line) == Some(first)), "{text}");
@@ -250,7 +250,7 @@ fn text_columns_line_up() {
 
 #[test]
 fn angles_are_normalized_but_driver_counts_turns() {
-    let csv = done(&[
+    let csv = run_ok(&[
         "sweep",
         "four-bar",
         "--from",
@@ -275,7 +275,7 @@ fn angles_are_normalized_but_driver_counts_turns() {
 #[test]
 fn rows_are_identical_after_ten_million_turns() {
     let values = |from: &str, to: &str| {
-        let csv = done(&[
+        let csv = run_ok(&[
             "sweep",
             "jansen-leg",
             "--from",
@@ -302,8 +302,8 @@ fn bound_and_sensitivity_follow_their_column() {
         "--step",
         "60",
     ];
-    let plain = done(&args);
-    let both = done(&[&args[..], &["--bounds", "--sensitivity"]].concat());
+    let plain = run_ok(&args);
+    let both = run_ok(&[&args[..], &["--bounds", "--sensitivity"]].concat());
     let header = "driver.angle [deg],C.x [mm],C.x.bound [mm],C.x.sensitivity [mm per mm],\
         r4.omega [rad/s],r4.omega.bound [rad/s],r4.omega.sensitivity [rad/s per mm],state";
     assert_eq!(both.lines().next().unwrap(), header);
@@ -320,22 +320,24 @@ fn bound_and_sensitivity_follow_their_column() {
         );
     }
     let names = [&args[..], &["--bounds", "--no-units"]].concat();
-    assert!(done(&names).starts_with("driver.angle,C.x,C.x.bound,r4.omega,r4.omega.bound,state\n"));
+    assert!(
+        run_ok(&names).starts_with("driver.angle,C.x,C.x.bound,r4.omega,r4.omega.bound,state\n")
+    );
     // JSON has the same bounds, to the bit.
-    let object = json(&done(
+    let object = json(&run_ok(
         &[&args[..], &["--bounds", "--format", "json"]].concat(),
     ));
     assert_eq!(object["units"]["C.x.bound"], "mm");
     let first = rows(&both)[0][2].parse::<f64>().unwrap();
     assert_eq!(object["rows"][0]["C.x.bound"].as_f64().unwrap(), first);
-    let text = done(&[&args[..], &["--bounds", "--format", "text"]].concat());
+    let text = run_ok(&[&args[..], &["--bounds", "--format", "text"]].concat());
     assert_eq!(text.matches(" +-").count(), 2 * 7, "{text}");
 }
 
 /// Unknown bounds and sensitivities are empty cells, and a note counts them.
 #[test]
 fn unknown_errors_are_empty_and_counted() {
-    let heard = krank(&[
+    let output = krank(&[
         "sweep",
         "parallelogram",
         "--columns",
@@ -345,31 +347,31 @@ fn unknown_errors_are_empty_and_counted() {
         "--bounds",
         "--sensitivity",
     ]);
-    assert_eq!(heard.code, 0);
-    let empty: Vec<bool> = rows(&heard.out)
+    assert_eq!(output.code, 0);
+    let empty: Vec<bool> = rows(&output.out)
         .iter()
         .map(|row| row[2].is_empty())
         .collect();
     // Change points at 0, 180 and 360 deg are limits, where nothing can be proved.
     assert_eq!(empty, [true, false, true, false, true]);
     assert!(
-        rows(&heard.out)
+        rows(&output.out)
             .iter()
             .all(|row| row[2].is_empty() == row[3].is_empty())
     );
     assert!(
-        heard
+        output
             .err
             .starts_with("note: 3 of 5 values have no error bound: "),
         "{}",
-        heard.err
+        output.err
     );
     assert!(
-        heard
+        output
             .err
             .contains("note: in 3 of 5 rows no derivatives by the lengths exist"),
         "{}",
-        heard.err
+        output.err
     );
 }
 
@@ -393,16 +395,16 @@ fn sensitivity_rejects_too_many_derivatives() {
         &["sweep", "-", "--from", "60", "--to", "60"],
     ] {
         let mut command = command(&[args, &["--sensitivity"]].concat());
-        let heard = run(command.write_stdin(text.as_str()));
-        assert_eq!(heard.code, 2, "{}", heard.err);
-        assert!(heard.err.contains("are too many"), "{}", heard.err);
+        let output = run(command.write_stdin(text.as_str()));
+        assert_eq!(output.code, 2, "{}", output.err);
+        assert!(output.err.contains("are too many"), "{}", output.err);
     }
 }
 
 /// Patterns do not match derived columns; these appear only by name.
 #[test]
 fn derived_columns_appear_only_when_named() {
-    let all = done(&["sweep", "four-bar-load", "--to", "0", "--no-units"]);
+    let all = run_ok(&["sweep", "four-bar-load", "--to", "0", "--no-units"]);
     let starred = [
         "sweep",
         "four-bar-load",
@@ -412,7 +414,7 @@ fn derived_columns_appear_only_when_named() {
         "--columns",
         "*",
     ];
-    assert_eq!(header(&done(&starred)), header(&all));
+    assert_eq!(header(&run_ok(&starred)), header(&all));
     for column in ["C.v", "C.a.t", "ground.f", "r3.com.a.angle"] {
         assert!(!header(&all).split(',').any(|name| name == column));
         let args = [
@@ -423,7 +425,7 @@ fn derived_columns_appear_only_when_named() {
             "--no-units",
             "--columns",
         ];
-        let csv = done(&[&args[..], &[column]].concat());
+        let csv = run_ok(&[&args[..], &[column]].concat());
         assert_eq!(header(&csv), format!("driver.angle,{column},state"));
     }
     let sweep = ["sweep", "four-bar", "--to", "0", "--columns"];
@@ -435,7 +437,7 @@ fn derived_columns_appear_only_when_named() {
 /// A formula gives what a spreadsheet would compute from the cells of its row.
 #[test]
 fn formula_equals_arithmetic_of_its_cells() {
-    let csv = done(&[
+    let csv = run_ok(&[
         "sweep",
         "four-bar",
         "--step",
@@ -450,9 +452,9 @@ fn formula_equals_arithmetic_of_its_cells() {
     for row in rows(&csv) {
         let cell = |i: usize| row[i].parse::<f64>().unwrap();
         let [three, four, x, vx, vy] = [1, 2, 3, 4, 5].map(cell);
-        let apart = three - four;
-        let way = apart - 360.0 * ((apart - 180.0) / 360.0).ceil();
-        turns += usize::from(way != apart);
+        let distance = three - four;
+        let way = distance - 360.0 * ((distance - 180.0) / 360.0).ceil();
+        turns += usize::from(way != distance);
         assert_eq!(cell(6), way);
         assert_eq!(cell(7), vx.hypot(vy));
         assert_eq!(cell(8), cell(7));
@@ -473,7 +475,7 @@ fn rows_solved_together_equal_rows_solved_alone() {
     ] {
         let sweep = |more: &[&str]| {
             let all = ["sweep", "four-bar", "--no-units", "--columns", formula];
-            done(&[&all[..], more].concat())
+            run_ok(&[&all[..], more].concat())
         };
         let together = sweep(&["--step", "15"]);
         for row in rows(&together) {
@@ -482,7 +484,7 @@ fn rows_solved_together_equal_rows_solved_alone() {
         }
     }
     let columns = "a = max(0 mm, C.x / (A.x / (1 mm))),b = min(sqrt(-1 mm * (1 mm)), C.x)";
-    let csv = done(&[
+    let csv = run_ok(&[
         "sweep",
         "four-bar",
         "--to",
@@ -499,7 +501,7 @@ fn rows_solved_together_equal_rows_solved_alone() {
 #[test]
 fn underflow_in_products_gives_no_value() {
     let columns = "u = 1e-200 * 1e-200 * 1e300 * 1e90,v = 1e-200 * C.x * 1e-200 * 1e300,w = 0 * C.x,z = 1e-150 / 1e150";
-    let csv = done(&[
+    let csv = run_ok(&[
         "sweep",
         "four-bar",
         "--to",
@@ -523,7 +525,7 @@ fn underflow_in_intermediate_results_gives_no_value() {
     let columns = "a = 1e-310 * 1e300,b = sin(1e-305 deg * 1e-4) * 1e300,c = atan2(1e-309 * C.x, C.x) / 1e-300 deg,\
                    d = hypot(3e-160, 4e-160) * 1e160,e = hypot(3e-170 mm, 4e-170 mm) / 1e-170 mm,f = sin(180 deg),\
                    g = sin(0 deg) * 1e300,h = hypot(0, 4e-160) * 1e160";
-    let csv = done(&[
+    let csv = run_ok(&[
         "sweep",
         "four-bar",
         "--to",
@@ -560,7 +562,7 @@ fn sensitivity_of_a_column_ignores_other_columns() {
             "--no-units",
             "--columns",
         ];
-        done(&[&all[..], &[columns]].concat())
+        run_ok(&[&all[..], &[columns]].concat())
     };
     let [both, alone] = ["a = 1e15 * C.x,C.x", "C.x"].map(sweep);
     assert_eq!(rows(&both)[0][3..5], rows(&alone)[0][1..3]);
@@ -583,10 +585,10 @@ fn invalid_formulas_report_the_cause() {
         ),
         ("time = C.x", "`time`, `pi` with a special meaning"),
     ] {
-        let told = sweep(columns);
+        let output = sweep(columns);
         assert!(
-            told.contains(phrase) && told.contains("--columns"),
-            "{columns}: {told}"
+            output.contains(phrase) && output.contains("--columns"),
+            "{columns}: {output}"
         );
     }
 }
@@ -598,7 +600,7 @@ fn scene_figures_are_columns_of_sweep_and_plot() {
     let path = folder("figures").join("scene.toml");
     std::fs::write(&path, [scene, figures].concat()).unwrap();
     let path = path.to_str().unwrap();
-    let csv = done(&[
+    let csv = run_ok(&[
         "sweep",
         path,
         "--from",
@@ -616,9 +618,9 @@ fn scene_figures_are_columns_of_sweep_and_plot() {
     );
     let row = &rows(&csv)[0];
     assert!(row.iter().all(|cell| !cell.is_empty()), "{row:?}");
-    let all = done(&["sweep", path, "--to", "0"]);
+    let all = run_ok(&["sweep", path, "--to", "0"]);
     assert!(!header(&all).contains("swing"));
-    let plot = done(&[
+    let plot = run_ok(&[
         "plot",
         path,
         "--columns",
@@ -634,10 +636,10 @@ fn scene_figures_are_columns_of_sweep_and_plot() {
     );
     let wrong = "[figures]\nswing = \"r4.angle - r5.angle\"\n";
     std::fs::write(path, [scene, wrong].concat()).unwrap();
-    let told = refused(2, &["check", path]);
+    let output = refused(2, &["check", path]);
     assert!(
-        told.contains("no quantity is named `r5.angle`") && told.contains("scene.toml"),
-        "{told}"
+        output.contains("no quantity is named `r5.angle`") && output.contains("scene.toml"),
+        "{output}"
     );
 }
 
@@ -654,7 +656,7 @@ fn default_sweep_ends_at_stops_with_all_rates() {
     )
     .unwrap();
     let scene = file.to_str().unwrap();
-    let sweep = done(&["sweep", scene, "--step", "30", "--columns", "C.x,C.vx"]);
+    let sweep = run_ok(&["sweep", scene, "--step", "30", "--columns", "C.x,C.vx"]);
     let swept = rows(&sweep);
     let (first, last) = (&swept[0], &swept[swept.len() - 1]);
     assert_eq!([&first[0], &first[1]], ["32.07341239210894", "380"]);

@@ -2,7 +2,7 @@
 //! checks whether the scenes fulfil their task.
 
 use super::language::spoken;
-use super::{Run, command, done, folder, json, krank, refused, rows, run};
+use super::{Run, command, folder, json, krank, refused, rows, run, run_ok};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -43,7 +43,7 @@ struct WrittenFourBar {
     coupler: f64,
     rocker: f64,
     /// P and, for poses, X on the coupler: coordinates from B along B-C and across.
-    led: Vec<[f64; 2]>,
+    coupler_points: Vec<[f64; 2]>,
     /// The initial position of C.
     c: [f64; 2],
     angle: f64,
@@ -62,10 +62,10 @@ impl WrittenFourBar {
             let at = |k: usize| scene["marks"].get(format!("{letter}{k}"));
             (1..).map_while(at).map(pair).collect()
         };
-        let led = &scene["links"]["r3"]["points"];
-        let p = led.get("P").map(|_| place("px", "py"));
+        let guided = &scene["links"]["r3"]["points"];
+        let p = guided.get("P").map(|_| place("px", "py"));
         // "px + 20.0 * cos(lean)": X lies at this distance from P, in the direction `lean`.
-        let x = led.get("X").map(|x| {
+        let x = guided.get("X").map(|x| {
             let mut formula = x[0].as_str().unwrap().split(' ');
             let arm: f64 = formula.nth(2).unwrap().parse().unwrap();
             let (sine, cosine) = parameter("lean").to_radians().sin_cos();
@@ -78,7 +78,7 @@ impl WrittenFourBar {
             crank: parameter("crank"),
             coupler: parameter("coupler"),
             rocker: parameter("rocker"),
-            led: p.into_iter().chain(x).collect(),
+            coupler_points: p.into_iter().chain(x).collect(),
             c: pair(&scene["start"]["C"]),
             angle: number(&scene["driver"]["angle"]),
             marks: [marks("T"), marks("X")],
@@ -110,11 +110,11 @@ impl WrittenFourBar {
     }
 
     /// Returns P and X at a crank angle in degrees.
-    fn led(&self, angle: f64) -> Vec<[f64; 2]> {
+    fn coupler_points_at(&self, angle: f64) -> Vec<[f64; 2]> {
         let [b, c] = self.pins(angle, self.side()).unwrap();
         let (ux, uy) = ((c[0] - b[0]) / self.coupler, (c[1] - b[1]) / self.coupler);
         let place = |[x, y]: &[f64; 2]| [b[0] + x * ux - y * uy, b[1] + x * uy + y * ux];
-        self.led.iter().map(place).collect()
+        self.coupler_points.iter().map(place).collect()
     }
 }
 
@@ -123,11 +123,11 @@ impl WrittenFourBar {
 fn scenes_do_their_task(example: &str, slack: f64) {
     let out = new_folder(example);
     let at = out.to_str().unwrap();
-    let told =
+    let output =
         run(command(&["synthesize", example, "--format", "json"]).args(["--top", "3", "-o", at]));
-    assert_eq!(told.code, 0, "{}", told.err);
-    let told = json(&told.out);
-    let candidates = told["candidates"].as_array().unwrap();
+    assert_eq!(output.code, 0, "{}", output.err);
+    let output = json(&output.out);
+    let candidates = output["candidates"].as_array().unwrap();
     assert!(!candidates.is_empty());
     for (number_of, candidate) in (1..).zip(candidates) {
         let path = out.join(format!("candidate-{number_of}.toml"));
@@ -143,11 +143,11 @@ fn scenes_do_their_task(example: &str, slack: f64) {
         assert_eq!(angles.len(), scene.marks[0].len());
         let (mut worst, mut squares) = (0.0_f64, 0.0);
         for (point, angle) in angles.iter().enumerate() {
-            let led = scene.led(number(angle));
-            let miss = away(led[0], scene.marks[0][point]);
+            let guided = scene.coupler_points_at(number(angle));
+            let miss = away(guided[0], scene.marks[0][point]);
             worst = worst.max(miss);
             squares += miss * miss;
-            if let Some(x) = led.get(1) {
+            if let Some(x) = guided.get(1) {
                 assert!(away(*x, scene.marks[1][point]) < slack, "{point}");
             }
         }
@@ -180,9 +180,9 @@ fn path_scenes_reach_their_points() {
 #[test]
 fn function_scenes_have_the_reported_structural_error() {
     let out = new_folder("logarithm");
-    let told = run(command(&["synthesize", "logarithm", "--format", "json", "-o"]).arg(&out));
-    let told = json(&told.out);
-    let candidates = told["candidates"].as_array().unwrap();
+    let printed = run(command(&["synthesize", "logarithm", "--format", "json", "-o"]).arg(&out));
+    let printed = json(&printed.out);
+    let candidates = printed["candidates"].as_array().unwrap();
     assert!(!candidates.is_empty());
     let misses: Vec<f64> = candidates.iter().map(|c| number(&c["rms"])).collect();
     assert!(misses.is_sorted(), "the smallest first: {misses:?}");
@@ -206,20 +206,20 @@ fn function_scenes_have_the_reported_structural_error() {
             (c[1] - scene.d[1]).atan2(c[0] - scene.d[0]).to_degrees()
         };
         let wanted = |x: f64| 60.0 * x.log10() / 2.0_f64.log10();
-        let begin = 1.0 + inset;
+        let start = 1.0 + inset;
         let error = |x: f64| {
-            let off = output(x) - output(begin) - wanted(x) + wanted(begin);
+            let off = output(x) - output(start) - wanted(x) + wanted(start);
             (off + 180.0).rem_euclid(360.0) - 180.0
         };
         let worst = (0..=1000).map(|k| error(1.0 + f64::from(k) / 1000.0).abs());
         let worst = worst.fold(0.0, f64::max);
         let miss = number(&candidate["miss"]);
         assert!((worst - miss).abs() < 0.01 * miss + 1e-9, "{worst} {miss}");
-        let told = candidate["structural_error"].as_array().unwrap();
-        assert!(told.len() > 100 && pair(&told[0])[0] == 1.0);
-        for one in told {
-            let [x, told] = pair(one);
-            assert!((error(x) - told).abs() < 1e-6, "{x} {told}");
+        let printed = candidate["structural_error"].as_array().unwrap();
+        assert!(printed.len() > 100 && pair(&printed[0])[0] == 1.0);
+        for one in printed {
+            let [x, printed] = pair(one);
+            assert!((error(x) - printed).abs() < 1e-6, "{x} {printed}");
         }
     }
 }
@@ -239,8 +239,8 @@ fn without_rounding(text: &str) -> String {
 #[test]
 fn example_reports_match_snapshots() {
     for example in ["wiper", "hatch", "logarithm"] {
-        let told = done(&["synthesize", example, "--top", "3"]);
-        insta::assert_snapshot!(format!("synthesize_{example}"), without_rounding(&told));
+        let output = run_ok(&["synthesize", example, "--top", "3"]);
+        insta::assert_snapshot!(format!("synthesize_{example}"), without_rounding(&output));
     }
 }
 
@@ -276,8 +276,8 @@ fn manual_design_still_reaches_its_poses() {
         if args.contains(&"--view") {
             continue;
         }
-        let heard = run(command(&args).current_dir(&here));
-        assert_eq!(heard.code, 0, "{line}: {}", heard.err);
+        let output = run(command(&args).current_dir(&here));
+        assert_eq!(output.code, 0, "{line}: {}", output.err);
         let places = args.iter().filter_map(|arg| arg.strip_prefix("P.x@"));
         kept.extend(places.map(|at| at.split(' ').next().unwrap().parse::<f64>().unwrap()));
     }
@@ -286,8 +286,8 @@ fn manual_design_still_reaches_its_poses() {
     assert_ne!(scene.rocker, WrittenFourBar::read(&given).rocker);
     assert_eq!(kept.len(), 3);
     for (point, angle) in kept.iter().enumerate() {
-        for (led, marks) in scene.led(*angle).iter().zip(&scene.marks) {
-            assert!(away(*led, marks[point]) < 1e-5, "{point} {led:?}");
+        for (guided, marks) in scene.coupler_points_at(*angle).iter().zip(&scene.marks) {
+            assert!(away(*guided, marks[point]) < 1e-5, "{point} {guided:?}");
         }
     }
     // The scene's comment names the same goals as the manual.
@@ -297,23 +297,23 @@ fn manual_design_still_reaches_its_poses() {
     }
     // Remarks on the numbers are comments next to them: the edited scene would keep a `note`.
     assert!(!written.contains("\nnote"), "{written}");
-    let told = done(&["check", better.to_str().unwrap()]);
-    assert!(!told.contains("driven through its task"), "{told}");
+    let printed = run_ok(&["check", better.to_str().unwrap()]);
+    assert!(!printed.contains("driven through its task"), "{printed}");
 }
 
 #[test]
 fn csv_and_json_contain_the_same_doubles() {
-    let of = |format: &str| done(&["synthesize", "hatch", "--format", format]);
+    let of = |format: &str| run_ok(&["synthesize", "hatch", "--format", format]);
     let told = json(&of("json"));
     let csv = of("csv");
     let table = rows(&csv);
-    let heads: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
+    let headers: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
     let column = |name: &str| {
         let of_name = |head: &&str| head.split(" [").next() == Some(name);
-        heads
+        headers
             .iter()
             .position(of_name)
-            .unwrap_or_else(|| panic!("{name} of {heads:?}"))
+            .unwrap_or_else(|| panic!("{name} of {headers:?}"))
     };
     let good = told["candidates"].as_array().unwrap();
     let defective = told["defective"].as_array().unwrap();
@@ -443,7 +443,7 @@ fn task_can_come_from_standard_input() {
     let mut piped = command(&["synthesize", "-", "--format", "json"]);
     let Run { out, err, .. } = run(piped.write_stdin(text));
     assert_eq!(json(&out)["task"], "stdin", "{err}");
-    let file = done(&["synthesize", &task("piped.toml", text), "--format", "json"]);
+    let file = run_ok(&["synthesize", &task("piped.toml", text), "--format", "json"]);
     assert_eq!(json(&out)["candidates"], json(&file)["candidates"]);
 }
 
@@ -455,7 +455,7 @@ fn tolerance_option_is_written_to_the_scene() {
     assert_eq!(ended.code, 0, "{}", ended.err);
     let path = out.join("candidate-1.toml");
     let path = path.to_str().unwrap();
-    let told = done(&[
+    let output = run_ok(&[
         "tolerance",
         path,
         "--columns",
@@ -465,7 +465,7 @@ fn tolerance_option_is_written_to_the_scene() {
         "--format",
         "json",
     ]);
-    let worst = &json(&told)["figures"]["P.x"]["worst"];
+    let worst = &json(&output)["figures"]["P.x"]["worst"];
     assert!(number(&worst["high"]) > number(&worst["low"]), "{worst}");
 }
 

@@ -1,11 +1,11 @@
 //! Tests of `table`: the layout of the lectures' tables, and the values printed in the lectures.
 
-use super::{PARALLEL_CRANKS, command, done, json, krank, refused, rows, run};
+use super::{PARALLEL_CRANKS, command, json, krank, refused, rows, run, run_ok};
 use std::collections::BTreeMap;
 
 #[test]
 fn four_bar_tables_have_the_lecture_layout() {
-    let text = done(&["table", "four-bar", "--at", "60"]);
+    let text = run_ok(&["table", "four-bar", "--at", "60"]);
     let expected = "\
 Four-bar crank-rocker
 driver r2 at 60 deg, 15 rad/s, 0 rad/s^2
@@ -41,16 +41,16 @@ r4.com                   355.708   116.890   374.422          18.1911
 #[test]
 fn sensitivity_is_a_separate_table() {
     let args = ["table", "four-bar", "--sensitivity"];
-    let text = done(&args);
+    let text = run_ok(&args);
     let (tables, lengths) = text.split_once("\nchange for 1 mm").unwrap();
-    assert_eq!(format!("{tables}\n"), done(&args[..2]) + "\n");
+    assert_eq!(format!("{tables}\n"), run_ok(&args[..2]) + "\n");
     assert!(
         lengths.contains("\nC.x [mm]                       4.18    0.946  r3.length\n"),
         "{text}"
     );
     assert!(!lengths.contains("A.x [mm]"), "{text}");
 
-    let csv = done(&[&args[..], &["--format", "csv"]].concat());
+    let csv = run_ok(&[&args[..], &["--format", "csv"]].concat());
     let header = csv.lines().next().unwrap();
     assert_eq!(header, "name,value,unit,entry,sensitivity,most,by");
     let by_name: BTreeMap<String, Vec<String>> = rows(&csv)
@@ -61,7 +61,7 @@ fn sensitivity_is_a_separate_table() {
     assert_eq!(by_name["r2.length"][4], "");
     assert_eq!(by_name["r2.angle"][4..], ["0", "", ""]);
 
-    let object = json(&done(&[&args[..], &["--format", "json"]].concat()));
+    let object = json(&run_ok(&[&args[..], &["--format", "json"]].concat()));
     let figure = &object["sensitivity"]["C.x"];
     assert_eq!(figure["unit"], "mm per mm");
     let by = figure["by"].as_object().unwrap();
@@ -91,41 +91,46 @@ fn values_without_sensitivity_are_counted() {
             "10",
         ],
     ] {
-        let heard = krank(args);
-        assert_eq!(heard.code, 0, "{}", heard.err);
+        let output = krank(args);
+        assert_eq!(output.code, 0, "{}", output.err);
         let counts = match args[0] {
             "table" => "note: 1 of 2 values",
             _ => "note: 11 of 22 values",
         };
-        assert!(heard.err.starts_with(counts), "{}", heard.err);
-        assert!(heard.err.contains("have no derivatives"), "{}", heard.err);
+        assert!(output.err.starts_with(counts), "{}", output.err);
+        assert!(output.err.contains("have no derivatives"), "{}", output.err);
     }
-    let heard = krank(&["table", "four-bar", "--columns", "C.*", "--sensitivity"]);
-    assert_eq!(heard.err, "");
+    let output = krank(&["table", "four-bar", "--columns", "C.*", "--sensitivity"]);
+    assert_eq!(output.err, "");
 }
 
 /// A comma separates columns. A number with a comma gets a suggestion; a number with a point does not.
 #[test]
 fn decimal_comma_in_formula_gets_a_hint() {
     for columns in ["a = 1,5 mm", "C.x,a = C.x + 1,5 mm", "a = (1,5 mm)"] {
-        let told = refused(2, &["table", "four-bar", "--columns", columns]);
-        assert!(told.contains("`1.5`"), "{told}");
+        let output = refused(2, &["table", "four-bar", "--columns", columns]);
+        assert!(output.contains("`1.5`"), "{output}");
     }
-    let told = refused(2, &["table", "four-bar", "--columns", "a = C.x,5 mm"]);
-    assert!(told.contains("5 mm") && !told.contains(".5"), "{told}");
+    let output = refused(2, &["table", "four-bar", "--columns", "a = C.x,5 mm"]);
+    assert!(
+        output.contains("5 mm") && !output.contains(".5"),
+        "{output}"
+    );
 }
 
 /// With other lengths, three parallel cranks would jam: there is no sensitivity, and a note gives the reason.
 #[test]
 fn missing_sensitivity_is_explained() {
     let mut command = command(&["table", "-", "--sensitivity", "--format", "json"]);
-    let heard = run(command.write_stdin(PARALLEL_CRANKS));
-    assert_eq!(heard.code, 0);
-    assert!(json(&heard.out)["sensitivity"].is_null(), "{}", heard.out);
+    let output = run(command.write_stdin(PARALLEL_CRANKS));
+    assert_eq!(output.code, 0);
+    assert!(json(&output.out)["sensitivity"].is_null(), "{}", output.out);
     assert!(
-        heard.err.starts_with("note: no derivatives by the lengths"),
+        output
+            .err
+            .starts_with("note: no derivatives by the lengths"),
         "{}",
-        heard.err
+        output.err
     );
     let text = krank(&["table", "triple-parallelogram", "--sensitivity"]).out;
     assert!(text.contains("change for 1 mm: no derivatives"), "{text}");
@@ -137,16 +142,16 @@ fn missing_sensitivity_is_explained() {
 #[test]
 fn bounds_are_printed_below_the_values() {
     let args = ["table", "four-bar", "--bounds"];
-    let text = done(&args);
+    let text = run_ok(&args);
     let without: Vec<&str> = text
         .lines()
         .filter(|line| !line.starts_with("  +-") && !line.starts_with("+-"))
         .collect();
-    assert_eq!(without.join("\n") + "\n", done(&args[..2]));
+    assert_eq!(without.join("\n") + "\n", run_ok(&args[..2]));
 
-    let csv = done(&[&args[..], &["--format", "csv"]].concat());
+    let csv = run_ok(&[&args[..], &["--format", "csv"]].concat());
     assert!(csv.starts_with("name,value,unit,entry,bound\n"), "{csv}");
-    let object = json(&done(&[&args[..], &["--format", "json"]].concat()));
+    let object = json(&run_ok(&[&args[..], &["--format", "json"]].concat()));
     let rocker = &object["vectors"][2];
     let bound = rocker["angle.bound"].as_f64().unwrap();
     assert!((0.0..1e-12).contains(&bound), "{bound}");
@@ -170,21 +175,21 @@ fn bounds_are_printed_below_the_values() {
 #[test]
 fn values_without_proved_bound_are_counted() {
     let args = ["table", "parallelogram", "--at", "0", "--bounds"];
-    let heard = krank(&args);
-    assert_eq!(heard.code, 0);
+    let output = krank(&args);
+    assert_eq!(output.code, 0);
     assert!(
-        heard.err.contains(" values have no error bound: "),
+        output.err.contains(" values have no error bound: "),
         "{}",
-        heard.err
+        output.err
     );
-    let rates = heard.out.split("\nomega").nth(1).unwrap();
+    let rates = output.out.split("\nomega").nth(1).unwrap();
     let bounds = rates.lines().nth(1).unwrap();
     assert_eq!(
         bounds.split_whitespace().collect::<Vec<_>>(),
         ["+-", "0", "?", "?", "0"]
     );
-    let heard = krank(&[&args[..], &["--format", "csv"]].concat());
-    let row = rows(&heard.out)
+    let output = krank(&[&args[..], &["--format", "csv"]].concat());
+    let row = rows(&output.out)
         .into_iter()
         .find(|row| row[0] == "r4.omega");
     assert_eq!(row.unwrap()[2..], ["rad/s", "found", ""]);
@@ -196,22 +201,22 @@ fn value_within_its_bound_of_zero_prints_as_zero() {
     // The cell draws a straight line: P moves only along y.
     let args = ["table", "peaucellier", "--at", "45"];
     let velocities = |text: &str| {
-        let behind = text.split("velocity of points").nth(1).unwrap().to_owned();
-        let row = behind
+        let after = text.split("velocity of points").nth(1).unwrap().to_owned();
+        let row = after
             .lines()
             .find(|line| line.starts_with("P "))
             .unwrap()
             .to_owned();
         row.split_whitespace().nth(1).unwrap().to_owned()
     };
-    assert_eq!(velocities(&done(&args)), "0");
+    assert_eq!(velocities(&run_ok(&args)), "0");
     let vx = figures("peaucellier", "45")["P.vx"];
     assert!(vx != 0.0 && vx.abs() < 1e-13, "{vx}");
 }
 
 /// Returns all values of a table by name.
 fn figures(scene: &str, at: &str) -> BTreeMap<String, f64> {
-    let csv = done(&["table", scene, "--at", at, "--format", "csv"]);
+    let csv = run_ok(&["table", scene, "--at", at, "--format", "csv"]);
     let number = |row: Vec<String>| Some((row[0].clone(), row[1].parse().ok()?));
     rows(&csv).into_iter().filter_map(number).collect()
 }
@@ -276,7 +281,7 @@ fn slider_crank_matches_values_printed_in_lectures() {
 
 #[test]
 fn given_and_found_entries_are_distinguished() {
-    let table = json(&done(&["table", "slider-crank", "--format", "json"]));
+    let table = json(&run_ok(&["table", "slider-crank", "--format", "json"]));
     let vectors = table["vectors"].as_array().unwrap();
     let given = |name: &str| {
         let vector = vectors.iter().find(|v| v["name"] == name).unwrap();
@@ -288,7 +293,7 @@ fn given_and_found_entries_are_distinguished() {
     assert_eq!(given("r3"), rigid);
     assert_eq!(given("r4"), turning);
 
-    let csv = rows(&done(&["table", "slider-crank", "--format", "csv"]));
+    let csv = rows(&run_ok(&["table", "slider-crank", "--format", "csv"]));
     let entry = |name: &str| csv.iter().find(|row| row[0] == name).unwrap()[3].clone();
     assert_eq!(
         (entry("r3.omega"), entry("r2.omega")),
@@ -320,7 +325,7 @@ fn vectors_between_points_have_the_given_entries_of_their_body() {
 
 #[test]
 fn direction_of_non_rotating_link_is_given() {
-    let table = json(&done(&["table", "press-ram", "--format", "json"]));
+    let table = json(&run_ok(&["table", "press-ram", "--format", "json"]));
     let vectors = table["vectors"].as_array().unwrap();
     let find = |name: &str| vectors.iter().find(|v| v["name"] == name).unwrap();
     let turning = serde_json::json!(["angle", "omega", "alpha"]);
@@ -341,7 +346,7 @@ fn direction_of_non_rotating_link_is_given() {
 
 #[test]
 fn driven_slide_length_is_given_but_its_angle_is_found() {
-    let table = json(&done(&["table", "excavator-boom", "--format", "json"]));
+    let table = json(&run_ok(&["table", "excavator-boom", "--format", "json"]));
     let name = table["driver"]["name"].as_str().unwrap();
     let vectors = table["vectors"].as_array().unwrap();
     let rod = vectors.iter().find(|v| v["name"] == name).unwrap();
@@ -353,7 +358,7 @@ fn driven_slide_length_is_given_but_its_angle_is_found() {
 /// JSON, CSV and a sweep contain the same doubles.
 #[test]
 fn table_and_sweep_agree_to_the_bit() {
-    let table = json(&done(&[
+    let table = json(&run_ok(&[
         "table",
         "press-ram",
         "--at",
@@ -372,7 +377,7 @@ fn table_and_sweep_agree_to_the_bit() {
         "--format",
         "json",
     ];
-    let sweep = json(&done(&args));
+    let sweep = json(&run_ok(&args));
     for point in table["points"].as_array().unwrap() {
         let name = point["name"].as_str().unwrap();
         for figure in ["x", "y", "vx", "vy", "ax", "ay"] {
@@ -386,42 +391,42 @@ fn table_and_sweep_agree_to_the_bit() {
 
 #[test]
 fn options_set_digits_and_units() {
-    let text = done(&["table", "four-bar", "--digits", "10", "--no-units"]);
+    let text = run_ok(&["table", "four-bar", "--digits", "10", "--no-units"]);
     assert!(
         text.contains("\ntheta               60.00000000    29.37944778*"),
         "{text}"
     );
     assert!(text.contains("\nomega"), "{text}");
-    let one = done(&["table", "four-bar", "--digits", "1"]);
+    let one = run_ok(&["table", "four-bar", "--digits", "1"]);
     assert!(one.contains(" 3e1*"), "{one}");
-    let bare = done(&["table", "four-bar", "--format", "csv", "--no-units"]);
+    let plain = run_ok(&["table", "four-bar", "--format", "csv", "--no-units"]);
     assert!(
-        bare.starts_with("name,value,entry\ndriver.angle,60,given\n"),
-        "{bare}"
+        plain.starts_with("name,value,entry\ndriver.angle,60,given\n"),
+        "{plain}"
     );
 }
 
 #[test]
 fn default_position_is_that_of_the_scene() {
-    let text = done(&["table", "slider-crank"]);
+    let text = run_ok(&["table", "slider-crank"]);
     assert!(text.contains("\ndriver r2 at 30 deg, 200 rad/s"), "{text}");
 }
 
 #[test]
 fn wide_tables_wrap_at_80_columns() {
     for scene in ["jansen-leg", "scissor-lift", "press"] {
-        let text = done(&["table", scene]);
+        let text = run_ok(&["table", scene]);
         assert!(text.lines().all(|line| line.len() <= 80), "{text}");
     }
 }
 
 #[test]
 fn dead_point_shows_positions_but_no_rates() {
-    let facts = json(&done(&["check", "double-rocker", "--format", "json"]));
+    let facts = json(&run_ok(&["check", "double-rocker", "--format", "json"]));
     let limit = facts["range"][0].to_string();
-    let text = done(&["table", "double-rocker", "--at", &limit]);
+    let text = run_ok(&["table", "double-rocker", "--at", &limit]);
     assert!(text.contains("\nstate dead-point\n"), "{text}");
-    let table = json(&done(&[
+    let table = json(&run_ok(&[
         "table",
         "double-rocker",
         "--at",
@@ -452,7 +457,7 @@ fn position_outside_motion_exits_with_1() {
 #[test]
 fn wide_bound_does_not_hide_the_value() {
     // Bounds grow near a change point; C moves like B, and no value is zero.
-    let text = done(&["table", "parallelogram", "--at", "0.01"]);
+    let text = run_ok(&["table", "parallelogram", "--at", "0.01"]);
     let accelerations = text.split("acceleration of points").nth(1).unwrap();
     let row = |point: &str| {
         let mut lines = accelerations.lines();
@@ -482,11 +487,15 @@ fn table_accepts_equivalent_angle_but_sweep_is_literal() {
     let scene = preset.text.replace("angle = 60", "angle = 420");
     let table = |at: &str| run(command(&["table", "-", "--at", at]).write_stdin(scene.clone()));
     for at in ["60", "-300", "780"] {
-        let heard = table(at);
-        assert!(heard.out.contains("driver r2 at 420 deg"), "{}", heard.out);
+        let output = table(at);
+        assert!(
+            output.out.contains("driver r2 at 420 deg"),
+            "{}",
+            output.out
+        );
         let note =
             format!("note: using 420 deg instead of {at} deg: the driver covers 396.8698976458");
-        assert!(heard.err.contains(&note), "{}", heard.err);
+        assert!(output.err.contains(&note), "{}", output.err);
     }
     assert!(!table("420").err.contains("note: using"));
     let refused = table("180");
@@ -523,7 +532,7 @@ fn table_accepts_equivalent_angle_but_sweep_is_literal() {
 fn named_columns_are_listed_in_order() {
     let columns = "C.x,C.a.t,r3.*,swing = r4.angle - r3.angle";
     let args = ["table", "four-bar", "--at", "60", "--columns", columns];
-    let text = done(&args);
+    let text = run_ok(&args);
     let expected = "\
 Four-bar crank-rocker
 driver r2 at 60 deg, 15 rad/s, 0 rad/s^2
@@ -547,7 +556,7 @@ r3.omega [rad/s]        -3.91641
     );
     assert!(!text.contains("C.y"), "{text}");
 
-    let csv = done(&[&args[..], &["--bounds", "--format", "csv"]].concat());
+    let csv = run_ok(&[&args[..], &["--bounds", "--format", "csv"]].concat());
     let lines: Vec<&str> = csv.lines().collect();
     assert_eq!(lines[0], "name,value,unit,bound");
     let cells: Vec<&str> = lines[1].split(',').collect();
@@ -560,7 +569,7 @@ r3.omega [rad/s]        -3.91641
     assert_eq!(*lines.last().unwrap(), "state,ok,,");
 
     // The doubles and names are those of a row of a sweep.
-    let list = json(&done(
+    let list = json(&run_ok(
         &[&args[..], &["--bounds", "--format", "json"]].concat(),
     ));
     let sweep = [
@@ -573,7 +582,7 @@ r3.omega [rad/s]        -3.91641
         "--columns",
         columns,
     ];
-    let sweep = json(&done(
+    let sweep = json(&run_ok(
         &[&sweep[..], &["--bounds", "--format", "json"]].concat(),
     ));
     let row = sweep["rows"][0].as_object().unwrap();
@@ -592,17 +601,17 @@ r3.omega [rad/s]        -3.91641
 #[test]
 fn named_values_that_do_not_exist_are_empty() {
     let args = ["table", "four-bar", "--columns", "A.v.angle,A.v"];
-    let text = done(&args);
+    let text = run_ok(&args);
     let row = text
         .lines()
         .find(|line| line.starts_with("A.v.angle"))
         .unwrap();
     assert!(row.ends_with(" -"), "{text}");
-    let csv = done(&[&args[..], &["--format", "csv", "--no-units"]].concat());
+    let csv = run_ok(&[&args[..], &["--format", "csv", "--no-units"]].concat());
     assert_eq!(csv, "name,value\nA.v.angle,\nA.v,0\nstate,ok\n");
-    let told = refused(2, &["table", "four-bar", "--columns", "C.z"]);
+    let output = refused(2, &["table", "four-bar", "--columns", "C.z"]);
     let same = refused(2, &["sweep", "four-bar", "--columns", "C.z"]);
-    assert_eq!(told, same);
+    assert_eq!(output, same);
 }
 
 /// The sensitivity of a named formula to the lengths.
@@ -610,11 +619,11 @@ fn named_values_that_do_not_exist_are_empty() {
 fn named_formula_has_a_sensitivity() {
     let columns = "swing = r4.angle - r3.angle";
     let args = ["table", "four-bar", "--columns", columns, "--sensitivity"];
-    let csv = done(&[&args[..], &["--format", "csv"]].concat());
+    let csv = run_ok(&[&args[..], &["--format", "csv"]].concat());
     let lines: Vec<&str> = csv.lines().collect();
     assert_eq!(lines[0], "name,value,unit,sensitivity,most,by");
     assert!(lines[1].starts_with("swing,-98."), "{csv}");
     let worst: f64 = lines[1].split(',').nth(3).unwrap().parse().unwrap();
     assert!(worst > 0.1, "{csv}");
-    assert!(done(&args).contains("swing [deg]"));
+    assert!(run_ok(&args).contains("swing [deg]"));
 }

@@ -1,6 +1,6 @@
 //! Tests of `krank tolerance` and of bands in plots, against closed forms.
 
-use super::{done, folder, json, krank, refused, rows};
+use super::{folder, json, krank, refused, rows, run_ok};
 use std::fs;
 
 const SLIDER_CRANK: &str = r#"
@@ -38,8 +38,8 @@ fn near(found: &serde_json::Value, expected: f64, within: f64) {
 #[test]
 fn dead_centre_adds_both_tolerances() {
     let scene = scene("in-line.toml", SLIDER_CRANK);
-    let ask = ["tolerance", &scene, "--columns", "ram.length", "--at", "0"];
-    let found = json(&done(&[&ask[..], &["--format", "json"]].concat()));
+    let request = ["tolerance", &scene, "--columns", "ram.length", "--at", "0"];
+    let found = json(&run_ok(&[&request[..], &["--format", "json"]].concat()));
     let ram = &found["figures"]["ram.length"];
     near(&ram["nominal"], 200.0, 0.0);
     near(&ram["worst"]["low"], 199.8, 1e-12);
@@ -55,20 +55,24 @@ fn dead_centre_adds_both_tolerances() {
     );
     near(&ram["contributions"][0]["share"], 0.5, 1e-12);
     assert_eq!(found["samples"]["open"], 0.0);
-    let text = done(&ask);
+    let text = run_ok(&request);
     assert!(
         text.contains("199.800 to 200.200 (-0.2000, +0.2000)"),
         "{text}"
     );
     assert!(text.contains("+-0.1414"), "{text}");
-    assert_eq!(text, done(&ask), "the same seed gives the same machines");
-    assert_ne!(text, done(&[&ask[..], &["--seed", "2"]].concat()));
+    assert_eq!(
+        text,
+        run_ok(&request),
+        "the same seed gives the same machines"
+    );
+    assert_ne!(text, run_ok(&[&request[..], &["--seed", "2"]].concat()));
     // The option applies to the ground too: A.x adds one more 0.1.
-    let bare = SLIDER_CRANK.replace(", tolerance = 0.1", "");
-    let bare = self::scene("bare.toml", &bare);
-    let ask = ["tolerance", &bare, "--columns", "C.x", "--at", "0"];
+    let plain = SLIDER_CRANK.replace(", tolerance = 0.1", "");
+    let plain = self::scene("bare.toml", &plain);
+    let request = ["tolerance", &plain, "--columns", "C.x", "--at", "0"];
     let more = ["--tolerance", "0.1", "--format", "json"];
-    let found = json(&done(&[&ask[..], &more].concat()));
+    let found = json(&run_ok(&[&request[..], &more].concat()));
     near(&found["figures"]["C.x"]["rss"], 0.03_f64.sqrt(), 1e-12);
 }
 
@@ -76,7 +80,7 @@ fn dead_centre_adds_both_tolerances() {
 #[test]
 fn rows_match_the_closed_form() {
     let scene = scene("rows.toml", SLIDER_CRANK);
-    let text = done(&["tolerance", &scene, "--columns", "C.x", "--format", "csv"]);
+    let text = run_ok(&["tolerance", &scene, "--columns", "C.x", "--format", "csv"]);
     let header = "driver.angle [deg],C.x.nominal [mm],C.x.worst.low [mm],C.x.worst.high [mm],\
                   C.x.reached.low [mm],C.x.reached.high [mm],C.x.worst.by,C.x.closes,C.x.rss [mm],state\n";
     assert!(text.starts_with(header), "{text}");
@@ -108,33 +112,37 @@ fn rows_match_the_closed_form() {
 fn designs_that_cannot_close_are_counted() {
     let text = SLIDER_CRANK.replace("length = 150", "length = 50.05");
     let scene = scene("open.toml", &text.replace("[190, 0]", "[76, 0]"));
-    let ask = ["tolerance", &scene, "--columns", "C.x", "--at", "90"];
-    let found = json(&done(
-        &[&ask[..], &["--format", "json", "--distribution", "even"]].concat(),
+    let request = ["tolerance", &scene, "--columns", "C.x", "--at", "90"];
+    let found = json(&run_ok(
+        &[
+            &request[..],
+            &["--format", "json", "--distribution", "even"],
+        ]
+        .concat(),
     ));
     assert_eq!(found["figures"]["C.x"]["worst"]["closes"], "not-always");
     // For two uniform deviations within 0.1, the crank's exceeds the rod's by more than 0.05 with a
     // probability of (1 - 0.05 / 0.2)^2 / 2.
     near(&found["samples"]["open"], 0.75 * 0.75 / 2.0, 6e-3);
-    let heard = krank(&["tolerance", &scene, "--columns", "C.x"]);
-    assert_eq!(heard.code, 0);
+    let output = krank(&["tolerance", &scene, "--columns", "C.x"]);
+    assert_eq!(output.code, 0);
     assert!(
-        heard
+        output
             .err
             .contains("not every machine within its tolerances closes"),
         "{}",
-        heard.err
+        output.err
     );
 }
 
 #[test]
 fn invalid_tolerance_arguments_are_rejected() {
-    let told = refused(1, &["tolerance", "four-bar"]);
+    let output = refused(1, &["tolerance", "four-bar"]);
     assert!(
-        told.contains("every length of the scene is exact"),
-        "{told}"
+        output.contains("every length of the scene is exact"),
+        "{output}"
     );
-    assert!(told.contains("--tolerance 0.1"), "{told}");
+    assert!(output.contains("--tolerance 0.1"), "{output}");
     let forces = [
         "tolerance",
         "four-bar-load",
@@ -144,9 +152,9 @@ fn invalid_tolerance_arguments_are_rejected() {
         "driver.torque",
     ];
     assert!(refused(1, &forces).contains("not to forces"));
-    let ask = ["tolerance", "four-bar", "--tolerance", "0.1"];
-    refused(2, &[&ask[..], &["--at", "60", "--step", "5"]].concat());
-    refused(2, &[&ask[..], &["--columns", "X.x"]].concat());
+    let request = ["tolerance", "four-bar", "--tolerance", "0.1"];
+    refused(2, &[&request[..], &["--at", "60", "--step", "5"]].concat());
+    refused(2, &[&request[..], &["--columns", "X.x"]].concat());
     refused(2, &["tolerance", "four-bar", "--tolerance", "0"]);
     let limited = [
         "tolerance",
@@ -163,7 +171,7 @@ fn invalid_tolerance_arguments_are_rejected() {
 #[test]
 fn default_columns_are_those_with_deviations() {
     let scene = scene("usual.toml", SLIDER_CRANK);
-    let text = done(&["tolerance", &scene, "--format", "csv", "--step", "90"]);
+    let text = run_ok(&["tolerance", &scene, "--format", "csv", "--step", "90"]);
     let header = text.lines().next().unwrap();
     for name in ["rod.angle", "ram.length", "C.x"] {
         assert!(header.contains(&format!("{name}.nominal")), "{header}");
@@ -176,11 +184,11 @@ fn default_columns_are_those_with_deviations() {
 #[test]
 fn plots_can_draw_tolerance_bands() {
     let scene = scene("band.toml", &SLIDER_CRANK.replace("= 0.1", "= 10"));
-    let ask = ["plot", &scene, "--columns", "C.x"];
-    assert!(!done(&ask).contains("worst"));
-    let text = done(&[&ask[..], &["--band", "worst"]].concat());
+    let request = ["plot", &scene, "--columns", "C.x"];
+    assert!(!run_ok(&request).contains("worst"));
+    let text = run_ok(&[&request[..], &["--band", "worst"]].concat());
     assert!(text.contains("C.x worst"), "{text}");
-    let svg = done(&[&ask[..], &["--band", "rss", "--format", "svg"]].concat());
+    let svg = run_ok(&[&request[..], &["--band", "rss", "--format", "svg"]].concat());
     // Both edges and the line in the legend.
     assert_eq!(svg.matches("class=\"dotted\"").count(), 3, "{svg}");
     refused(
@@ -192,13 +200,13 @@ fn plots_can_draw_tolerance_bands() {
 /// The old name of `rest` gives the same dwell of the ram.
 #[test]
 fn rest_option_and_key_accept_old_name_tolerance() {
-    let said = |option| done(&["motor", "press-ram", option, "0.7"]);
-    assert_eq!(said("--rest"), said("--tolerance"));
+    let text = |option| run_ok(&["motor", "press-ram", option, "0.7"]);
+    assert_eq!(text("--rest"), text("--tolerance"));
     let preset = fs::read_to_string("presets/press-ram.toml").unwrap();
     assert!(preset.contains("rest        = 0.5"));
     let old = scene(
         "old.toml",
         &preset.replace("rest        = 0.5", "tolerance = 0.5"),
     );
-    assert_eq!(done(&["motor", &old]), done(&["motor", "press-ram"]));
+    assert_eq!(run_ok(&["motor", &old]), run_ok(&["motor", "press-ram"]));
 }

@@ -1,6 +1,6 @@
 //! Tests of `krank draw --format cast`: a turn in characters; and messages for formats that are not built in.
 
-use super::{done, json};
+use super::{json, run_ok};
 use std::num::NonZeroU16;
 
 /// Returns the screen after playing events on a terminal emulator with cursor positions, colours
@@ -16,7 +16,7 @@ fn played(events: &[serde_json::Value], cols: u16, rows: u16) -> Vec<String> {
 }
 
 fn cast(arguments: &[&str]) -> (serde_json::Value, Vec<serde_json::Value>) {
-    let text = done(&[&["draw"], arguments, &["--format", "cast"]].concat());
+    let text = run_ok(&[&["draw"], arguments, &["--format", "cast"]].concat());
     assert!(
         text.bytes()
             .all(|b| b == b'\n' || (b' '..=b'~').contains(&b))
@@ -47,9 +47,9 @@ fn cast_frames_are_ordered_and_end_as_they_began() {
         .collect();
     assert!(times.is_sorted_by(|a, b| a < b));
     assert_eq!([times[0], times[90]], [0.0, 6.0]);
-    let [begun, quarter, ended] = [1, 23, 91].map(|n| played(&events[..n], 60, 20));
-    assert_eq!(begun, ended);
-    assert_ne!(begun, quarter);
+    let [started, quarter, ended] = [1, 23, 91].map(|n| played(&events[..n], 60, 20));
+    assert_eq!(started, ended);
+    assert_ne!(started, quarter);
     assert_eq!(cast(&["four-bar", "--traces", "--size", "60x20"]).1, events);
 }
 
@@ -66,7 +66,7 @@ fn cast_frames_equal_drawn_pictures() {
         (&events[..76], "360"),
     ] {
         let still = ["--glyphs", "braille", "--at", at];
-        let still = done(&[&["draw"], &arguments[..], &still].concat());
+        let still = run_ok(&[&["draw"], &arguments[..], &still].concat());
         let lines = played(events, 60, 20);
         let lines: String = lines
             .iter()
@@ -81,9 +81,9 @@ fn limited_motion_plays_there_and_back() {
     let arguments = ["excavator-boom", "--seconds", "2", "--size", "40x16"];
     let (_, events) = cast(&arguments);
     assert_eq!(events.len(), 2 * 15 + 1);
-    let [begun, half, ended] = [1, 16, 31].map(|n| played(&events[..n], 40, 16));
-    assert_eq!(begun, ended);
-    assert_ne!(begun, half);
+    let [started, half, ended] = [1, 16, 31].map(|n| played(&events[..n], 40, 16));
+    assert_eq!(started, ended);
+    assert_ne!(started, half);
 }
 
 /// The driver keeps its hue, and there are at most 256 colours.

@@ -39,7 +39,7 @@ const FILE: &str = "six-bar.toml";
 
 #[test]
 fn every_tutorial_step_checks_as_described() {
-    for (language, tutorial, said) in TUTORIALS {
+    for (language, tutorial, text) in TUTORIALS {
         let here = folder(&format!("tutorial-{language}"));
         let run = |args: &[&str]| spoken(language, &here, args);
         let check = |scene: &str| -> Run {
@@ -49,18 +49,18 @@ fn every_tutorial_step_checks_as_described() {
         let [crank, ambiguous, four_bar, six_bar] = blocks(tutorial, "toml")[..] else {
             panic!("the tutorial has other steps than this test knows");
         };
-        let [of_crank, of_four_bar @ .., _, _, _, _, _] = said;
-        let heard = check(crank);
-        assert_eq!(heard.code, 0, "{}", heard.err);
-        assert!(heard.out.contains(of_crank), "{}", heard.out);
-        let heard = check(ambiguous);
-        let told = blocks(tutorial, "text")[0];
-        assert_eq!((heard.code, heard.err.as_str()), (2, told));
-        let heard = check(four_bar);
-        assert_eq!(heard.code, 0, "{}", heard.err);
-        for said in of_four_bar {
-            let is_true = heard.out.contains(said) && tutorial.contains(said);
-            assert!(is_true, "{said}: {}", heard.out);
+        let [of_crank, of_four_bar @ .., _, _, _, _, _] = text;
+        let output = check(crank);
+        assert_eq!(output.code, 0, "{}", output.err);
+        assert!(output.out.contains(of_crank), "{}", output.out);
+        let output = check(ambiguous);
+        let printed = blocks(tutorial, "text")[0];
+        assert_eq!((output.code, output.err.as_str()), (2, printed));
+        let output = check(four_bar);
+        assert_eq!(output.code, 0, "{}", output.err);
+        for text in of_four_bar {
+            let is_true = output.out.contains(text) && tutorial.contains(text);
+            assert!(is_true, "{text}: {}", output.out);
         }
         // The step in between adds a third point on the coupler.
         let curve = four_bar.replace(
@@ -71,10 +71,10 @@ fn every_tutorial_step_checks_as_described() {
         assert_eq!(check(&curve).code, 0);
         let drawn = run(&["draw", FILE, "--traces", "E"]);
         assert_eq!(drawn.code, 0, "{}", drawn.err);
-        let heard = check(six_bar);
-        assert_eq!(heard.code, 0, "{}", heard.err);
-        for said in &said[3..] {
-            assert!(heard.out.contains(said), "{said}: {}", heard.out);
+        let output = check(six_bar);
+        assert_eq!(output.code, 0, "{}", output.err);
+        for text in &text[3..] {
+            assert!(output.out.contains(text), "{text}: {}", output.out);
         }
     }
 }
@@ -91,12 +91,12 @@ fn tutorial_commands_run() {
     let mut ran = 0;
     for line in shown {
         let args: Vec<&str> = line.split(' ').map(|arg| arg.trim_matches('\'')).collect();
-        let heard = spoken(language, &here, &args);
-        assert_eq!((heard.code, heard.err.as_str()), (0, ""), "{line}");
+        let output = spoken(language, &here, &args);
+        assert_eq!((output.code, output.err.as_str()), (0, ""), "{line}");
         // The numbers that the text quotes from the results.
         if args[0] == "solve" {
             for number in ["36.341", "82.276", "60.00000", "1.200000"] {
-                assert!(heard.out.contains(number), "{}", heard.out);
+                assert!(output.out.contains(number), "{}", output.out);
             }
         }
         ran += 1;

@@ -11,12 +11,12 @@ fn site(test: &str, language: &str) -> BTreeMap<String, String> {
     let here = folder(&format!("web-{test}-{language}"));
     fs::remove_dir_all(&here).unwrap();
     fs::create_dir_all(&here).unwrap();
-    let heard = spoken(
+    let output = spoken(
         language,
         &here,
         &["help", "--format", "html", "-o", "new/site"],
     );
-    assert_eq!((heard.code, heard.out + &heard.err), (0, String::new()));
+    assert_eq!((output.code, output.out + &output.err), (0, String::new()));
     let files = fs::read_dir(here.join("new/site")).unwrap();
     let files = files.map(|file| {
         let file = file.unwrap();
@@ -33,7 +33,7 @@ fn pages(site: &BTreeMap<String, String>) -> impl Iterator<Item = (&str, &str)> 
 
 /// Returns the topics listed by `krank help`.
 fn topics() -> Vec<String> {
-    let contents = super::done(&["help"]);
+    let contents = super::run_ok(&["help"]);
     let rows = contents.lines().skip(2).take_while(|line| !line.is_empty());
     let rows = rows.filter(|line| !line.starts_with(' '));
     let names = rows.map(|line| line.split_whitespace().next().unwrap().to_owned());
@@ -93,14 +93,14 @@ fn pieces(chapter: &str) -> Vec<String> {
             pieces.extend((!is_fence).then(|| inner.to_owned()));
             continue;
         }
-        let bare = inner.replace("**", "").replace('`', "");
+        let plain = inner.replace("**", "").replace('`', "");
         if inner.starts_with('|') {
-            let cells = bare.replace(r"\|", "\u{1}");
+            let cells = plain.replace(r"\|", "\u{1}");
             let cells = cells.split('|').filter(|cell| !cell.contains("---"));
             pieces.extend(cells.map(|cell| cell.replace('\u{1}', "|")));
         } else if !inner.starts_with('{') {
-            let bare = bare.trim_start_matches('#');
-            pieces.push(bare.strip_prefix("- ").unwrap_or(bare).to_owned());
+            let plain = plain.trim_start_matches('#');
+            pieces.push(plain.strip_prefix("- ").unwrap_or(plain).to_owned());
         }
     }
     pieces.iter().map(|piece| in_one_line(piece)).collect()
@@ -239,8 +239,8 @@ fn site_replaces_its_own_files_and_keeps_others() {
     for name in ["index.html", "mine.txt"] {
         fs::write(here.join(name), "mine").unwrap();
     }
-    let heard = spoken("en", &here, &["help", "--format", "html", "-o", "."]);
-    assert_eq!((heard.code, heard.err.as_str()), (0, ""));
+    let output = spoken("en", &here, &["help", "--format", "html", "-o", "."]);
+    assert_eq!((output.code, output.err.as_str()), (0, ""));
     let read = |name: &str| fs::read_to_string(here.join(name)).unwrap();
     assert!(read("index.html").starts_with("<!DOCTYPE html>"));
     assert_eq!(read("mine.txt"), "mine");
@@ -266,14 +266,14 @@ fn html_format_requires_folder_and_all_topics() {
         ),
     ] {
         assert_eq!(refused(2, args), english);
-        let heard = spoken("tr", &folder("web-refused"), args);
-        assert_eq!((heard.code, heard.err.as_str()), (2, turkish));
+        let output = spoken("tr", &folder("web-refused"), args);
+        assert_eq!((output.code, output.err.as_str()), (2, turkish));
     }
     let here = folder("web-unwritable");
     fs::write(here.join("file"), "").unwrap();
     for path in ["file", "file/site"] {
-        let heard = spoken("en", &here, &["help", "--format", "html", "-o", path]);
-        assert_eq!(heard.code, 1, "{}", heard.err);
-        assert!(heard.err.contains(&format!("`{path}`")), "{}", heard.err);
+        let output = spoken("en", &here, &["help", "--format", "html", "-o", path]);
+        assert_eq!(output.code, 1, "{}", output.err);
+        assert!(output.err.contains(&format!("`{path}`")), "{}", output.err);
     }
 }

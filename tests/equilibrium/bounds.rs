@@ -1,7 +1,7 @@
 //! Tests error bounds in machines of every topology, against the same states in double-double
 //! arithmetic.
 
-use crate::chance::Chance;
+use crate::chance::TestRng;
 use crate::grow::{Machine, machine};
 use crate::typed::short;
 use krank::quantity::{self, Aspect, Share, Subject};
@@ -118,13 +118,13 @@ fn hold(machine: &Machine, held: &mut Held) -> Result<(), String> {
         any = true;
         let read = |&of: &_| figure(of, (&state, &balls, &twice));
         let figures: Vec<Figure> = all.iter().filter_map(read).collect();
-        hold_figures(&figures, kind, held).map_err(|why| format!("at {at:?}: {why}"))?;
+        compare_figures(&figures, kind, held).map_err(|why| format!("at {at:?}: {why}"))?;
     }
     held.machines += u64::from(any);
     Ok(())
 }
 
-fn hold_figures(figures: &[Figure], kind: usize, held: &mut Held) -> Result<(), String> {
+fn compare_figures(figures: &[Figure], kind: usize, held: &mut Held) -> Result<(), String> {
     for figure in figures {
         let Figure {
             subject,
@@ -144,7 +144,7 @@ fn hold_figures(figures: &[Figure], kind: usize, held: &mut Held) -> Result<(), 
         }
         held.figures += 1;
         let alike = figures.iter().filter(|other| other.aspect == aspect);
-        let largest = alike.fold(0.0_f64, |most, other| most.max(other.value.abs()));
+        let largest = alike.fold(0.0_f64, |maximum, other| maximum.max(other.value.abs()));
         if error > LUCK * largest {
             held.over[kind][usize::from(figure.is_force())].push(bound / error);
         }
@@ -163,15 +163,15 @@ fn median(over: &mut [f64]) -> [f64; 2] {
 #[test]
 #[allow(clippy::print_stdout, reason = "the figures are to be read")]
 fn bounds_hold_in_every_topology() {
-    let asked = crate::number("KRANK_MACHINES");
-    let wanted = asked.unwrap_or(crate::ORDINARY);
+    let requested = crate::number("KRANK_MACHINES");
+    let wanted = requested.unwrap_or(crate::ORDINARY);
     let first = crate::number("KRANK_MACHINES_SEED").unwrap_or(1);
     let mut held = Held::default();
     for seed in first.. {
         if held.machines >= wanted {
             break;
         }
-        let Some(machine) = machine(&mut Chance::new(seed), crate::MAX_GROUPS, short) else {
+        let Some(machine) = machine(&mut TestRng::new(seed), crate::MAX_GROUPS, short) else {
             continue;
         };
         if let Err(why) = hold(&machine, &mut held) {
@@ -188,7 +188,7 @@ fn bounds_hold_in_every_topology() {
         .over
         .each_mut()
         .map(|o| o.each_mut().map(|o| median(o)));
-    if asked.is_some() {
+    if requested.is_some() {
         println!(
             "{} machines, {} figures, {} unproved; bound by error, median and 99 %, of motion and of \
              forces: {dyads:.1?} where all groups are dyads, {coupled:.1?} elsewhere",

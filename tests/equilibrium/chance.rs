@@ -3,11 +3,11 @@
 use kinematics::numeric::SeededRng;
 
 /// A generator that returns the same numbers for the same seed.
-pub(crate) struct Chance(SeededRng);
+pub(crate) struct TestRng(SeededRng);
 
-impl Chance {
-    pub(crate) fn new(seed: u64) -> Chance {
-        Chance(SeededRng::new(seed))
+impl TestRng {
+    pub(crate) fn new(seed: u64) -> TestRng {
+        TestRng(SeededRng::new(seed))
     }
 
     /// Returns an integer below `count`, which must not be zero.

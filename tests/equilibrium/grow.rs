@@ -2,7 +2,7 @@
 //! slides and guides of earlier parts. The pose is drawn first and the lengths are measured in it,
 //! so that every machine can be assembled.
 
-use crate::chance::Chance;
+use crate::chance::TestRng;
 use krank::{
     Body, Builder, Driver, Input, LinkId, Load, Mechanism, PointId, Profile, SlideId, Vec2, angle,
 };
@@ -27,9 +27,9 @@ impl Part {
         self.link.map_or(Body::Ground, Body::Link)
     }
 
-    fn local(&self, place: Vec2) -> Vec2 {
+    fn local(&self, position: Vec2) -> Vec2 {
         let x = angle::unit(self.angle);
-        let away = place - self.origin;
+        let away = position - self.origin;
         Vec2::new(x.dot(away), x.cross(away))
     }
 }
@@ -37,8 +37,8 @@ impl Part {
 /// The ground is the first part.
 const GROUND: usize = 0;
 
-struct Grower<'a> {
-    chance: &'a mut Chance,
+struct MachineBuilder<'a> {
+    rng: &'a mut TestRng,
     digits: Digits,
     builder: Builder,
     parts: Vec<Part>,
@@ -52,33 +52,33 @@ struct Grower<'a> {
 pub(crate) type Digits = fn(f64) -> f64;
 
 /// Generates a machine of at most `most` groups.
-pub(crate) fn machine(chance: &mut Chance, most: usize, digits: Digits) -> Option<Machine> {
-    let mut grower = Grower::new(chance, digits);
-    let cylinder = grower.begin();
-    for _ in 0..1 + grower.chance.below(most) {
+pub(crate) fn machine(rng: &mut TestRng, maximum: usize, digits: Digits) -> Option<Machine> {
+    let mut grower = MachineBuilder::new(rng, digits);
+    let cylinder = grower.add_driver();
+    for _ in 0..1 + grower.rng.below(maximum) {
         grower.group();
     }
     if cylinder {
         grower.cylinder();
     }
     grower.load();
-    let Grower {
+    let MachineBuilder {
         builder, groups, ..
     } = grower;
     let mechanism = builder.build().ok()?;
     Some(Machine { mechanism, groups })
 }
 
-impl<'a> Grower<'a> {
-    fn new(chance: &'a mut Chance, digits: Digits) -> Self {
+impl<'a> MachineBuilder<'a> {
+    fn new(rng: &'a mut TestRng, digits: Digits) -> Self {
         let ground = Part {
             link: None,
             origin: Vec2::ZERO,
             angle: 0.0,
             points: Vec::new(),
         };
-        Grower {
-            chance,
+        MachineBuilder {
+            rng,
             digits,
             builder: Mechanism::builder(),
             parts: vec![ground],
@@ -91,20 +91,17 @@ impl<'a> Grower<'a> {
     // ---- basic parts
 
     fn vector(&mut self, size: f64) -> Vec2 {
-        Vec2::new(
-            self.chance.within(-size, size),
-            self.chance.within(-size, size),
-        )
+        Vec2::new(self.rng.within(-size, size), self.rng.within(-size, size))
     }
 
     fn direction(&mut self) -> f64 {
-        self.chance.within(0.0, 360.0)
+        self.rng.within(0.0, 360.0)
     }
 
-    fn point(&mut self, place: Vec2) -> PointId {
+    fn point(&mut self, position: Vec2) -> PointId {
         let point = self.builder.moving_point();
-        self.builder.start(point, place);
-        self.places.push(place);
+        self.builder.start(point, position);
+        self.places.push(position);
         self.moving.push(point);
         point
     }
@@ -136,11 +133,11 @@ impl<'a> Grower<'a> {
     }
 
     fn carry(&mut self, part: usize, point: PointId) {
-        let place = self.at(point);
+        let position = self.at(point);
         let Part { link, points, .. } = &mut self.parts[part];
         points.push(point);
         let link = *link;
-        let local = self.parts[part].local(place).map(self.digits);
+        let local = self.parts[part].local(position).map(self.digits);
         if let Some(link) = link {
             self.builder.carry(link, point, local);
         }
@@ -148,34 +145,34 @@ impl<'a> Grower<'a> {
 
     /// Returns a point of an existing part: a joint, or a new plain point.
     fn anchor(&mut self) -> PointId {
-        let part = if self.chance.is(0.35) {
+        let part = if self.rng.is(0.35) {
             GROUND
         } else {
-            self.chance.below(self.parts.len())
+            self.rng.below(self.parts.len())
         };
         self.anchor_on(part)
     }
 
     fn anchor_on(&mut self, part: usize) -> PointId {
-        if !self.parts[part].points.is_empty() && self.chance.is(0.4) {
+        if !self.parts[part].points.is_empty() && self.rng.is(0.4) {
             let points = self.parts[part].points.clone();
-            return self.chance.one_of(&points);
+            return self.rng.one_of(&points);
         }
         let spread = if part == GROUND { 3.0 } else { 1.2 };
-        let place = self.parts[part].origin + self.vector(spread);
+        let position = self.parts[part].origin + self.vector(spread);
         if part == GROUND {
-            self.ground_point(place)
+            self.ground_point(position)
         } else {
-            let point = self.point(place);
+            let point = self.point(position);
             self.carry(part, point);
             point
         }
     }
 
-    fn ground_point(&mut self, place: Vec2) -> PointId {
-        let place = place.map(self.digits);
-        let point = self.builder.ground_point(place.x, place.y);
-        self.places.push(place);
+    fn ground_point(&mut self, position: Vec2) -> PointId {
+        let position = position.map(self.digits);
+        let point = self.builder.ground_point(position.x, position.y);
+        self.places.push(position);
         self.parts[GROUND].points.push(point);
         point
     }
@@ -185,8 +182,8 @@ impl<'a> Grower<'a> {
         let first = self.anchor();
         loop {
             let second = self.anchor();
-            let apart = (self.at(second) - self.at(first)).norm();
-            if (0.3..4.0).contains(&apart) {
+            let distance = (self.at(second) - self.at(first)).norm();
+            if (0.3..4.0).contains(&distance) {
                 return [first, second];
             }
         }
@@ -195,7 +192,7 @@ impl<'a> Grower<'a> {
     /// Adds a link between two points, defined by its ends or in a frame of its own.
     fn bar(&mut self, from: PointId, to: PointId) {
         let [a, b] = [from, to].map(|p| self.at(p));
-        if self.chance.is(0.7) {
+        if self.rng.is(0.7) {
             let length = (self.digits)((b - a).norm());
             let link = Some(self.builder.link(from, to, length));
             self.parts.push(Part {
@@ -204,7 +201,7 @@ impl<'a> Grower<'a> {
                 angle: angle::degrees(b - a),
                 points: vec![from, to],
             });
-            if self.chance.is(0.04) {
+            if self.rng.is(0.04) {
                 // A redundant copy of the first bar.
                 self.builder.link(from, to, length);
                 self.groups.push("a bar beside a bar".into());
@@ -217,24 +214,24 @@ impl<'a> Grower<'a> {
     }
 
     /// Returns a guide on a part through a place: its point and direction in the part's frame.
-    fn guide(&mut self, part: usize, place: Vec2, angle: f64) -> (Body, Vec2, f64) {
-        let through = place + angle::unit(angle) * self.chance.within(-1.0, 1.0);
+    fn guide(&mut self, part: usize, position: Vec2, angle: f64) -> (Body, Vec2, f64) {
+        let through = position + angle::unit(angle) * self.rng.within(-1.0, 1.0);
         let part = &self.parts[part];
         let local = part.local(through).map(self.digits);
         (part.body(), local, (self.digits)(angle - part.angle))
     }
 
     fn slot(&mut self, pin: PointId, part: usize, angle: f64) -> SlideId {
-        let place = self.at(pin);
-        let (on, through, angle) = self.guide(part, place, angle);
+        let position = self.at(pin);
+        let (on, through, angle) = self.guide(part, position, angle);
         self.builder.pin_in_slot(pin, on, through, angle)
     }
 
     /// Adds a link that slides on a part without turning, near a place.
     fn block(&mut self, near: Vec2, part: usize, angle: f64) -> usize {
-        let place = near + self.vector(0.4);
-        let block = self.part_at(place);
-        let origin = self.point(place);
+        let position = near + self.vector(0.4);
+        let block = self.part_at(position);
+        let origin = self.point(position);
         self.carry(block, origin);
         self.lock(block, part, angle);
         block
@@ -242,36 +239,36 @@ impl<'a> Grower<'a> {
 
     /// Makes a link slide on a part, with its origin on the guide.
     fn lock(&mut self, block: usize, part: usize, angle: f64) -> Option<SlideId> {
-        let (place, turn) = (self.parts[block].origin, self.parts[block].angle - angle);
+        let (position, turn) = (self.parts[block].origin, self.parts[block].angle - angle);
         let turn = (self.digits)(turn);
         let link = self.parts[block].link?;
-        let (on, through, angle) = self.guide(part, place, angle);
+        let (on, through, angle) = self.guide(part, position, angle);
         Some(self.builder.sliding_link(link, turn, on, through, angle))
     }
 
     fn any_part(&mut self) -> usize {
-        if self.chance.is(0.4) {
+        if self.rng.is(0.4) {
             GROUND
         } else {
-            self.chance.below(self.parts.len())
+            self.rng.below(self.parts.len())
         }
     }
 
     /// Returns a direction far from parallel to another one.
     fn across(&mut self, along: f64) -> f64 {
-        along + self.chance.sign() * self.chance.within(40.0, 140.0)
+        along + self.rng.sign() * self.rng.within(40.0, 140.0)
     }
 
     // ---- the driver
 
     /// Adds the driver. Returns `true` if it will be a cylinder, which is added last.
-    fn begin(&mut self) -> bool {
-        let (speed, acceleration) = (self.chance.within(0.5, 3.0), self.chance.within(-4.0, 4.0));
-        let kind = self.chance.below(8);
+    fn add_driver(&mut self) -> bool {
+        let (speed, acceleration) = (self.rng.within(0.5, 3.0), self.rng.within(-4.0, 4.0));
+        let kind = self.rng.below(8);
         let pivot = self.vector(1.0);
         if kind == 0 {
             let along = self.direction();
-            let (slide, start) = if self.chance.is(0.5) {
+            let (slide, start) = if self.rng.is(0.5) {
                 let pin = self.point(pivot);
                 let part = self.part(pivot);
                 self.carry(part, pin);
@@ -336,9 +333,9 @@ impl<'a> Grower<'a> {
         let [foot, pin] = self.anchors();
         let barrel = self.part(self.at(foot));
         self.carry(barrel, foot);
-        let along = angle::degrees(self.at(pin) - self.at(foot)) + self.chance.within(-20.0, 20.0);
+        let along = angle::degrees(self.at(pin) - self.at(foot)) + self.rng.within(-20.0, 20.0);
         let slide = self.slot(pin, barrel, along);
-        let (speed, acceleration) = (self.chance.within(0.1, 0.5), self.chance.within(-0.5, 0.5));
+        let (speed, acceleration) = (self.rng.within(0.1, 0.5), self.rng.within(-0.5, 0.5));
         self.push(slide, pin, speed, acceleration);
         self.groups.push("a cylinder".into());
     }
@@ -346,7 +343,7 @@ impl<'a> Grower<'a> {
     // ---- groups
 
     fn group(&mut self) {
-        let name = match self.chance.below(13) {
+        let name = match self.rng.below(13) {
             0 | 1 => self.two_bars(),
             2 => self.bar_and_slot(),
             3 => self.bar_and_block(),
@@ -365,9 +362,9 @@ impl<'a> Grower<'a> {
     fn two_bars(&mut self) -> String {
         let [p, q] = self.anchors();
         let line = self.at(q) - self.at(p);
-        let high = self.chance.sign() * self.chance.within(0.5, 1.5);
-        let place = self.at(p) + line * self.chance.within(-0.3, 1.3) + line.perp() * high;
-        let x = self.point(place);
+        let high = self.rng.sign() * self.rng.within(0.5, 1.5);
+        let position = self.at(p) + line * self.rng.within(-0.3, 1.3) + line.perp() * high;
+        let x = self.point(position);
         self.bar(p, x);
         self.bar(x, q);
         "RRR".into()
@@ -375,18 +372,18 @@ impl<'a> Grower<'a> {
 
     /// Returns a place near a point, and the direction of a guide that can lead a bar from the
     /// point there.
-    fn beside(&mut self, point: PointId) -> (Vec2, f64) {
+    fn place_near(&mut self, point: PointId) -> (Vec2, f64) {
         let out = self.direction();
-        let place = self.at(point) + angle::unit(out) * self.chance.within(0.6, 1.8);
-        (place, out + self.chance.within(-55.0, 55.0))
+        let position = self.at(point) + angle::unit(out) * self.rng.within(0.6, 1.8);
+        (position, out + self.rng.within(-55.0, 55.0))
     }
 
     /// RRP, with a pin in a slot.
     fn bar_and_slot(&mut self) -> String {
         let p = self.anchor();
         let part = self.any_part();
-        let (place, along) = self.beside(p);
-        let x = self.point(place);
+        let (position, along) = self.place_near(p);
+        let x = self.point(position);
         self.bar(p, x);
         self.slot(x, part, along);
         "RRP".into()
@@ -396,9 +393,9 @@ impl<'a> Grower<'a> {
     fn bar_and_block(&mut self) -> String {
         let p = self.anchor();
         let part = self.any_part();
-        let (place, along) = self.beside(p);
-        let block = self.block(place, part, along);
-        let x = self.point(place);
+        let (position, along) = self.place_near(p);
+        let block = self.block(position, part, along);
+        let x = self.point(position);
         self.carry(block, x);
         self.bar(p, x);
         "RRP block".into()
@@ -410,7 +407,7 @@ impl<'a> Grower<'a> {
         let arm = self.part(self.at(pivot));
         self.carry(arm, pivot);
         let line = angle::degrees(self.at(pin) - self.at(pivot));
-        let along = line + self.chance.within(-55.0, 55.0);
+        let along = line + self.rng.within(-55.0, 55.0);
         self.slot(pin, arm, along);
         "RPR".into()
     }
@@ -421,7 +418,7 @@ impl<'a> Grower<'a> {
         let arm = self.part(self.at(pivot));
         self.carry(arm, pivot);
         let line = angle::degrees(self.at(pin) - self.at(pivot));
-        let along = line + self.chance.within(-40.0, 40.0);
+        let along = line + self.rng.within(-40.0, 40.0);
         let block = self.block(self.at(pin), arm, along);
         self.carry(block, pin);
         "RPR block".into()
@@ -430,8 +427,8 @@ impl<'a> Grower<'a> {
     /// PRP, with one pin.
     fn pin_in_two_slots(&mut self) -> String {
         let parts = [self.any_part(), self.any_part()];
-        let place = self.parts[parts[0]].origin + self.vector(1.5);
-        let x = self.point(place);
+        let position = self.parts[parts[0]].origin + self.vector(1.5);
+        let x = self.point(position);
         let along = self.direction();
         let across = self.across(along);
         self.slot(x, parts[0], along);
@@ -442,11 +439,11 @@ impl<'a> Grower<'a> {
     /// PRP, with two sliding links.
     fn two_blocks(&mut self) -> String {
         let parts = [self.any_part(), self.any_part()];
-        let place = self.parts[parts[0]].origin + self.vector(1.5);
-        let x = self.point(place);
+        let position = self.parts[parts[0]].origin + self.vector(1.5);
+        let x = self.point(position);
         let along = self.direction();
         for (part, along) in parts.into_iter().zip([along, self.across(along)]) {
-            let block = self.block(place, part, along);
+            let block = self.block(position, part, along);
             self.carry(block, x);
         }
         "PRP blocks".into()
@@ -478,12 +475,12 @@ impl<'a> Grower<'a> {
     /// Adds plates pinned together in a row: 2 unknowns of the first pin and one direction per
     /// plate.
     fn plates(&mut self) -> String {
-        let count = 1 + self.chance.below(5);
+        let count = 1 + self.rng.below(5);
         let mut joint = None;
         let near = self.anchor();
-        let mut place = self.at(near) + self.vector(1.5);
+        let mut position = self.at(near) + self.vector(1.5);
         for i in 0..count {
-            let plate = self.part_at(place);
+            let plate = self.part_at(position);
             if let Some(joint) = joint {
                 self.carry(plate, joint);
             }
@@ -494,13 +491,13 @@ impl<'a> Grower<'a> {
                 (_, false) => 1,
             };
             for k in 0..holds {
-                let out = 120.0 * f64::from(k) + self.chance.within(-40.0, 40.0);
-                let end = place + angle::unit(out) * self.chance.within(0.3, 1.0);
+                let out = 120.0 * f64::from(k) + self.rng.within(-40.0, 40.0);
+                let end = position + angle::unit(out) * self.rng.within(0.3, 1.0);
                 self.hold(plate, end);
             }
             if i + 1 < count {
-                place += angle::unit(self.direction()) * self.chance.within(0.8, 1.6);
-                let next = self.point(place);
+                position += angle::unit(self.direction()) * self.rng.within(0.8, 1.6);
+                let next = self.point(position);
                 self.carry(plate, next);
                 joint = Some(next);
             }
@@ -510,10 +507,10 @@ impl<'a> Grower<'a> {
 
     /// Removes one degree of freedom from a link: by a bar, a pin in another part's slot, or a pin
     /// in its own slot.
-    fn hold(&mut self, plate: usize, place: Vec2) {
-        match self.chance.below(5) {
+    fn hold(&mut self, plate: usize, position: Vec2) {
+        match self.rng.below(5) {
             0 => {
-                let pin = self.point(place);
+                let pin = self.point(position);
                 self.carry(plate, pin);
                 let part = loop {
                     let part = self.any_part();
@@ -535,16 +532,16 @@ impl<'a> Grower<'a> {
                 self.slot(pin, plate, along);
             }
             _ => {
-                let end = self.point(place);
-                if self.chance.is(0.2) {
+                let end = self.point(position);
+                if self.rng.is(0.2) {
                     self.strut(plate, end);
                 } else {
                     self.carry(plate, end);
                 }
                 let foot = loop {
                     let foot = self.anchor();
-                    let apart = (self.at(foot) - place).norm();
-                    if !self.parts[plate].points.contains(&foot) && apart > 0.3 {
+                    let distance = (self.at(foot) - position).norm();
+                    if !self.parts[plate].points.contains(&foot) && distance > 0.3 {
                         break foot;
                     }
                 };
@@ -557,7 +554,7 @@ impl<'a> Grower<'a> {
     fn strut(&mut self, plate: usize, end: PointId) {
         let out = self.direction();
         for turn in [0.0, self.across(0.0)] {
-            let foot = self.at(end) + angle::unit(out + turn) * self.chance.within(0.4, 1.0);
+            let foot = self.at(end) + angle::unit(out + turn) * self.rng.within(0.4, 1.0);
             let foot = self.point(foot);
             self.carry(plate, foot);
             self.bar(foot, end);
@@ -569,46 +566,46 @@ impl<'a> Grower<'a> {
     fn load(&mut self) {
         let gravity = self.vector(10.0).map(self.digits);
         self.builder.gravity(gravity);
-        let metres = self.chance.one_of(&[1.0, 0.01, 0.001]);
+        let metres = self.rng.one_of(&[1.0, 0.01, 0.001]);
         self.builder.metres(metres);
         for part in 1..self.parts.len() {
             let Some(link) = self.parts[part].link else {
                 continue;
             };
-            if self.chance.is(0.7) {
+            if self.rng.is(0.7) {
                 let local = self.vector(1.0).map(self.digits);
                 self.builder.centre_of_mass(link, local);
-                let inertia = (self.digits)(self.chance.within(0.0, 0.3) * metres * metres);
-                let mass = (self.digits)(self.chance.within(0.1, 3.0));
+                let inertia = (self.digits)(self.rng.within(0.0, 0.3) * metres * metres);
+                let mass = (self.digits)(self.rng.within(0.1, 3.0));
                 self.builder.mass(link, mass, inertia);
             }
         }
         let links: Vec<LinkId> = self.parts.iter().filter_map(|part| part.link).collect();
         let all: Vec<PointId> = self.parts.iter().flat_map(|p| p.points.clone()).collect();
-        for _ in 0..1 + self.chance.below(3) {
+        for _ in 0..1 + self.rng.below(3) {
             if self.moving.is_empty() {
                 break;
             }
-            let point = self.chance.one_of(&self.moving.clone());
+            let point = self.rng.one_of(&self.moving.clone());
             let mut load = Load::force(point, self.vector(50.0).map(self.digits));
-            if let (Load::Force { frame, .. }, true) = (&mut load, self.chance.is(0.3)) {
-                *frame = Body::Link(self.chance.one_of(&links));
+            if let (Load::Force { frame, .. }, true) = (&mut load, self.rng.is(0.3)) {
+                *frame = Body::Link(self.rng.one_of(&links));
             }
             self.builder.load(load);
         }
-        let torque = (self.digits)(self.chance.within(-30.0, 30.0) * metres);
-        let link = self.chance.one_of(&links);
+        let torque = (self.digits)(self.rng.within(-30.0, 30.0) * metres);
+        let link = self.rng.one_of(&links);
         self.builder.load(Load::torque(link, torque));
-        for _ in 0..self.chance.below(3) {
-            let [from, to] = [self.chance.one_of(&all), self.chance.one_of(&all)];
+        for _ in 0..self.rng.below(3) {
+            let [from, to] = [self.rng.one_of(&all), self.rng.one_of(&all)];
             if (self.at(to) - self.at(from)).norm() > 0.2 {
-                let stiffness = (self.digits)(self.chance.within(0.0, 30.0) / metres);
+                let stiffness = (self.digits)(self.rng.within(0.0, 30.0) / metres);
                 self.builder.load(Load::Spring {
                     from,
                     to,
                     stiffness,
-                    length: (self.digits)(self.chance.within(0.0, 2.0)),
-                    preload: (self.digits)(self.chance.within(-10.0, 10.0)),
+                    length: (self.digits)(self.rng.within(0.0, 2.0)),
+                    preload: (self.digits)(self.rng.within(-10.0, 10.0)),
                     damping: (self.digits)(0.1 * stiffness),
                 });
             }
@@ -619,15 +616,15 @@ impl<'a> Grower<'a> {
 
     /// Sometimes adds a gas spring, with distances on both sides of its length in the pose.
     fn gas_spring(&mut self, all: &[PointId]) {
-        let [from, to] = [self.chance.one_of(all), self.chance.one_of(all)];
+        let [from, to] = [self.rng.one_of(all), self.rng.one_of(all)];
         let distance = (self.at(to) - self.at(from)).norm();
-        if distance > 0.2 && self.chance.is(0.4) {
+        if distance > 0.2 && self.rng.is(0.4) {
             let mut knot = |part: f64| {
-                let push = self.chance.within(2.0, 20.0);
+                let push = self.rng.within(2.0, 20.0);
                 [(self.digits)(part * distance), (self.digits)(push)]
             };
             let knots = vec![knot(0.3), knot(0.9), knot(1.7)];
-            let damping = (self.digits)(self.chance.within(0.0, 2.0));
+            let damping = (self.digits)(self.rng.within(0.0, 2.0));
             self.builder.load(Load::GasSpring {
                 from,
                 to,
@@ -639,14 +636,14 @@ impl<'a> Grower<'a> {
 
     /// Sometimes adds a torsion spring, to another link or the ground.
     fn torsion_spring(&mut self, links: &[LinkId]) {
-        let [link, other] = [self.chance.one_of(links), self.chance.one_of(links)];
-        if self.chance.is(0.4) {
+        let [link, other] = [self.rng.one_of(links), self.rng.one_of(links)];
+        if self.rng.is(0.4) {
             let to = if link == other {
                 Body::Ground
             } else {
                 Body::Link(other)
             };
-            let mut number = |low, high| (self.digits)(self.chance.within(low, high));
+            let mut number = |low, high| (self.digits)(self.rng.within(low, high));
             self.builder.load(Load::TorsionSpring {
                 link,
                 to,

@@ -14,7 +14,7 @@ mod newton_euler;
 #[path = "../support/typed.rs"]
 mod typed;
 
-use chance::Chance;
+use chance::TestRng;
 use grow::{Machine, machine};
 use krank::scene::Scene;
 use krank::solver::{Condition, GroupKind, Order, Solver, State};
@@ -27,17 +27,17 @@ const ORDINARY: u64 = 200;
 /// Maximum number of groups of a machine.
 const MAX_GROUPS: usize = 4;
 /// Maximum difference of two results, relative to the largest term.
-const AGREE: f64 = 1e-9;
+const MAX_DIFFERENCE: f64 = 1e-9;
 /// Maximum condition number of equations that are compared so precisely.
-const WORST: f64 = 1e6;
+const MAX_CONDITION_NUMBER: f64 = 1e6;
 
 /// Statistics of all machines.
 #[derive(Debug, Default)]
-struct Seen {
+struct RunStatistics {
     machines: u64,
     states: u64,
     /// States too close to a singular position to be compared.
-    vague: u64,
+    near_singular: u64,
     /// Machines with indeterminate reactions.
     redundant: u64,
     /// Compared reactions of minimum norm.
@@ -57,12 +57,12 @@ fn number(name: &str) -> Option<u64> {
 fn forces_satisfy_newton_euler_in_every_topology() {
     let wanted = number("KRANK_MACHINES").unwrap_or(ORDINARY);
     let first = number("KRANK_MACHINES_SEED").unwrap_or(1);
-    let mut seen = Seen::default();
+    let mut seen = RunStatistics::default();
     for seed in first.. {
         if seen.machines >= wanted {
             break;
         }
-        let Some(machine) = machine(&mut Chance::new(seed), MAX_GROUPS, |v| v) else {
+        let Some(machine) = machine(&mut TestRng::new(seed), MAX_GROUPS, |v| v) else {
             continue;
         };
         if let Err(why) = hold(&machine, &mut seen) {
@@ -84,7 +84,7 @@ fn forces_satisfy_newton_euler_in_every_topology() {
 }
 
 /// Checks a machine at a few positions of its motion.
-fn hold(machine: &Machine, seen: &mut Seen) -> Result<(), String> {
+fn hold(machine: &Machine, seen: &mut RunStatistics) -> Result<(), String> {
     let mechanism = &machine.mechanism;
     // A machine generated in a singular pose, or with parallel guides, is skipped.
     let Ok(solver) = Solver::new(mechanism) else {
@@ -99,8 +99,8 @@ fn hold(machine: &Machine, seen: &mut Seen) -> Result<(), String> {
     let mut any = false;
     for at in [0.0, 0.31, -0.7].map(|part| start + part * step) {
         if solver.solve(at, Order::Force, &mut state) == Condition::Ok {
-            any |=
-                hold_at(machine, &solver, &state, seen).map_err(|why| format!("at {at}: {why}"))?;
+            any |= compare_at(machine, &solver, &state, seen)
+                .map_err(|why| format!("at {at}: {why}"))?;
         }
     }
     if any {
@@ -114,29 +114,29 @@ fn hold(machine: &Machine, seen: &mut Seen) -> Result<(), String> {
 }
 
 /// Checks one state. Returns `false` if it is too close to a singular position to be compared.
-fn hold_at(
+fn compare_at(
     machine: &Machine,
     solver: &Solver,
     state: &State,
-    seen: &mut Seen,
+    seen: &mut RunStatistics,
 ) -> Result<bool, String> {
     let mechanism = &machine.mechanism;
     let Some(compared) = newton_euler::compared(mechanism, state) else {
-        seen.vague += 1;
+        seen.near_singular += 1;
         return Ok(false);
     };
-    if compared.condition > WORST {
-        seen.vague += 1;
+    if compared.condition > MAX_CONDITION_NUMBER {
+        seen.near_singular += 1;
         return Ok(false);
     }
     if let Some(why) = state.withheld() {
         return Err(format!("{why:?} of {:?}", state.residual()));
     }
-    let most = AGREE * compared.largest;
+    let maximum = MAX_DIFFERENCE * compared.largest;
     for pair in &compared.pairs {
         let name = &pair.name;
         match (pair.found, pair.wanted) {
-            (Some(found), Some(wanted)) if (found - wanted).abs() <= most => {
+            (Some(found), Some(wanted)) if (found - wanted).abs() <= maximum => {
                 seen.worst = seen.worst.max((found - wanted).abs() / compared.largest);
             }
             (None, None) => {}
@@ -149,10 +149,10 @@ fn hold_at(
             }
         }
     }
-    seen.least += hold_least(solver, state, &compared)?;
+    seen.least += compare_least_norm(solver, state, &compared)?;
     let (wanted, largest) = newton_euler::power(mechanism, state);
     let found = state.power().unwrap();
-    if !((found - wanted).abs() <= AGREE * largest.max(found.abs())) {
+    if !((found - wanted).abs() <= MAX_DIFFERENCE * largest.max(found.abs())) {
         return Err(format!("power: {found} and not {wanted}, of {largest}"));
     }
     seen.states += 1;
@@ -162,24 +162,24 @@ fn hold_at(
 /// Compares the reactions of minimum norm with the pseudo-inverse of all equations, and returns
 /// their number. Machines whose guides hold links are skipped, because couples of guides are
 /// weighted differently there.
-fn hold_least(solver: &Solver, state: &State, compared: &Compared) -> Result<u64, String> {
+fn compare_least_norm(solver: &Solver, state: &State, compared: &Compared) -> Result<u64, String> {
     let mechanism = solver.mechanism();
     let holds_link = |slide: &Slide| matches!(slide.slider, Slider::Link { .. });
     if compared.open.is_empty() || mechanism.slides().iter().any(holds_link) {
         return Ok(0);
     }
-    let least = solver
+    let minimum = solver
         .least_norm(state.at())
         .ok_or("no reactions of least norm")?;
     for &(open, wanted) in &compared.open {
         let found = match open {
-            Open::JointX(link, point) => least.joint_force(link, point).map(|f| f.x),
-            Open::JointY(link, point) => least.joint_force(link, point).map(|f| f.y),
-            Open::Normal(slide) => least.normal(slide),
-            Open::Moment(slide) => least.moment(slide),
+            Open::JointX(link, point) => minimum.joint_force(link, point).map(|f| f.x),
+            Open::JointY(link, point) => minimum.joint_force(link, point).map(|f| f.y),
+            Open::Normal(slide) => minimum.normal(slide),
+            Open::Moment(slide) => minimum.moment(slide),
         };
         // One component of an indeterminate force may be determinate.
-        if !found.is_some_and(|found| (found - wanted).abs() <= AGREE * compared.largest) {
+        if !found.is_some_and(|found| (found - wanted).abs() <= MAX_DIFFERENCE * compared.largest) {
             return Err(format!(
                 "{open:?} of least norm: {found:?} and not {wanted}"
             ));
@@ -255,7 +255,7 @@ fn held(text: &str) -> f64 {
         mechanism: scene.mechanism,
         groups: Vec::new(),
     };
-    let held = hold_at(&machine, &solver, &state, &mut Seen::default());
+    let held = compare_at(&machine, &solver, &state, &mut RunStatistics::default());
     assert_eq!(held, Ok(true));
     state.drive().unwrap()
 }

@@ -20,7 +20,7 @@ pub(crate) struct Acting {
 impl Acting {
     /// Evaluates loads, springs and dampers.
     pub(crate) fn of(mechanism: &Mechanism, state: &State) -> Acting {
-        let mut acting = Acting {
+        let mut loads = Acting {
             points: vec![Vec2::ZERO; mechanism.points().len()],
             links: vec![0.0; mechanism.links().len()],
             frame: 0.0,
@@ -37,10 +37,10 @@ impl Acting {
                         Body::Ground => force,
                         Body::Link(link) => turned(force, state.direction(link).unwrap()),
                     };
-                    acting.points[point.index()] += force;
+                    loads.points[point.index()] += force;
                 }
                 Load::Torque { link, torque, .. } => {
-                    acting.links[link.index()] += torque / mechanism.metres();
+                    loads.links[link.index()] += torque / mechanism.metres();
                 }
                 Load::Spring {
                     from,
@@ -52,7 +52,7 @@ impl Acting {
                 } => {
                     let (distance, rate, _) = between(from, to, state);
                     let tension = stiffness * (distance - length) + damping * rate;
-                    acting.pull(from, to, tension * mechanism.metres() + preload, state);
+                    loads.pull(from, to, tension * mechanism.metres() + preload, state);
                 }
                 Load::GasSpring {
                     from,
@@ -62,7 +62,7 @@ impl Acting {
                 } => {
                     let (distance, rate, _) = between(from, to, state);
                     let tension = damping * rate * mechanism.metres() - level(force, distance);
-                    acting.pull(from, to, tension, state);
+                    loads.pull(from, to, tension, state);
                 }
                 Load::TorsionSpring {
                     link,
@@ -76,18 +76,18 @@ impl Acting {
                     let off = own[0] - other[0] - angle;
                     let off = (off - 360.0 * (off / 360.0).round()).to_radians();
                     let torque = preload - stiffness * off - damping * (own[1] - other[1]);
-                    acting.links[link.index()] += torque / mechanism.metres();
+                    loads.links[link.index()] += torque / mechanism.metres();
                     match of(to) {
                         Some(other) => {
-                            acting.links[other.index()] -= torque / mechanism.metres();
+                            loads.links[other.index()] -= torque / mechanism.metres();
                         }
-                        None => acting.frame -= torque / mechanism.metres(),
+                        None => loads.frame -= torque / mechanism.metres(),
                     }
                 }
                 _ => panic!("no machine of these tests has another load"),
             }
         }
-        acting
+        loads
     }
 }
 
@@ -111,8 +111,8 @@ fn between(from: PointId, to: PointId, state: &State) -> (f64, f64, Vec2) {
 /// Returns the value of a profile: linear between knots, and constant beyond them.
 fn level(profile: &Profile, at: f64) -> f64 {
     let knots = profile.knots();
-    let behind = knots.iter().position(|knot| at < knot[0]);
-    match behind {
+    let after = knots.iter().position(|knot| at < knot[0]);
+    match after {
         Some(0) => knots[0][1],
         None => knots[knots.len() - 1][1],
         Some(next) => {
@@ -151,21 +151,23 @@ fn needed(mechanism: &Mechanism, link: LinkId, state: &State) -> Option<(PointId
 
 /// Returns the driver's power in W, from the power of all loads, and the largest single power.
 pub(crate) fn power(mechanism: &Mechanism, state: &State) -> (f64, f64) {
-    let acting = Acting::of(mechanism, state);
+    let loads = Acting::of(mechanism, state);
     let mut powers = Vec::new();
     for point in mechanism.point_ids() {
-        powers.push(-acting.points[point.index()].dot(state.velocity(point).unwrap()));
+        powers.push(-loads.points[point.index()].dot(state.velocity(point).unwrap()));
     }
     for link in mechanism.link_ids() {
         let omega = state.omega(link).unwrap();
-        powers.push(-acting.links[link.index()] * omega);
+        powers.push(-loads.links[link.index()] * omega);
         if let Some((com, force, couple)) = needed(mechanism, link, state) {
             powers.push(force.dot(state.velocity(com).unwrap()));
             powers.push(couple * omega);
         }
     }
     let metres = mechanism.metres();
-    let largest = powers.iter().fold(0.0, |most: f64, p| most.max(p.abs()));
+    let largest = powers
+        .iter()
+        .fold(0.0, |maximum: f64, p| maximum.max(p.abs()));
     (powers.iter().sum::<f64>() * metres, largest * metres)
 }
 
@@ -220,8 +222,8 @@ impl<'a> System<'a> {
     /// Returns the first of a link's two unknowns at one of its points.
     fn joint(&self, link: LinkId, point: PointId) -> usize {
         let members = &self.mechanism.link(link).members;
-        let place = members.iter().position(|m| m.point == point).unwrap();
-        self.joints[link.index()] + 2 * place
+        let index = members.iter().position(|m| m.point == point).unwrap();
+        self.joints[link.index()] + 2 * index
     }
 
     /// Returns the first equation of a link: forces along x and y, and moments about its first
@@ -237,8 +239,8 @@ impl<'a> System<'a> {
         moves.then_some(3 * self.mechanism.links().len() + 2 * before)
     }
 
-    fn arm(&self, link: LinkId, place: Vec2) -> Vec2 {
-        place
+    fn arm(&self, link: LinkId, position: Vec2) -> Vec2 {
+        position
             - self
                 .state
                 .position(self.mechanism.link(link).members[0].point)
@@ -246,24 +248,24 @@ impl<'a> System<'a> {
     }
 
     /// Adds an unknown that acts on a link, by a unit force at a place.
-    fn on_link(&mut self, link: LinkId, unknown: usize, place: Vec2, force: Vec2) {
-        let (row, arm) = (self.rows(link), self.arm(link, place));
+    fn on_link(&mut self, link: LinkId, unknown: usize, position: Vec2, force: Vec2) {
+        let (row, arm) = (self.rows(link), self.arm(link, position));
         self.matrix[(row, unknown)] += force.x;
         self.matrix[(row + 1, unknown)] += force.y;
         self.matrix[(row + 2, unknown)] += arm.cross(force);
     }
 
     fn links(&mut self) {
-        let acting = Acting::of(self.mechanism, self.state);
+        let loads = Acting::of(self.mechanism, self.state);
         for link in self.mechanism.link_ids() {
             for member in &self.mechanism.link(link).members {
                 let unknown = self.joint(link, member.point);
-                let place = self.state.position(member.point).unwrap();
-                self.on_link(link, unknown, place, Vec2::new(1.0, 0.0));
-                self.on_link(link, unknown + 1, place, Vec2::new(0.0, 1.0));
+                let position = self.state.position(member.point).unwrap();
+                self.on_link(link, unknown, position, Vec2::new(1.0, 0.0));
+                self.on_link(link, unknown + 1, position, Vec2::new(0.0, 1.0));
             }
             let row = self.rows(link);
-            self.right[row + 2] -= acting.links[link.index()];
+            self.right[row + 2] -= loads.links[link.index()];
             if let Some((com, force, couple)) = needed(self.mechanism, link, self.state) {
                 let arm = self.arm(link, self.state.position(com).unwrap());
                 self.right[row] += force.x;
@@ -280,7 +282,7 @@ impl<'a> System<'a> {
     /// Adds the equilibrium of pins: the joined links bear the loads at a pin and the forces of
     /// guides on it.
     fn pins(&mut self) {
-        let acting = Acting::of(self.mechanism, self.state);
+        let loads = Acting::of(self.mechanism, self.state);
         for point in self.mechanism.point_ids() {
             let Some(row) = self.pin_rows(point) else {
                 continue;
@@ -290,8 +292,8 @@ impl<'a> System<'a> {
                 self.matrix[(row, unknown)] -= 1.0;
                 self.matrix[(row + 1, unknown + 1)] -= 1.0;
             }
-            self.right[row] -= acting.points[point.index()].x;
-            self.right[row + 1] -= acting.points[point.index()].y;
+            self.right[row] -= loads.points[point.index()].x;
+            self.right[row + 1] -= loads.points[point.index()].y;
         }
     }
 
@@ -318,9 +320,9 @@ impl<'a> System<'a> {
     /// Adds the force of a guide on its slider, and the reaction on the guide.
     fn press(&mut self, slide: SlideId, unknown: usize, force: Vec2) {
         let given = self.mechanism.slide(slide);
-        let place = self.state.position(given.slider.point()).unwrap();
+        let position = self.state.position(given.slider.point()).unwrap();
         match given.slider {
-            Slider::Link { link, .. } => self.on_link(link, unknown, place, force),
+            Slider::Link { link, .. } => self.on_link(link, unknown, position, force),
             Slider::Pin(pin) => {
                 if let Some(row) = self.pin_rows(pin) {
                     self.matrix[(row, unknown)] += force.x;
@@ -329,7 +331,7 @@ impl<'a> System<'a> {
             }
         }
         if let Body::Link(on) = given.on {
-            self.on_link(on, unknown, place, -force);
+            self.on_link(on, unknown, position, -force);
         }
     }
 }
@@ -376,7 +378,7 @@ pub(crate) enum Open {
 /// A singular value below this part of the largest counts as zero: a reaction is indeterminate.
 const NOTHING: f64 = 1e-11;
 /// A reaction with a smaller component in the null space is determinate.
-const UNMOVED: f64 = 1e-8;
+const MAX_NULL_COMPONENT: f64 = 1e-8;
 /// Number of iterative refinements, each of which gains as many digits as the decomposition has.
 const REFINEMENTS: usize = 2;
 /// Equations with a larger residual, relative to the largest term, have no solution.
@@ -385,14 +387,14 @@ const SOLVED: f64 = 1e-12;
 /// Compares the solver's forces with the equations; `None` if these have no solution.
 pub(crate) fn compared(mechanism: &Mechanism, state: &State) -> Option<Compared> {
     let system = System::new(mechanism, state);
-    let (x, is_told, condition) = solved(&system)?;
+    let (x, is_shown, condition) = solved(&system)?;
     let largest = x.amax().max(system.right.amax());
     let mut pairs = Vec::new();
     let mut pair = |name: String, unknown: usize, found: Option<f64>| {
         pairs.push(Pair {
             name,
             found,
-            wanted: is_told[unknown].then(|| x[unknown]),
+            wanted: is_shown[unknown].then(|| x[unknown]),
         });
     };
     let metres = mechanism.metres();
@@ -419,11 +421,11 @@ pub(crate) fn compared(mechanism: &Mechanism, state: &State) -> Option<Compared>
             pair(format!("{name} moment"), unknown + 1, moment);
         }
     }
-    if is_told.iter().all(|&told| told) {
+    if is_shown.iter().all(|&is_reported| is_reported) {
         pairs.extend(frame(&system, &x));
     }
     Some(Compared {
-        open: open(&system, &x, &is_told),
+        open: open(&system, &x, &is_shown),
         pairs,
         largest,
         condition,
@@ -431,7 +433,7 @@ pub(crate) fn compared(mechanism: &Mechanism, state: &State) -> Option<Compared>
 }
 
 /// Returns the indeterminate reactions and their values in the solution.
-fn open(system: &System<'_>, x: &DVector<f64>, is_told: &[bool]) -> Vec<(Open, f64)> {
+fn open(system: &System<'_>, x: &DVector<f64>, is_shown: &[bool]) -> Vec<(Open, f64)> {
     let mechanism = system.mechanism;
     let mut all = Vec::new();
     for link in mechanism.link_ids() {
@@ -448,7 +450,7 @@ fn open(system: &System<'_>, x: &DVector<f64>, is_told: &[bool]) -> Vec<(Open, f
             all.push((Open::Moment(slide), unknown + 1));
         }
     }
-    let open = all.into_iter().filter(|&(_, unknown)| !is_told[unknown]);
+    let open = all.into_iter().filter(|&(_, unknown)| !is_shown[unknown]);
     open.map(|(open, unknown)| (open, x[unknown])).collect()
 }
 
@@ -470,28 +472,30 @@ fn solved(system: &System<'_>) -> Option<(DVector<f64>, Vec<bool>, f64)> {
     let matrix = system.matrix.clone().resize_vertically(rows, 0.0);
     let right = system.right.clone().resize_vertically(rows, 0.0);
     let svd = matrix.clone().svd(true, true);
-    let most = svd.singular_values.max();
-    let mut x = svd.solve(&right, NOTHING * most).ok()?;
+    let maximum = svd.singular_values.max();
+    let mut x = svd.solve(&right, NOTHING * maximum).ok()?;
     // The decomposition itself is sometimes only accurate to 1e-9, so that the residual is solved
     // for again.
     for _ in 0..REFINEMENTS {
-        x += svd.solve(&(&right - &matrix * &x), NOTHING * most).ok()?;
+        x += svd
+            .solve(&(&right - &matrix * &x), NOTHING * maximum)
+            .ok()?;
     }
     let vectors = svd.v_t.as_ref()?;
-    let mut is_told = vec![true; unknowns];
-    let mut least = most;
+    let mut is_shown = vec![true; unknowns];
+    let mut minimum = maximum;
     for (k, &value) in svd.singular_values.iter().enumerate() {
-        if value > NOTHING * most {
-            least = least.min(value);
+        if value > NOTHING * maximum {
+            minimum = minimum.min(value);
             continue;
         }
-        for (told, part) in is_told.iter_mut().zip(vectors.row(k).iter()) {
-            *told &= part.abs() < UNMOVED;
+        for (output, part) in is_shown.iter_mut().zip(vectors.row(k).iter()) {
+            *output &= part.abs() < MAX_NULL_COMPONENT;
         }
     }
     let misses = (&matrix * &x - &right).amax();
     let holds = misses <= SOLVED * x.amax().max(right.amax());
-    holds.then_some((x, is_told, most / least))
+    holds.then_some((x, is_shown, maximum / minimum))
 }
 
 /// Compares the force and moment on the frame with the sum over all its joints and guides.
@@ -499,27 +503,29 @@ fn frame(system: &System<'_>, x: &DVector<f64>) -> [Pair; 3] {
     let System {
         mechanism, state, ..
     } = *system;
-    let acting = Acting::of(mechanism, state);
+    let loads = Acting::of(mechanism, state);
     let (mut force, mut moment) = (Vec2::ZERO, 0.0);
-    let mut feel = |place: Vec2, by: Vec2| {
+    let mut feel = |position: Vec2, by: Vec2| {
         force += by;
-        moment += place.cross(by);
+        moment += position.cross(by);
     };
     for point in mechanism.point_ids() {
         let given = mechanism.point(point);
-        let Some(place) = given.ground else { continue };
-        feel(place, acting.points[point.index()]);
+        let Some(position) = given.ground else {
+            continue;
+        };
+        feel(position, loads.points[point.index()]);
         for &link in &given.links {
             let unknown = system.joint(link, point);
-            feel(place, -Vec2::new(x[unknown], x[unknown + 1]));
+            feel(position, -Vec2::new(x[unknown], x[unknown + 1]));
         }
     }
-    let mut couple = acting.frame;
+    let mut couple = loads.frame;
     for slide in mechanism.slide_ids() {
         let given = mechanism.slide(slide);
         let t = along(mechanism, slide, state);
         let unknown = system.slides[slide.index()];
-        let place = state.position(given.slider.point()).unwrap();
+        let position = state.position(given.slider.point()).unwrap();
         let mut force = t.perp() * x[unknown];
         if mechanism.driver().input == Input::Push(slide) {
             force += t * x[system.driver];
@@ -531,10 +537,10 @@ fn frame(system: &System<'_>, x: &DVector<f64>) -> [Pair; 3] {
             Slider::Link { .. } => false,
         };
         if pin {
-            feel(place, force);
+            feel(position, force);
         }
         if given.on == Body::Ground {
-            feel(place, -force);
+            feel(position, -force);
             if let Slider::Link { .. } = given.slider {
                 couple -= x[unknown + 1];
             }

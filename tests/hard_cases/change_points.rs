@@ -672,9 +672,9 @@ fn parallelogram_in_coupled_group_keeps_shape() {
             assert_eq!(condition, Condition::Ok, "at {at}");
             let (to, rate) = drag(at - turn);
             let slack = 1e-13 * size / to.y.abs().max(0.02);
-            let place = to.turned(krank::angle::unit(turn)) + of.centre;
+            let position = to.turned(krank::angle::unit(turn)) + of.centre;
             assert!(
-                (state.position(of.e).unwrap() - place).norm() < 10.0 * slack,
+                (state.position(of.e).unwrap() - position).norm() < 10.0 * slack,
                 "E at {at}"
             );
             close(

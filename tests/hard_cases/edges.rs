@@ -16,7 +16,7 @@ use std::fmt::Write as _;
 
 const CASES: &str = include_str!("edges.txt");
 /// Number of doubles tested beyond an end.
-const BEYOND: usize = 8;
+const DOUBLES_PAST_END: usize = 8;
 /// Maximum relative error, 16 u.
 const RIGHT: f64 = 16.0 * U;
 
@@ -122,7 +122,7 @@ fn cases() -> Vec<Case> {
 
 #[test]
 fn every_double_next_to_end_has_correct_state() {
-    let (mut sides, mut figures, mut right, mut unproved, mut widest) = (0, 0, 0, 0, 0.0_f64);
+    let (mut sides, mut count, mut right, mut unproved, mut widest) = (0, 0, 0, 0, 0.0_f64);
     for case in cases() {
         let name = case.name;
         let scene = Scene::parse(&case.scene, name)
@@ -144,7 +144,7 @@ fn every_double_next_to_end_has_correct_state() {
             let mut condition = |at: f64| solver.solve(at, Order::Position, &mut state);
             assert_eq!(condition(named), Condition::DeadPoint, "{name} at {named}");
             let mut outside = named;
-            for _ in 0..BEYOND {
+            for _ in 0..DOUBLES_PAST_END {
                 outside = if sense > 0.0 {
                     outside.next_up()
                 } else {
@@ -171,7 +171,7 @@ fn every_double_next_to_end_has_correct_state() {
                         let value = quantity::value(subject, aspect, &*state).unwrap();
                         let bound = quantity::bound(subject, aspect, &state, &balls);
                         let off = truth.minus(value).abs();
-                        figures += 1;
+                        count += 1;
                         right += usize::from(off <= RIGHT * value.abs());
                         let Some(bound) = bound else {
                             unproved += 1;
@@ -192,9 +192,9 @@ fn every_double_next_to_end_has_correct_state() {
         }
     }
     note(&format!(
-        "edges: {sides} sides; of {figures} figures {right} are right to 16 u, {unproved} have no bound; \
+        "edges: {sides} sides; of {count} figures {right} are right to 16 u, {unproved} have no bound; \
          bounds of at most {widest:.0} u"
     ));
-    assert_eq!((right, unproved), (figures, 0));
+    assert_eq!((right, unproved), (count, 0));
     assert!(sides >= 900, "{sides}");
 }

@@ -4,14 +4,14 @@
 use krank::solver::{Range, Solver};
 use krank::{Builder, Double, Driver, Input, Vec2};
 
-/// Opens a four-bar with its frame of length `d` at `place`, rotated, with decimals of at most 15
+/// Opens a four-bar with its frame of length `d` at `position`, rotated, with decimals of at most 15
 /// digits.
-fn four_bar(lengths: [&str; 4], place: Vec2, turn: f64, start: f64) -> Solver {
+fn four_bar(lengths: [&str; 4], position: Vec2, turn: f64, start: f64) -> Solver {
     let [a, b, c, d] = lengths.map(|length| length.parse().unwrap());
-    let far = place.exactly() + Double::unit(turn) * Double::exactly(d);
+    let far = position.exactly() + Double::unit(turn) * Double::exactly(d);
     let mut m = Builder::default();
     m.decimals();
-    let pivot = m.ground_point(typed(place.x), typed(place.y));
+    let pivot = m.ground_point(typed(position.x), typed(position.y));
     let other = m.ground_point(typed(far.x.hi), typed(far.y.hi));
     let (pin, joint) = (m.moving_point(), m.moving_point());
     let crank = m.link(pivot, pin, a);
@@ -44,16 +44,23 @@ fn rotated_parallelogram_of_typed_decimals_is_recognised() {
     ] {
         let [a, g] = sizes;
         for turn in [0.0, 23.0, 71.0, 90.0, 137.7] {
-            for place in [Vec2::ZERO, Vec2::new(12.5, -8.25), Vec2::new(1e3, -2e3)] {
-                let solver = four_bar([a, g, a, g], place, turn, 60.0);
+            for position in [Vec2::ZERO, Vec2::new(12.5, -8.25), Vec2::new(1e3, -2e3)] {
+                let solver = four_bar([a, g, a, g], position, turn, 60.0);
                 let motion = solver.motion();
                 assert_eq!(
                     motion.range,
                     Range::Full { period: 360.0 },
-                    "{sizes:?} {turn} {place:?}"
+                    "{sizes:?} {turn} {position:?}"
                 );
-                assert_eq!(motion.change_points.len(), 2, "{sizes:?} {turn} {place:?}");
-                assert!(motion.near_misses.is_empty(), "{sizes:?} {turn} {place:?}");
+                assert_eq!(
+                    motion.change_points.len(),
+                    2,
+                    "{sizes:?} {turn} {position:?}"
+                );
+                assert!(
+                    motion.near_misses.is_empty(),
+                    "{sizes:?} {turn} {position:?}"
+                );
             }
         }
     }
@@ -61,24 +68,27 @@ fn rotated_parallelogram_of_typed_decimals_is_recognised() {
 
 #[test]
 fn length_that_differs_in_last_digit_is_not_equal() {
-    for place in [Vec2::ZERO, Vec2::new(1e6, 0.0), Vec2::new(-3.0, 1e6)] {
+    for position in [Vec2::ZERO, Vec2::new(1e6, 0.0), Vec2::new(-3.0, 1e6)] {
         for turn in [0.0, 90.0, 180.0] {
             for longer in ["1.000000001", "1.000000000001", "1.00000000000001"] {
-                let solver = four_bar(["1", "3", longer, "3"], place, turn, 60.0);
+                let solver = four_bar(["1", "3", longer, "3"], position, turn, 60.0);
                 let motion = solver.motion();
                 assert_eq!(motion.tolerance, 0.0);
                 assert_eq!(
                     motion.range,
                     Range::Full { period: 360.0 },
-                    "{longer} {place:?} {turn}"
+                    "{longer} {position:?} {turn}"
                 );
-                assert!(motion.change_points.is_empty(), "{longer} {place:?} {turn}");
-                assert_eq!(motion.near_misses.len(), 2, "{longer} {place:?} {turn}");
+                assert!(
+                    motion.change_points.is_empty(),
+                    "{longer} {position:?} {turn}"
+                );
+                assert_eq!(motion.near_misses.len(), 2, "{longer} {position:?} {turn}");
             }
             for shorter in ["0.999999999", "0.999999999999", "0.99999999999999"] {
-                let solver = four_bar(["1", "3", shorter, "3"], place, turn, 60.0);
+                let solver = four_bar(["1", "3", shorter, "3"], position, turn, 60.0);
                 let motion = solver.motion();
-                assert_eq!(motion.dead_points.len(), 2, "{shorter} {place:?} {turn}");
+                assert_eq!(motion.dead_points.len(), 2, "{shorter} {position:?} {turn}");
                 // The motion ends where the pivots are 2 + e apart, 10 - 6 cos = (2 + e)^2, and
                 // where they are 4 - e apart.
                 let e = 1.0 - shorter.parse::<f64>().unwrap();
@@ -88,16 +98,16 @@ fn length_that_differs_in_last_digit_is_not_equal() {
                     let off = found - turn - expected;
                     assert!(
                         off.abs() < 1e-2 * near,
-                        "{off:e} {near:e}: {shorter} {place:?} {turn}"
+                        "{off:e} {near:e}: {shorter} {position:?} {turn}"
                     );
                 }
                 assert!(
                     motion.change_points.is_empty(),
-                    "{shorter} {place:?} {turn}"
+                    "{shorter} {position:?} {turn}"
                 );
                 assert!(
                     motion.near_misses.is_empty(),
-                    "{shorter} {place:?} {turn}: {:?}",
+                    "{shorter} {position:?} {turn}: {:?}",
                     motion.near_misses
                 );
             }

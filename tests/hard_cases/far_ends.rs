@@ -66,8 +66,8 @@ fn shifted(number: &str, offset: i64) -> String {
         Some(digits) => (-1, digits),
         None => (1, number),
     };
-    let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
-    let micro = format!("{whole}{part:0<6}").parse::<i64>().unwrap() * sign + offset;
+    let (text, part) = digits.split_once('.').unwrap_or((digits, ""));
+    let micro = format!("{text}{part:0<6}").parse::<i64>().unwrap() * sign + offset;
     let size = micro.abs();
     let sign = if micro < 0 { "-" } else { "" };
     format!("{sign}{}.{:06}", size / 1_000_000, size % 1_000_000)

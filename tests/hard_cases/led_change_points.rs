@@ -23,15 +23,15 @@ fn open(text: &str) -> (Scene, Solver) {
 fn assert_translates(scene: &Scene, solver: &Solver, shift: Vec2) {
     let [b, c] = ["B", "C"].map(|name| point(scene, name));
     let (low, high) = solver.motion().range.ends();
-    let mut work = solver.state();
+    let mut workspace = solver.state();
     for k in 1..STEPS {
         let at = low + (high - low) * f64::from(k) / f64::from(STEPS);
-        let condition = solver.solve(at, Order::Position, &mut work);
+        let condition = solver.solve(at, Order::Position, &mut workspace);
         assert!(
             matches!(condition, Condition::Ok | Condition::ChangePoint),
             "{condition:?} at {at}"
         );
-        let [b, c] = [b, c].map(|p| work.state().position(p).unwrap());
+        let [b, c] = [b, c].map(|p| workspace.state().position(p).unwrap());
         let off = (c - b - shift).norm();
         assert!(off < 1e-8, "at {at} C is off by {off:e}");
     }
@@ -56,7 +56,7 @@ fn assert_places(solver: &Solver, ends: Option<[f64; 2]>, changes: &[f64]) {
     for (&found, &expected) in motion.change_points.iter().zip(changes) {
         near(found, expected);
     }
-    assert!(motion.lined_up.is_empty());
+    assert!(motion.meeting_assemblies.is_empty());
 }
 
 /// The parallelogram used to change its assembly 0.33 mm before the end of the cylinder, without
@@ -103,8 +103,8 @@ fn coupled_group_with_tiny_range_is_solved_without_history() {
     let start = scene.mechanism.driver().start;
     assert!(low < start && start < high, "{start}: {low} to {high}");
     let link = scene.mechanism.link_ids().last().unwrap();
-    let mut work = solver.state();
-    let _ = solver.solve(low, Order::Position, &mut work);
+    let mut workspace = solver.state();
+    let _ = solver.solve(low, Order::Position, &mut workspace);
     let inside = (1..50).map(|k| low + (high - low) * f64::from(k) / 50.0);
     for at in inside.chain([start]) {
         let mut fresh = solver.state();
@@ -114,13 +114,13 @@ fn coupled_group_with_tiny_range_is_solved_without_history() {
             "{at}"
         );
         assert_eq!(
-            solver.solve(at, Order::Position, &mut work),
+            solver.solve(at, Order::Position, &mut workspace),
             Condition::Ok,
             "{at}"
         );
         assert_eq!(
             fresh.state().direction(link),
-            work.state().direction(link),
+            workspace.state().direction(link),
             "{at}"
         );
     }

@@ -15,7 +15,7 @@ fn turning(link: LinkId) -> Driver {
 
 /// Opens a mechanism, checks that it turns fully without a change point, and returns the states at
 /// and near the given coordinates.
-fn led(m: Builder, places: [f64; 2]) -> Vec<State> {
+fn assert_full_turn(m: Builder, places: [f64; 2]) -> Vec<State> {
     let solver = Solver::new(&m.build().unwrap()).unwrap();
     let motion = solver.motion();
     assert_eq!(motion.range, Range::Full { period: 360.0 });
@@ -42,8 +42,8 @@ fn led(m: Builder, places: [f64; 2]) -> Vec<State> {
 #[test]
 fn third_crank_off_line_removes_change_points() {
     let mut m = Builder::default();
-    let places = [Vec2::ZERO, Vec2::new(3.0, 0.0), Vec2::new(1.0, 1.0)];
-    let [a, d, e] = places.map(|p| m.ground_point(p.x, p.y));
+    let positions = [Vec2::ZERO, Vec2::new(3.0, 0.0), Vec2::new(1.0, 1.0)];
+    let [a, d, e] = positions.map(|p| m.ground_point(p.x, p.y));
     let [b, c, f] = [(); 3].map(|()| m.moving_point());
     let crank = m.link(a, b, 1.0);
     let coupler = m.link(b, c, 3.0);
@@ -52,10 +52,10 @@ fn third_crank_off_line_removes_change_points() {
     m.link(e, f, 1.0);
     m.driver(turning(crank));
     let to = krank::angle::unit(60.0);
-    m.start(c, places[1] + to);
-    m.start(f, places[2] + to);
-    for state in led(m, [0.0, 180.0]) {
-        let expected = krank::angle::unit(state.at()) + places[2];
+    m.start(c, positions[1] + to);
+    m.start(f, positions[2] + to);
+    for state in assert_full_turn(m, [0.0, 180.0]) {
+        let expected = krank::angle::unit(state.at()) + positions[2];
         assert!((state.position(f).unwrap() - expected).norm() < 1e-13);
         assert!(state.omega(coupler).unwrap().abs() < 1e-12);
     }
@@ -78,7 +78,7 @@ fn quartered_cranks_have_no_change_points() {
     let to = krank::angle::unit(60.0);
     m.start(c, Vec2::new(5.0, 0.0) + to);
     m.start(c2, Vec2::new(5.0, 0.0) + to.perp());
-    for state in led(m, [0.0, 180.0]) {
+    for state in assert_full_turn(m, [0.0, 180.0]) {
         assert!((state.omega(other).unwrap() - 1.0).abs() < 1e-12);
         assert!(state.alpha(other).unwrap().abs() < 1e-11);
     }
@@ -99,7 +99,7 @@ fn trammel_with_both_slides_has_no_change_points() {
     let to = krank::angle::unit(60.0) * 2.0;
     m.start(p, Vec2::new(to.x, 0.0));
     m.start(q, Vec2::new(0.0, to.y));
-    for state in led(m, [90.0, 270.0]) {
+    for state in assert_full_turn(m, [90.0, 270.0]) {
         assert!((state.omega(bar).unwrap() + 1.0).abs() < 1e-12);
         let expected = 2.0 * krank::angle::unit(state.at()).x;
         assert!((state.position(p).unwrap().x - expected).abs() < 1e-13);

@@ -152,8 +152,8 @@ fn lift_with_redundant_guides_opens_and_moves() {
     for stages in [1, 2, 3] {
         for drive in [Drive::Floor, Drive::Ground, Drive::Arms] {
             for guides in all.concat() {
-                let said = complaint(stages, drive, guides);
-                wrong.extend(said.map(|s| format!("{stages} {drive:?} {guides:?}: {s}")));
+                let text = complaint(stages, drive, guides);
+                wrong.extend(text.map(|s| format!("{stages} {drive:?} {guides:?}: {s}")));
             }
         }
     }
@@ -174,12 +174,15 @@ fn tall_lift_with_guides_is_solved_by_dyads() {
         (20, Drive::Arms, 7),
         (50, Drive::Ground, 0),
     ];
-    for (stages, drive, most) in cases {
+    for (stages, drive, maximum) in cases {
         let scene = Scene::parse(&lift(stages, drive, guides, 40.0), "lift").expect("a scene");
         let solver = Solver::new(&scene.mechanism).expect("it opens");
         for group in &solver.plan().groups {
             if let GroupKind::Coupled { unknowns } = group.kind {
-                assert!(unknowns <= most, "{stages} {drive:?}: {unknowns} unknowns");
+                assert!(
+                    unknowns <= maximum,
+                    "{stages} {drive:?}: {unknowns} unknowns"
+                );
             }
         }
         assert_eq!(off(&scene, &solver, stages, drive), None);

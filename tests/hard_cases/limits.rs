@@ -14,15 +14,15 @@ fn limits(solver: &Solver) -> (f64, f64) {
 }
 
 /// The lecture's four-bar driven at its rocker, from D to C; the crank AB follows.
-struct Backwards {
+struct BackwardPass {
     solver: Solver,
     crank: LinkId,
     coupler: LinkId,
 }
 
-impl Backwards {
+impl BackwardPass {
     /// Opens at 120 degrees with B near the given position.
-    fn open(near: Vec2) -> Backwards {
+    fn open(near: Vec2) -> BackwardPass {
         let mut builder = Mechanism::builder();
         let (a, d) = (
             builder.ground_point(0.0, 0.0),
@@ -36,7 +36,7 @@ impl Backwards {
         builder.start(b, near);
         let mechanism = builder.build().expect("every element is sound");
         let solver = Solver::new(&mechanism).expect("it closes");
-        Backwards {
+        BackwardPass {
             solver,
             crank,
             coupler,
@@ -61,7 +61,7 @@ const AFTER: Vec2 = Vec2::new(-20.0, 90.0);
 #[test]
 fn h04_driven_rocker_stops_at_exact_dead_points() {
     for near in [BEFORE, AFTER] {
-        let solver = Backwards::open(near).solver;
+        let solver = BackwardPass::open(near).solver;
         let (low, high) = limits(&solver);
         for (found, decimal) in [(low, LIMITS[0]), (high, LIMITS[1])] {
             let off = exact(decimal).minus(found).abs();
@@ -92,7 +92,7 @@ fn h04_driven_rocker_stops_at_exact_dead_points() {
 #[test]
 fn h04_all_states_keep_their_branch() {
     for near in [BEFORE, AFTER] {
-        let backwards = Backwards::open(near);
+        let backwards = BackwardPass::open(near);
         let (low, high) = limits(&backwards.solver);
         let start = solved(&backwards.solver, 120.0);
         let side = backwards.sin_mu(&start).signum();
@@ -108,7 +108,7 @@ fn h04_all_states_keep_their_branch() {
 /// Near its dead point, the crank moves with the square root of the rocker's displacement.
 #[test]
 fn h04_crank_leaves_dead_point_as_square_root() {
-    let backwards = Backwards::open(BEFORE);
+    let backwards = BackwardPass::open(BEFORE);
     let radian = PI / DoubleDouble::from(180.0);
     let limit = exact(LIMITS[0]) * radian;
     let dead = exact("36.41991372856602242746") * radian;
@@ -261,14 +261,17 @@ fn limit_typed_with_twelve_decimals_means_limit() {
     let scene = Scene::parse(STEPHENSON, "stephenson").expect("a sound scene");
     let coupled = Solver::new(&scene.mechanism).expect("it closes");
     let pushed = Toggle::pushed(1.5, 1.0).0;
-    for solver in [Backwards::open(BEFORE).solver, coupled, pushed] {
+    for solver in [BackwardPass::open(BEFORE).solver, coupled, pushed] {
         for &limit in &solver.motion().dead_points {
             let is_low = limit == limits(&solver).0;
             for at in typed(limit) {
                 let is_beyond = (at < limit) == is_low;
                 let range = solver.motion().range;
-                match range.meant(at, true) {
-                    Some(meant) => assert!(is_beyond && meant == limit, "{limit} as {at}: {meant}"),
+                match range.equivalent_in_range(at, true) {
+                    Some(intended) => assert!(
+                        is_beyond && intended == limit,
+                        "{limit} as {at}: {intended}"
+                    ),
                     None => assert!(!is_beyond || at == limit, "{limit} as {at}"),
                 }
             }
@@ -282,7 +285,7 @@ fn coordinate_outside_range_is_shifted_by_whole_turns() {
         low: 414.8,
         high: 642.8,
     };
-    for (at, meant) in [
+    for (at, intended) in [
         (100.0, Some(460.0)),
         (-620.0, Some(460.0)),
         (282.0, Some(642.0)),
@@ -291,15 +294,18 @@ fn coordinate_outside_range_is_shifted_by_whole_turns() {
         (f64::NAN, None),
         (1e300, None),
     ] {
-        assert_eq!(range.meant(at, true), meant, "{at}");
-        assert_eq!(range.meant(at, false), None, "{at}");
+        assert_eq!(range.equivalent_in_range(at, true), intended, "{at}");
+        assert_eq!(range.equivalent_in_range(at, false), None, "{at}");
     }
     // Two such coordinates are ambiguous.
     let (low, high) = (0.0, 500.0);
     let longer = Range::Limited { low, high };
-    assert_eq!(longer.meant(-300.0, true), None);
-    assert_eq!(longer.meant(-200.0, true), Some(160.0));
-    assert_eq!(Range::Full { period: 720.0 }.meant(1000.0, true), None);
+    assert_eq!(longer.equivalent_in_range(-300.0, true), None);
+    assert_eq!(longer.equivalent_in_range(-200.0, true), Some(160.0));
+    assert_eq!(
+        Range::Full { period: 720.0 }.equivalent_in_range(1000.0, true),
+        None
+    );
 }
 
 /// Stephenson III driven where its loops are coupled, with a crank that does not turn fully.
@@ -441,14 +447,14 @@ fn pin_passing_close_to_pivot_keeps_moving() {
                 .any(|miss| (miss.at - 270.0).abs() < 1e-6);
             assert_eq!(is_seen, gap < 0.03, "{distance}: {:?}", motion.near_misses);
             let lever = scene.mechanism.link_ids().nth(1).unwrap();
-            let mut work = solver.state();
+            let mut workspace = solver.state();
             assert_eq!(
-                solver.solve(270.0, Order::Velocity, &mut work),
+                solver.solve(270.0, Order::Velocity, &mut workspace),
                 Condition::Ok
             );
             // The distance has an error of half an ulp, whose ratio to the gap grows as the gap
             // shrinks.
-            let omega = work.state().omega(lever).unwrap();
+            let omega = workspace.state().omega(lever).unwrap();
             let off = (omega * gap * sign - 1.0).abs();
             assert!(
                 off <= 4.0 * U / gap,
@@ -462,14 +468,14 @@ fn pin_passing_close_to_pivot_keeps_moving() {
 fn lever_has_exact_rates_beyond_closest_approach() {
     let (scene, solver) = slotted_lever("0.9999999");
     let lever = scene.mechanism.link_ids().nth(1).unwrap();
-    let mut work = solver.state();
+    let mut workspace = solver.state();
     assert_eq!(
-        solver.solve(271.0, Order::Velocity, &mut work),
+        solver.solve(271.0, Order::Velocity, &mut workspace),
         Condition::Ok
     );
-    let direction = work.state().direction(lever).unwrap();
+    let direction = workspace.state().direction(lever).unwrap();
     let angle = krank::angle::degrees(direction);
     assert_near("angle", angle, "0.49967172768196444333", 1e-12);
-    let omega = work.state().omega(lever).unwrap();
+    let omega = workspace.state().omega(lever).unwrap();
     assert_near("omega", omega, "0.50032828898486510587", 1e-12);
 }

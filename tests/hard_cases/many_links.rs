@@ -217,8 +217,8 @@ fn h30_scissor_of_fifty_stages_is_accurate() {
             if k > 0 {
                 places.push((of.middle[k - 1], Vec2::new(unit.x, y - unit.y)));
             }
-            for (point, place) in places {
-                let off = state.position(point).unwrap() - place;
+            for (point, position) in places {
+                let off = state.position(point).unwrap() - position;
                 worst = worst.max(off.x.abs()).max(off.y.abs());
             }
         }

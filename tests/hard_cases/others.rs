@@ -77,8 +77,8 @@ fn tiny_crank() -> impl Strategy<Value = (FourBar, Exact)> {
 /// small angle.
 fn huge_crank() -> impl Strategy<Value = (FourBar, Exact)> {
     let crank = (1.0..7.0_f64).prop_map(|exponent| 10.0_f64.powf(exponent));
-    let apart = [-2.0..2.0_f64, -2.0..2.0_f64];
-    (crank, length(), apart, side(), share()).prop_filter_map(
+    let distance = [-2.0..2.0_f64, -2.0..2.0_f64];
+    (crank, length(), distance, side(), share()).prop_filter_map(
         "all but stretched",
         |(crank, coupler, [along, across], side, share)| {
             let of = FourBar {
@@ -107,9 +107,9 @@ fn off(exact: DoubleDouble, by: f64, found: f64) -> f64 {
 fn assert_agrees(opened: &Opened, state: &State, size: f64, exact: &Exact) {
     let of = opened.of;
     let (longest, shortest) = (of.longest(), of.coupler.min(of.rocker));
-    let place = state.position(opened.joint).unwrap() - of.origin;
+    let position = state.position(opened.joint).unwrap() - of.origin;
     let slack = 4.0 * U * longest / exact.sin_mu;
-    for (found, exact) in [place.x, place.y].into_iter().zip(exact.joint) {
+    for (found, exact) in [position.x, position.y].into_iter().zip(exact.joint) {
         let off = off(exact, size, found);
         assert!(off <= slack, "C: {} of the slack, {of:?}", off / slack);
     }

@@ -34,8 +34,8 @@ const LENGTHS: [&str; 3] = ["100", "300", "250"];
 const NAMES: [&str; 3] = ["r2", "r3", "r4"];
 
 /// Returns the lengths with one of them replaced.
-fn with<T: Copy>(mut lengths: [T; 3], place: usize, length: T) -> [T; 3] {
-    lengths[place] = length;
+fn with<T: Copy>(mut lengths: [T; 3], index: usize, length: T) -> [T; 3] {
+    lengths[index] = length;
     lengths
 }
 
@@ -69,15 +69,15 @@ fn lecture_four_bar_is_accepted() {
 
 #[test]
 fn h14_error_names_link_of_zero_length() {
-    for (place, name) in NAMES.iter().enumerate() {
-        let said = refusal(&scene(with(LENGTHS, place, "0"), "60", SPEED));
-        let names = said.contains(&format!("`length` of link `{name}`"));
-        assert!(names && said.contains("not `0`"), "{said}");
-        let found = defects(with([100.0, 300.0, 250.0], place, 0.0), 15.0, 60.0);
+    for (index, name) in NAMES.iter().enumerate() {
+        let text = refusal(&scene(with(LENGTHS, index, "0"), "60", SPEED));
+        let names = text.contains(&format!("`length` of link `{name}`"));
+        assert!(names && text.contains("not `0`"), "{text}");
+        let found = defects(with([100.0, 300.0, 250.0], index, 0.0), 15.0, 60.0);
         let [Defect::Length { link, length: 0.0 }] = found[..] else {
             panic!("{found:?}");
         };
-        assert_eq!(link.index(), place);
+        assert_eq!(link.index(), index);
     }
 }
 
@@ -113,14 +113,14 @@ fn h14_coincident_ground_points_are_legal() {
 
 #[test]
 fn h19_file_with_non_positive_length_is_rejected() {
-    for (place, name) in NAMES.iter().enumerate() {
+    for (index, name) in NAMES.iter().enumerate() {
         for length in [
             "nan", "inf", "-inf", "-1", "-0.0", "1e400", "5e-324", "\"-100\"",
         ] {
-            let said = refusal(&scene(with(LENGTHS, place, length), "60", SPEED));
+            let text = refusal(&scene(with(LENGTHS, index, length), "60", SPEED));
             assert!(
-                said.contains(&format!("`length` of link `{name}`")),
-                "{said}"
+                text.contains(&format!("`length` of link `{name}`")),
+                "{text}"
             );
         }
     }
@@ -128,13 +128,13 @@ fn h19_file_with_non_positive_length_is_rejected() {
 
 #[test]
 fn h19_builder_rejects_non_positive_length() {
-    for place in 0..3 {
+    for index in 0..3 {
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, -0.0] {
-            let found = defects(with([100.0, 300.0, 250.0], place, bad), 15.0, 60.0);
+            let found = defects(with([100.0, 300.0, 250.0], index, bad), 15.0, 60.0);
             let [Defect::Length { link, length }] = found[..] else {
                 panic!("{bad}: {found:?}");
             };
-            assert_eq!((link.index(), length.to_bits()), (place, bad.to_bits()));
+            assert_eq!((link.index(), length.to_bits()), (index, bad.to_bits()));
         }
     }
 }
@@ -142,10 +142,10 @@ fn h19_builder_rejects_non_positive_length() {
 #[test]
 fn h19_non_finite_rates_and_angles_are_rejected() {
     for bad in ["nan", "inf", "-inf", "1e400"] {
-        let said = refusal(&scene(LENGTHS, bad, SPEED));
-        assert!(said.contains("`angle`"), "{said}");
-        let said = refusal(&scene(LENGTHS, "60", bad));
-        assert!(said.contains("`speed`"), "{said}");
+        let text = refusal(&scene(LENGTHS, bad, SPEED));
+        assert!(text.contains("`angle`"), "{text}");
+        let text = refusal(&scene(LENGTHS, "60", bad));
+        assert!(text.contains("`speed`"), "{text}");
     }
     let lengths = [100.0, 300.0, 250.0];
     for bad in [f64::NAN, f64::INFINITY] {

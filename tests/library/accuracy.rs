@@ -4,8 +4,8 @@
 use krank::scene::{Scene, presets};
 use krank::solver::Solver;
 use krank::study::{
-    Findings, Method, MethodErrors, MethodFigures, MethodVerdict, Start, Study, USUAL_CYCLES,
-    Unfit, all_methods,
+    DEFAULT_CYCLES, Findings, Method, MethodErrors, MethodFigures, MethodVerdict, Start, Study,
+    Unsuitable, all_methods,
 };
 use std::time::Duration;
 
@@ -91,23 +91,26 @@ fn rk4_error_falls_16_fold_per_halved_step_and_grows_with_turns() {
 #[test]
 fn inapplicable_methods_state_their_reason() {
     let unfit = |preset: &str, method| match findings(preset, &[method], 360).methods[0].verdict {
-        MethodVerdict::Unfit(unfit) => Some(unfit),
+        MethodVerdict::Unsuitable(unfit) => Some(unfit),
         MethodVerdict::Measured(_) | MethodVerdict::Pending => None,
     };
-    assert_eq!(unfit("four-bar", Method::Anchored), Some(Unfit::AllClosed));
+    assert_eq!(
+        unfit("four-bar", Method::Anchored),
+        Some(Unsuitable::AllClosed)
+    );
     let six_bar = "stephenson-six-bar";
     for method in [Method::ClosedForm, Method::Polished] {
         assert!(matches!(
             unfit(six_bar, method),
-            Some(Unfit::Coupled(Some(_)))
+            Some(Unsuitable::Coupled(Some(_)))
         ));
     }
     let bisection = unfit(six_bar, Method::Bisection);
     assert!(matches!(
         bisection,
-        Some(Unfit::Conditions { unknowns: 3, .. })
+        Some(Unsuitable::Conditions { unknowns: 3, .. })
     ));
-    assert_eq!(unfit("double-rocker", rk4(36, 1)), Some(Unfit::Limits));
+    assert_eq!(unfit("double-rocker", rk4(36, 1)), Some(Unsuitable::Limits));
     assert_eq!(unfit("double-rocker", Method::Bisection), None);
 }
 
@@ -125,7 +128,7 @@ fn applicable_methods_solve_every_preset_without_failures() {
                 assert!(
                     matches!(
                         finding.verdict,
-                        MethodVerdict::Unfit(Unfit::Coupled(_) | Unfit::AllClosed)
+                        MethodVerdict::Unsuitable(Unsuitable::Coupled(_) | Unsuitable::AllClosed)
                     ),
                     "{}: {finding:?}",
                     preset.name
@@ -162,7 +165,7 @@ fn change_points_are_passed_without_failures() {
 
 #[test]
 fn findings_are_readable_before_study_ends() {
-    let mut study = study("four-bar", &all_methods(USUAL_CYCLES), 360);
+    let mut study = study("four-bar", &all_methods(DEFAULT_CYCLES), 360);
     assert_eq!(study.progress(), 0.0);
     let mut clock = made_up();
     let (mut last, mut slices) = (0.0, 0);
@@ -186,7 +189,7 @@ fn findings_are_readable_before_study_ends() {
 
 #[test]
 fn keys_are_consecutive_and_best_methods_never_fail() {
-    let list: Vec<Method> = all_methods(USUAL_CYCLES);
+    let list: Vec<Method> = all_methods(DEFAULT_CYCLES);
     let list: Vec<Method> = list.into_iter().filter(|m| !is_integration(*m)).collect();
     let findings = findings("kite", &list, 360);
     assert!(findings.finished);

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 /// Every module of the crate and its layer: a module may import those of lower layers. Modules of
 /// the same layer do not import each other.
-const PLACES: [(&str, u8); 29] = [
+const MODULES: [(&str, u8); 29] = [
     ("wording", 0),
     ("guide", 0),
     ("numeric", 0),
@@ -46,22 +46,22 @@ const PLACES: [(&str, u8); 29] = [
     ("main", 12),
 ];
 
-/// The modules of the workbench and their layers. Those of the layer [`LEADING`] may import each
+/// The modules of the workbench and their layers. Those of the layer [`TOP_LAYER`] may import each
 /// other: an action changes what views read, and asks a view what it needs.
-const ROOMS: [(&str, u8); 11] = [
+const TUI_MODULES: [(&str, u8); 11] = [
     ("appearance", 0),
     ("commands", 0),
     ("figures", 1),
     ("terminal", 1),
     ("player", 2),
     ("document", 3),
-    ("app", LEADING),
-    ("config", LEADING),
-    ("views", LEADING),
+    ("app", TOP_LAYER),
+    ("config", TOP_LAYER),
+    ("views", TOP_LAYER),
     ("workbench", 5),
     ("picture", 6),
 ];
-const LEADING: u8 = 4;
+const TOP_LAYER: u8 = 4;
 
 /// Crates, and parts of the standard library, that only some modules may use.
 const FOREIGN: [(&str, &[&str]); 28] = [
@@ -97,7 +97,7 @@ const FOREIGN: [(&str, &[&str]); 28] = [
 ];
 
 fn place(module: &str) -> Option<u8> {
-    PLACES.iter().find(|(m, _)| *m == module).map(|(_, p)| *p)
+    MODULES.iter().find(|(m, _)| *m == module).map(|(_, p)| *p)
 }
 
 /// A source file: its module path, and its tokens without tests.
@@ -230,14 +230,14 @@ fn heads(tokens: &[String], i: usize) -> Vec<String> {
     if tokens.get(i).map(String::as_str) != Some("{") {
         return tokens.get(i).cloned().into_iter().collect();
     }
-    let mut heads = Vec::new();
+    let mut headers = Vec::new();
     let mut depth = 0;
     for (j, token) in tokens.iter().enumerate().skip(i) {
         match token.as_str() {
             "{" => depth += 1,
             "}" => depth -= 1,
             _ if depth == 1 && matches!(tokens[j - 1].as_str(), "{" | ",") => {
-                heads.push(token.clone());
+                headers.push(token.clone());
             }
             _ => {}
         }
@@ -245,7 +245,7 @@ fn heads(tokens: &[String], i: usize) -> Vec<String> {
             break;
         }
     }
-    heads
+    headers
 }
 
 impl Source {
@@ -272,15 +272,15 @@ impl Source {
             if at(i + 1) != "::" || (i > 0 && at(i - 1) == "::") {
                 continue;
             }
-            let mut behind = i + 2;
+            let mut after = i + 2;
             let mut depth = match at(i) {
                 "crate" | "krank" => 0,
                 "super" => self.path.len() - 1,
                 _ => continue,
             };
-            while at(behind) == "super" && depth > 0 {
+            while at(after) == "super" && depth > 0 {
                 depth -= 1;
-                behind += 2;
+                after += 2;
             }
             let mut at_module = self.path[..depth]
                 .iter()
@@ -290,27 +290,32 @@ impl Source {
                 at_module = module
                     .iter()
                     .enumerate()
-                    .all(|(k, part)| at(behind + 2 * k) == *part && at(behind + 2 * k + 1) == "::");
-                behind += 2 * module.len();
+                    .all(|(k, part)| at(after + 2 * k) == *part && at(after + 2 * k + 1) == "::");
+                after += 2 * module.len();
             }
             if at_module {
-                names.extend(heads(&self.tokens, behind));
+                names.extend(heads(&self.tokens, after));
             }
         }
         names
     }
 
     /// Returns the disallowed imports of a workbench file: those from layers that are not lower.
-    fn faults_of_rooms(&self) -> Vec<String> {
-        let place = |room: &str| ROOMS.iter().find(|(r, _)| *r == room).map(|(_, p)| *p);
-        let Some(room) = self.path.get(1).filter(|_| self.path[0] == "tui") else {
+    fn disallowed_tui_imports(&self) -> Vec<String> {
+        let place = |space: &str| {
+            TUI_MODULES
+                .iter()
+                .find(|(r, _)| *r == space)
+                .map(|(_, p)| *p)
+        };
+        let Some(space) = self.path.get(1).filter(|_| self.path[0] == "tui") else {
             return Vec::new();
         };
-        let own = place(room).unwrap_or_else(|| panic!("`tui::{room}` has no place in ROOMS"));
+        let own = place(space).unwrap_or_else(|| panic!("`tui::{space}` has no place in ROOMS"));
         let named = self.names_in(&["tui"]).into_iter();
         let wrong = named.filter(|name| {
             let place = place(name).filter(|_| *name != self.path[1]);
-            place.is_some_and(|place| place >= own && (place, own) != (LEADING, LEADING))
+            place.is_some_and(|place| place >= own && (place, own) != (TOP_LAYER, TOP_LAYER))
         });
         wrong
             .map(|name| format!("{} imports `{name}`", self.path.join("::")))
@@ -445,7 +450,7 @@ fn modules_import_only_from_lower_layers() {
         seen.insert(path[0].clone());
         let source = Source::new(path, &fs::read_to_string(&file).unwrap());
         faults.extend(source.faults(&exports));
-        faults.extend(source.faults_of_rooms());
+        faults.extend(source.disallowed_tui_imports());
     }
     assert!(seen.contains("solver") && seen.contains("cli"), "{seen:?}");
     assert!(faults.is_empty(), "\n{}\n", faults.join("\n"));
@@ -470,7 +475,7 @@ mod checker {
     fn finds_imports_of_higher_tui_modules() {
         let faults = |path: &[&str], text: &str| {
             let path = path.iter().map(|&part| part.to_owned()).collect();
-            Source::new(path, text).faults_of_rooms()
+            Source::new(path, text).disallowed_tui_imports()
         };
         let player = ["tui", "player", "steps"];
         for bad in [

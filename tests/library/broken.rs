@@ -150,12 +150,12 @@ fn mutated_tasks_are_read_or_rejected_with_a_reason() {
         "1e300", "-", "nan", "[", "]", "\"x\"", "0", "1e-300", ",", "=", "\u{0}", "true", "{",
         "inf",
     ];
-    let mut chance = 88_172_645_463_325_252_u64;
+    let mut rng = 88_172_645_463_325_252_u64;
     let mut next = |below: usize| {
-        chance ^= chance << 13;
-        chance ^= chance >> 7;
-        chance ^= chance << 17;
-        (chance % below as u64) as usize
+        rng ^= rng << 13;
+        rng ^= rng >> 7;
+        rng ^= rng << 17;
+        (rng % below as u64) as usize
     };
     let mut read = 0;
     for example in ExampleTask::all() {
@@ -201,14 +201,14 @@ fn extreme_numbers_in_tasks_give_finite_results() {
                 let found = Synthesis::run(&file.task, order, &mut |_| true);
                 for candidate in &found.good {
                     let figures = candidate.figures;
-                    let told = [
+                    let output = [
                         figures.miss,
                         figures.rms,
                         figures.transmission,
                         figures.ratio,
                     ];
                     assert!(
-                        told.iter().all(|figure| figure.is_finite()),
+                        output.iter().all(|value| value.is_finite()),
                         "{text}{figures:?}"
                     );
                 }

@@ -7,15 +7,15 @@ use std::process::{Command, Output};
 
 /// Clears the screen, sets the title, reverses the writing direction, and contains invisible
 /// characters.
-const EVIL: &str = "a\u{1b}[2J\u{1b}]0;b\u{7}\u{9b}31mc\u{202e}d\u{200b}e\u{2066}f\u{feff}";
+const CONTROL_TEXT: &str = "a\u{1b}[2J\u{1b}]0;b\u{7}\u{9b}31mc\u{202e}d\u{200b}e\u{2066}f\u{feff}";
 
-/// [`EVIL`] in TOML: raw where TOML allows it, escaped elsewhere.
-const EVIL_TEXT: &str =
+/// [`CONTROL_TEXT`] in TOML: raw where TOML allows it, escaped elsewhere.
+const CONTROL_SCENE: &str =
     "a\\u001b[2J\\u001b]0;b\\u0007\\u009b31mc\u{202e}d\u{200b}e\\u2066f\u{feff}\\u007f";
 
 fn hostile() -> String {
     format!(
-        "# {bare}\nname = \"{EVIL_TEXT}\"\nsource = \"{EVIL_TEXT}\"\nnote = \"{EVIL_TEXT}\"\n\
+        "# {bare}\nname = \"{CONTROL_SCENE}\"\nsource = \"{CONTROL_SCENE}\"\nnote = \"{CONTROL_SCENE}\"\n\
          [ground]\nA = [0, 0]\nD = [400, 0] # {bare}\n[driver]\nlink = \"r2\"\nangle = 60\nspeed = \"15 rad/s\"\n\
          [links]\nr2 = {{ from = \"A\", to = \"B\", length = 100 }}\n\
          r3 = {{ from = \"B\", to = \"C\", length = 300, com = [150, 0] }}\n\
@@ -38,7 +38,7 @@ fn assert_harmless(text: &str, ascii: bool, what: &str) {
 }
 
 /// Runs the program in an ASCII locale and in a UTF-8 locale.
-fn heard(here: &Path, args: &[&str]) -> [(bool, Output); 2] {
+fn run_in_both_locales(here: &Path, args: &[&str]) -> [(bool, Output); 2] {
     ["C", "C.UTF-8"].map(|locale| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_krank"));
         command.env_clear().env("TERM", "xterm-256color");
@@ -47,11 +47,11 @@ fn heard(here: &Path, args: &[&str]) -> [(bool, Output); 2] {
     })
 }
 
-fn assert_heard_harmless(here: &Path, args: &[&str], code: i32) {
-    for (ascii, output) in heard(here, args) {
-        let told = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(code), "{args:?}: {told}");
-        assert_harmless(&told, ascii, &format!("{args:?}"));
+fn assert_harmless_output(here: &Path, args: &[&str], code: i32) {
+    for (ascii, output) in run_in_both_locales(here, args) {
+        let printed = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(code), "{args:?}: {printed}");
+        assert_harmless(&printed, ascii, &format!("{args:?}"));
         let out = String::from_utf8(output.stdout).unwrap();
         // SVG and JSON are always UTF-8.
         let ascii = ascii && !args.contains(&"svg") && !args.contains(&"json");
@@ -62,7 +62,7 @@ fn assert_heard_harmless(here: &Path, args: &[&str], code: i32) {
 #[test]
 fn commands_print_no_control_characters_of_a_scene() {
     let here = folder("harmless-scene");
-    let file = format!("{EVIL}.toml").replace('/', "");
+    let file = format!("{CONTROL_TEXT}.toml").replace('/', "");
     std::fs::write(here.join(&file), hostile()).unwrap();
     let file = file.as_str();
     for args in [
@@ -81,10 +81,10 @@ fn commands_print_no_control_characters_of_a_scene() {
         &["plot", file, "--columns", "C.x", "--format", "svg"],
         &["accuracy", file, "--positions", "1", "--format", "json"],
     ] {
-        assert_heard_harmless(&here, args, 0);
+        assert_harmless_output(&here, args, 0);
     }
     // `start` prints the file itself, byte for byte, since it is not meant for a terminal.
-    let [_, (_, output)] = heard(&here, &["start", file]);
+    let [_, (_, output)] = run_in_both_locales(&here, &["start", file]);
     assert!(
         String::from_utf8(output.stdout)
             .unwrap()
@@ -95,84 +95,95 @@ fn commands_print_no_control_characters_of_a_scene() {
 #[test]
 fn error_messages_contain_no_control_characters() {
     let here = folder("harmless-faults");
-    let file = format!("{EVIL}.toml").replace('/', "");
+    let file = format!("{CONTROL_TEXT}.toml").replace('/', "");
     let broken = hostile()
-        .replace("length = 300", &format!("lenght = \"{EVIL_TEXT}\""))
-        .replace("r4 = {", &format!("\"{EVIL_TEXT}\" = {{"));
+        .replace("length = 300", &format!("lenght = \"{CONTROL_SCENE}\""))
+        .replace("r4 = {", &format!("\"{CONTROL_SCENE}\" = {{"));
     std::fs::write(here.join(&file), broken).unwrap();
     let raw = format!("{file}-raw.toml");
-    std::fs::write(here.join(&raw), format!("name = \"{EVIL}\"\n{EVIL} = 1\n")).unwrap();
+    std::fs::write(
+        here.join(&raw),
+        format!("name = \"{CONTROL_TEXT}\"\n{CONTROL_TEXT} = 1\n"),
+    )
+    .unwrap();
     for file in [
         file.as_str(),
         raw.as_str(),
         "no\u{1b}[2J\u{202e}file.toml",
-        EVIL,
+        CONTROL_TEXT,
     ] {
         for command in ["check", "table", "sweep", "draw", "start", "accuracy"] {
-            assert_heard_harmless(&here, &[command, file], 2);
+            assert_harmless_output(&here, &[command, file], 2);
         }
-        assert_heard_harmless(&here, &[file], 2);
+        assert_harmless_output(&here, &[file], 2);
     }
     for args in [
-        &["check", "four-bar", EVIL][..],
-        &[EVIL, "four-bar"],
-        &["man", EVIL],
-        &["completions", EVIL],
-        &["table", "four-bar", "--at", EVIL],
-        &["check", "four-bar", "--assembly", EVIL],
-        &["sweep", "four-bar", "--columns", EVIL],
-        &["plot", "four-bar", "--columns", EVIL],
-        &["plot", "four-bar", "--columns", "C.x", "--against", EVIL],
+        &["check", "four-bar", CONTROL_TEXT][..],
+        &[CONTROL_TEXT, "four-bar"],
+        &["man", CONTROL_TEXT],
+        &["completions", CONTROL_TEXT],
+        &["table", "four-bar", "--at", CONTROL_TEXT],
+        &["check", "four-bar", "--assembly", CONTROL_TEXT],
+        &["sweep", "four-bar", "--columns", CONTROL_TEXT],
+        &["plot", "four-bar", "--columns", CONTROL_TEXT],
+        &[
+            "plot",
+            "four-bar",
+            "--columns",
+            "C.x",
+            "--against",
+            CONTROL_TEXT,
+        ],
     ] {
-        assert_heard_harmless(&here, args, 2);
+        assert_harmless_output(&here, args, 2);
     }
-    let lost = format!("nowhere/{EVIL}");
-    assert_heard_harmless(&here, &["table", "four-bar", "-o", &lost], 1);
+    let lost = format!("nowhere/{CONTROL_TEXT}");
+    assert_harmless_output(&here, &["table", "four-bar", "-o", &lost], 1);
 }
 
 #[cfg(feature = "tui")]
 mod workbench {
-    use super::{EVIL, EVIL_TEXT, assert_heard_harmless, folder, hostile};
+    use super::{CONTROL_SCENE, CONTROL_TEXT, assert_harmless_output, folder, hostile};
     use krank::drawing::Glyphs;
     use krank::scene::{Scene, is_harmful};
     use krank::solver::Solver;
-    use krank::tui::{Colours, Opened, Origin, Workbench};
+    use krank::tui::{Colours, OpenedScene, Origin, Workbench};
 
     #[test]
     fn printed_views_and_configuration_errors_are_harmless() {
         let here = folder("harmless-print");
-        let file = format!("{EVIL}.toml").replace('/', "");
+        let file = format!("{CONTROL_TEXT}.toml").replace('/', "");
         std::fs::write(here.join(&file), hostile()).unwrap();
         for view in [
             "motion", "tables", "plots", "forces", "scene", "lengths", "working",
         ] {
-            assert_heard_harmless(&here, &["--print", "--view", view, &file], 0);
+            assert_harmless_output(&here, &["--print", "--view", view, &file], 0);
         }
-        let config = format!("{EVIL}-config.toml").replace('/', "");
+        let config = format!("{CONTROL_TEXT}-config.toml").replace('/', "");
         for text in [
-            format!("\"{EVIL_TEXT}\" = 1\n"),
-            format!("glyphs = \"{EVIL_TEXT}\"\n"),
-            format!("[keys]\n\"{EVIL_TEXT}\" = \"x\"\nplay = \"{EVIL_TEXT}\"\n"),
-            EVIL.to_owned(),
+            format!("\"{CONTROL_SCENE}\" = 1\n"),
+            format!("glyphs = \"{CONTROL_SCENE}\"\n"),
+            format!("[keys]\n\"{CONTROL_SCENE}\" = \"x\"\nplay = \"{CONTROL_SCENE}\"\n"),
+            CONTROL_TEXT.to_owned(),
         ] {
             std::fs::write(here.join(&config), text).unwrap();
-            assert_heard_harmless(&here, &["--config", &config], 2);
+            assert_harmless_output(&here, &["--config", &config], 2);
         }
-        assert_heard_harmless(&here, &["--config", "no\u{1b}\u{202e}file"], 2);
+        assert_harmless_output(&here, &["--config", "no\u{1b}\u{202e}file"], 2);
     }
 
     /// Covers every view, overlay, prompt and message, in every set of glyphs.
     #[test]
     fn frames_contain_no_control_characters_of_a_scene() {
         let here = folder("harmless-frames");
-        let file = here.join(format!("{EVIL}.toml").replace('/', ""));
+        let file = here.join(format!("{CONTROL_TEXT}.toml").replace('/', ""));
         std::fs::write(&file, hostile()).unwrap();
         for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
             for (cols, rows) in [(80, 24), (40, 12), (160, 50)] {
                 let scene = Scene::parse(&hostile(), &file.display().to_string()).unwrap();
                 let solver = Solver::new(&scene.mechanism).unwrap();
                 let origin = Origin::File(file.clone());
-                let opened = Opened {
+                let opened = OpenedScene {
                     scene,
                     solver,
                     origin,

@@ -367,18 +367,18 @@ const SAID: &[Said] = &[
 ];
 
 /// A scene, its solver and the ids of its points.
-struct Opened {
+struct OpenedScene {
     scene: Scene,
     solver: Solver,
 }
 
-impl Opened {
-    fn new(name: &str, text: &str) -> Opened {
+impl OpenedScene {
+    fn new(name: &str, text: &str) -> OpenedScene {
         let scene =
             Scene::parse(text, name).unwrap_or_else(|why| panic!("{name}: {why:?}\n{text}"));
         let solver = Solver::new(&scene.mechanism);
         let solver = solver.unwrap_or_else(|why| panic!("{name}: {why:?}\n{text}"));
-        Opened { scene, solver }
+        OpenedScene { scene, solver }
     }
 
     /// Returns the places of all points at a coordinate of the driver.
@@ -403,14 +403,14 @@ fn distance(one: [f64; 2], other: [f64; 2]) -> f64 {
 /// The opening pose is the drawing, and 40 further positions have rigid links and straight slots.
 #[test]
 fn scenes_open_as_drawn_and_move() {
-    for said in SAID {
-        let name = said.file;
-        assert_eq!(recognize(&file(name)), Some(said.format), "{name}");
+    for text in SAID {
+        let name = text.file;
+        assert_eq!(recognize(&file(name)), Some(text.format), "{name}");
         let imported = imported(name);
-        assert_eq!(imported.format, said.format, "{name}");
-        let opened = Opened::new(name, &imported.text);
-        let scaled = |at: [f64; 2]| at.map(|x| said.scale * x);
-        let drawn: HashMap<&str, [f64; 2]> = said
+        assert_eq!(imported.format, text.format, "{name}");
+        let opened = OpenedScene::new(name, &imported.text);
+        let scaled = |at: [f64; 2]| at.map(|x| text.scale * x);
+        let drawn: HashMap<&str, [f64; 2]> = text
             .places
             .iter()
             .map(|&(point, at)| (point, scaled(at)))
@@ -426,13 +426,13 @@ fn scenes_open_as_drawn_and_move() {
         let driver = opened.scene.mechanism.driver();
         assert_eq!(
             opened.scene.driven_name(driver.input),
-            said.driver.0,
+            text.driver.0,
             "{name}"
         );
-        if let Some(position) = said.driver.1 {
+        if let Some(position) = text.driver.1 {
             assert!(matches!(driver.input, Input::Push(_)), "{name}");
             assert!(
-                (driver.start - said.scale * position).abs() < 1e-9 * size,
+                (driver.start - text.scale * position).abs() < 1e-9 * size,
                 "{name} {driver:?}"
             );
         }
@@ -462,17 +462,17 @@ fn scenes_open_as_drawn_and_move() {
         for k in 1..=40_u32 {
             let at = low + (high - low) * (f64::from(k) - 0.5) / 40.0;
             let here = opened.places(at);
-            for link in said.rigid {
+            for link in text.rigid {
                 for pair in link.windows(2) {
                     let [one, other] =
                         [pair[0], pair[1]].map(|point| [here[point].x, here[point].y]);
-                    let meant = distance(drawn[pair[0]], drawn[pair[1]]);
-                    let off = (distance(one, other) - meant).abs();
+                    let intended = distance(drawn[pair[0]], drawn[pair[1]]);
+                    let off = (distance(one, other) - intended).abs();
                     // The actuator of `mixed-inputs` is held.
                     assert!(off <= 1e-9 * size, "{name} {at}: {pair:?} {off:e}");
                 }
             }
-            for (point, through, [cos, sin]) in said.lines {
+            for (point, through, [cos, sin]) in text.lines {
                 let [x, y] = scaled(*through);
                 let off = (here[*point].x - x) * sin - (here[*point].y - y) * cos;
                 assert!(off.abs() <= 1e-9 * size, "{name} {at}: {point} {off:e}");
@@ -490,7 +490,7 @@ fn scenes_open_as_drawn_and_move() {
 #[test]
 fn a_pin_follows_its_arc() {
     let imported = imported("arc-slot.linkage2");
-    let opened = Opened::new("arc", &imported.text);
+    let opened = OpenedScene::new("arc", &imported.text);
     let (low, high) = opened.solver.motion().range.ends();
     for k in 0..=20_u32 {
         let here = opened.places(low + (high - low) * f64::from(k) / 20.0);
@@ -502,7 +502,7 @@ fn a_pin_follows_its_arc() {
 #[test]
 fn slots_turn_with_their_links() {
     // The pin of the crank is on the line from C through the rocker's direction.
-    let opened = Opened::new("slot", &imported("inverted-slider.pmks.txt").text);
+    let opened = OpenedScene::new("slot", &imported("inverted-slider.pmks.txt").text);
     for at in [-170.0, -60.0, 10.0, 95.0] {
         let here = opened.places(at);
         let (c, d, e) = (here["C"], here["D"], here["E"]);
@@ -571,22 +571,25 @@ fn speeds_ratios_and_sine_are_taken_over() {
 #[test]
 fn parts_that_krank_does_not_model_are_reported() {
     let remarks = |name: &str| imported(name).remarks.join("\n");
-    let told = remarks("gears.pmks.txt");
+    let output = remarks("gears.pmks.txt");
     assert!(
-        told.contains("line 5: krank does not model gears"),
-        "{told}"
+        output.contains("line 5: krank does not model gears"),
+        "{output}"
     );
-    assert!(told.contains("line 8: not a joint"), "{told}");
-    let told = remarks("gears.linkage2");
+    assert!(output.contains("line 8: not a joint"), "{output}");
+    let output = remarks("gears.linkage2");
     assert!(
-        told.contains("Link 3: krank does not model gears"),
-        "{told}"
+        output.contains("Link 3: krank does not model gears"),
+        "{output}"
     );
     assert!(
-        told.contains("Link 4: krank does not model gears"),
-        "{told}"
+        output.contains("Link 4: krank does not model gears"),
+        "{output}"
     );
-    assert!(told.contains("ratio: krank does not model gears"), "{told}");
+    assert!(
+        output.contains("ratio: krank does not model gears"),
+        "{output}"
+    );
     let text = imported("gears.linkage2").text;
     assert!(
         text.contains("link-2 = ") && text.contains("# - line"),
@@ -597,14 +600,17 @@ fn parts_that_krank_does_not_model_are_reported() {
     let fault = Solver::new(&scene.mechanism).unwrap_err();
     let message = scene.explain(&fault).to_string();
     assert!(message.contains('2'), "{message}");
-    let told = remarks("mixed-inputs.linkage2");
-    assert!(told.contains("it stands as drawn"), "{told}");
-    let told = remarks("four-bar.pylinkage.json");
-    assert!(told.contains("`Crank pin` is called `Crank_pin`"), "{told}");
-    let told = remarks("four-bar.pyslvs");
+    let output = remarks("mixed-inputs.linkage2");
+    assert!(output.contains("it stands as drawn"), "{output}");
+    let output = remarks("four-bar.pylinkage.json");
     assert!(
-        told.contains("line 3, joint 1: the file marks no input"),
-        "{told}"
+        output.contains("`Crank pin` is called `Crank_pin`"),
+        "{output}"
+    );
+    let output = remarks("four-bar.pyslvs");
+    assert!(
+        output.contains("line 3, joint 1: the file marks no input"),
+        "{output}"
     );
 }
 
@@ -637,7 +643,7 @@ fn files_without_a_mechanism_are_refused() {
 fn names_are_valid_and_unique() {
     let text = "ground,driver,R,0,0,tfft\ndriver,com,R,15,40\ncom,öl\u{7},R,95,75\nöl\u{7},ground,R,120,-10\n";
     let imported = import(text.as_bytes(), "names").unwrap();
-    let opened = Opened::new("names", &imported.text);
+    let opened = OpenedScene::new("names", &imported.text);
     let links: Vec<&str> = opened
         .scene
         .mechanism
@@ -651,7 +657,7 @@ fn names_are_valid_and_unique() {
 
 fn all_files() -> Vec<Vec<u8>> {
     SAID.iter()
-        .map(|said| file(said.file))
+        .map(|text| file(text.file))
         .chain([file("gears.pmks.txt"), file("gears.linkage2")])
         .collect()
 }

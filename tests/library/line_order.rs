@@ -263,8 +263,9 @@ fn clearance_of_a_sliding_links_pin_belongs_to_the_rod() {
         let scene = krank::scene::Scene::parse(&text, "play.toml").unwrap();
         let solver = krank::solver::Solver::new(&scene.mechanism).unwrap();
         let catalogue = krank::quantity::Catalogue::new(&scene);
-        let asked = ["s.length", "T.x", "T.y"].map(|name| catalogue.find(name).unwrap());
-        let study = krank::study::ToleranceStudy::new(&scene, &solver, scene.tolerances(), &asked);
+        let requested = ["s.length", "T.x", "T.y"].map(|name| catalogue.find(name).unwrap());
+        let study =
+            krank::study::ToleranceStudy::new(&scene, &solver, scene.tolerances(), &requested);
         let found = study.unwrap().at(0.0);
         for (figure, off) in found.into_iter().zip([0.5, 0.5, 0.0]) {
             let figure = figure.unwrap();

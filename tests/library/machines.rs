@@ -42,7 +42,7 @@ impl Plane {
     }
 
     /// Returns the rotation from another vector to this one, as a unit vector.
-    fn seen_from(self, other: Plane) -> Plane {
+    fn rotation_from(self, other: Plane) -> Plane {
         self.times(Plane(other.0, -other.1)).unit()
     }
 }
@@ -93,8 +93,8 @@ impl Machine {
     }
 
     fn figure(&self, name: &str) -> f64 {
-        let figure = Catalogue::new(&self.scene).find(name);
-        figure.expect(name).value(&self.state).expect(name)
+        let quantity = Catalogue::new(&self.scene).find(name);
+        quantity.expect(name).value(&self.state).expect(name)
     }
 
     fn point(&self, name: &str) -> Plane {
@@ -302,7 +302,7 @@ fn ackermann_error_vanishes_at_0_and_near_29_degrees() {
         let pin = Plane(-700.0, 0.0).plus(Plane(70.0, -175.0).times(Plane::polar(1.0, q)));
         let pivot = Plane(700.0, 0.0);
         let end = right(pin, 1260.0, pivot, arm.size());
-        end.minus(pivot).seen_from(arm)
+        end.minus(pivot).rotation_from(arm)
     };
     let error = |q: f64| {
         let (sine, cosine) = q.to_radians().sin_cos();
@@ -338,7 +338,7 @@ fn backhoe_bucket_turns_further_than_its_rocker() {
         vec![("P", eye), ("K", pin), ("T", tip)]
     });
     let turned = |of: &dyn Fn(f64) -> Plane| {
-        let turn = of(1.65).seen_from(of(1.0));
+        let turn = of(1.65).rotation_from(of(1.0));
         turn.1.atan2(turn.0).to_degrees().abs()
     };
     let [own, others] = [

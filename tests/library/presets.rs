@@ -194,9 +194,9 @@ fn folder_program_and_expectations_list_the_same_presets() {
 fn every_preset_has_a_source_a_note_and_a_title() {
     for Expected { name, .. } in &EXPECTED {
         let scene = open(name);
-        let said = |text: &Option<String>| text.as_ref().is_some_and(|t| t.len() > 20);
-        assert!(said(&scene.source), "{name} has no source");
-        assert!(said(&scene.note), "{name} has no note");
+        let message = |text: &Option<String>| text.as_ref().is_some_and(|t| t.len() > 20);
+        assert!(message(&scene.source), "{name} has no source");
+        assert!(message(&scene.note), "{name} has no note");
         assert!(scene.name != *name, "{name} has no title");
         let ascii = [&scene.source, &scene.note].into_iter().flatten();
         assert!(
@@ -229,8 +229,8 @@ fn stops_limit_presets_within_their_geometric_range() {
         let stops = STOPS.iter().find(|stops| stops.0 == *name);
         let kept = stops.map_or(free, |&(_, low, high)| Range::Limited { low, high });
         assert_eq!(solver(&open(name)).motion().range, kept, "{name}");
-        let ((low, high), (least, most)) = (kept.ends(), free.ends());
-        assert!(stops.is_none() || least < low && high < most, "{name}");
+        let ((low, high), (minimum, maximum)) = (kept.ends(), free.ends());
+        assert!(stops.is_none() || minimum < low && high < maximum, "{name}");
     }
 }
 

@@ -21,10 +21,10 @@ fn of_preset(name: &str, digits: usize) -> Report {
 }
 
 /// A value printed by the lecture, its error, and the text in the report.
-type Printed = (f64, f64, &'static str);
+type LectureValue = (f64, f64, &'static str);
 
 /// Weeks 3 and 7.
-const FOUR_BAR: [Printed; 20] = [
+const FOUR_BAR: [LectureValue; 20] = [
     (360.555_12, 8.1e-6, "m = sqrt(mx^2 + my^2) = 360.555128 mm"),
     (13.897_841, 4.6e-5, "α = atan2(-my, mx) = 13.8978862 deg"),
     (43.277_343, 9.1e-6, "= 43.2773340 deg"),
@@ -56,7 +56,7 @@ const FOUR_BAR: [Printed; 20] = [
 ];
 
 /// Week 4. Omits the second root, whose error exceeds any rounding: the roots' sum is 17.32.
-const SLIDER_CRANK: [Printed; 7] = [
+const SLIDER_CRANK: [LectureValue; 7] = [
     (28.0, 0.026, "r4 = 28.0251708"),
     (-14.47, 7.6e-3, "-14.4775122"),
     (345.5, 0.023, "θ3 = 345.522488"),
@@ -136,12 +136,18 @@ fn question_marks_stand_exactly_for_values_found_later() {
                 _ => None,
             });
         let is_asked = |cells: &[&str]| cells.iter().any(|cell| cell.ends_with(" = ?"));
-        let (asked, told): (Vec<_>, Vec<_>) = tables.partition(|(_, _, cells)| is_asked(cells));
-        assert_eq!(asked.len(), told.len(), "{}", preset.name);
-        assert!(asked.len() >= 3, "{}: {}", preset.name, asked.len());
-        for (asked, told) in asked.iter().zip(&told) {
-            assert_eq!((asked.0, asked.1), (told.0, told.1), "{}", preset.name);
-            for (before, after) in asked.2.iter().zip(&told.2) {
+        let (requested, output): (Vec<_>, Vec<_>) =
+            tables.partition(|(_, _, cells)| is_asked(cells));
+        assert_eq!(requested.len(), output.len(), "{}", preset.name);
+        assert!(requested.len() >= 3, "{}: {}", preset.name, requested.len());
+        for (requested, output) in requested.iter().zip(&output) {
+            assert_eq!(
+                (requested.0, requested.1),
+                (output.0, output.1),
+                "{}",
+                preset.name
+            );
+            for (before, after) in requested.2.iter().zip(&output.2) {
                 match before.strip_suffix(" = ?") {
                     Some(symbol) => {
                         let value = after
@@ -225,26 +231,26 @@ fn checkers_reject_malformed_html_and_latex() {
     ] {
         assert!(is_well_formed(&page(bad)).is_err(), "{bad}");
     }
-    assert!(is_sound_latex("\\begin{a}{x\\}}\\end{a}").is_ok());
+    assert!(check_latex("\\begin{a}{x\\}}\\end{a}").is_ok());
     for bad in ["{", "}", "\\begin{a}\\end{b}", "\\begin{a}", "$x"] {
-        assert!(is_sound_latex(bad).is_err(), "{bad}");
+        assert!(check_latex(bad).is_err(), "{bad}");
     }
 }
 
 /// Checks that braces and environments are closed in order, and that no special character is
 /// unescaped.
-fn is_sound_latex(text: &str) -> Result<(), String> {
+fn check_latex(text: &str) -> Result<(), String> {
     let mut open: Vec<String> = Vec::new();
     let mut depth = 0_usize;
     let mut chars = text.char_indices();
-    let named = |behind: &str| behind.split('}').next().unwrap().to_owned();
+    let named = |after: &str| after.split('}').next().unwrap().to_owned();
     while let Some((at, c)) = chars.next() {
         match c {
             '\\' => {
-                let behind = &text[at + 1..];
-                if let Some(name) = behind.strip_prefix("begin{") {
+                let after = &text[at + 1..];
+                if let Some(name) = after.strip_prefix("begin{") {
                     open.push(named(name));
-                } else if let Some(name) = behind.strip_prefix("end{")
+                } else if let Some(name) = after.strip_prefix("end{")
                     && open.pop() != Some(named(name))
                 {
                     return Err(format!("{} closes {open:?}", named(name)));
@@ -269,7 +275,7 @@ fn is_sound_latex(text: &str) -> Result<(), String> {
 fn latex_is_balanced_and_uses_known_packages() {
     for preset in presets::all() {
         let tex = of_preset(preset.name, 6).written(ReportFormat::Latex, false);
-        assert_eq!(is_sound_latex(&tex), Ok(()), "{}", preset.name);
+        assert_eq!(check_latex(&tex), Ok(()), "{}", preset.name);
         for package in tex.lines().filter(|line| line.starts_with("\\usepackage")) {
             let known = ["inputenc", "amsmath", "tikz"];
             assert!(known.iter().any(|name| package.contains(name)), "{package}");
@@ -288,16 +294,16 @@ fn scene_texts_are_escaped_in_html_and_latex() {
     let four_bar = presets::find("four-bar").unwrap().text;
     let name = "<script>alert(1)</script> & \\input{secret} $x^2$ 50% #1 ~ 字";
     let renamed = format!("name = '{name}'\n");
-    let begin = four_bar.find("name").unwrap();
-    let end = begin + four_bar[begin..].find('\n').unwrap() + 1;
-    let text = format!("{}{renamed}{}", &four_bar[..begin], &four_bar[end..]);
+    let start = four_bar.find("name").unwrap();
+    let end = start + four_bar[start..].find('\n').unwrap() + 1;
+    let text = format!("{}{renamed}{}", &four_bar[..start], &four_bar[end..]);
     let report = report(&text, None, 6);
     let html = report.written(ReportFormat::Html, false);
     assert_eq!(is_well_formed(&html), Ok(()));
     assert!(!html.contains("<script"), "{html}");
     assert!(html.contains("&lt;script&gt;alert(1)&lt;/script&gt; &amp; \\input"));
     let tex = report.written(ReportFormat::Latex, false);
-    assert_eq!(is_sound_latex(&tex), Ok(()));
+    assert_eq!(check_latex(&tex), Ok(()));
     assert!(!tex.contains("\\input{secret"), "{tex}");
     assert!(tex.contains("\\textbackslash{}input\\{secret\\}"), "{tex}");
 }
@@ -317,7 +323,7 @@ fn report_is_valid_without_assembly_and_at_dead_point() {
             Ok(())
         );
         assert_eq!(
-            is_sound_latex(&report.written(ReportFormat::Latex, false)),
+            check_latex(&report.written(ReportFormat::Latex, false)),
             Ok(())
         );
     }
@@ -368,10 +374,10 @@ fn free_bodies_are_in_equilibrium_and_drawn() {
         let blocks = of_preset(preset.name, 6).page.blocks;
         for link in scene.mechanism.link_ids() {
             let end = format!(" Link {}", scene.link_name(link));
-            let begins = |content: &Content| matches!(content, Content::Heading(2, text) if text.ends_with(&end));
+            let starts = |content: &Content| matches!(content, Content::Heading(2, text) if text.ends_with(&end));
             let at = blocks
                 .iter()
-                .position(|block| begins(&block.content))
+                .position(|block| starts(&block.content))
                 .unwrap();
             let Content::Picture(picture) = &blocks[at + 1].content else {
                 panic!("{}: {:?}", preset.name, blocks[at + 1].content);

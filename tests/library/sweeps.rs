@@ -10,9 +10,14 @@ fn decimal(value: f64) -> WrittenDecimal {
 }
 
 /// Returns the cells of a sweep over all values; the last cell of a row is the state.
-fn swept(scene: &Scene, solver: &Solver, figures: &[Quantity], steps: &Steps) -> Vec<Vec<String>> {
+fn swept(
+    scene: &Scene,
+    solver: &Solver,
+    quantities: &[Quantity],
+    steps: &Steps,
+) -> Vec<Vec<String>> {
     let catalogue = Catalogue::new(scene);
-    let columns = Columns::new(catalogue.driver(), figures, false);
+    let columns = Columns::new(catalogue.driver(), quantities, false);
     let sweep = Sweep {
         scene,
         solver,
@@ -22,10 +27,10 @@ fn swept(scene: &Scene, solver: &Solver, figures: &[Quantity], steps: &Steps) ->
         format: RowFormat::Csv(CsvDialect::default()),
     };
     let mut csv = Vec::new();
-    let mut told = 0;
-    let outcome = sweep.write(&mut csv, &mut |rows| told = rows).unwrap();
+    let mut count = 0;
+    let outcome = sweep.write(&mut csv, &mut |rows| count = rows).unwrap();
     assert_eq!(outcome.rows, steps.count());
-    assert!(told <= outcome.rows && outcome.rows - told < 2048);
+    assert!(count <= outcome.rows && outcome.rows - count < 2048);
     let csv = String::from_utf8(csv).unwrap();
     let rows = csv.lines().skip(1);
     rows.map(|row| row.split(',').map(str::to_owned).collect())
@@ -37,8 +42,8 @@ fn agree(scene: &Scene, steps: &Steps) {
     let solver = Solver::new(&scene.mechanism).unwrap();
     let catalogue = Catalogue::new(scene);
     let unlisted = catalogue.unlisted();
-    let figures: Vec<Quantity> = catalogue.all().iter().chain(&unlisted).cloned().collect();
-    let rows = swept(scene, &solver, &figures, steps);
+    let quantities: Vec<Quantity> = catalogue.all().iter().chain(&unlisted).cloned().collect();
+    let rows = swept(scene, &solver, &quantities, steps);
     assert_eq!(rows.len() as u64, steps.count());
     let mut state = solver.state();
     for (at, row) in steps.iter().zip(rows) {
@@ -49,7 +54,7 @@ fn agree(scene: &Scene, steps: &Steps) {
             "{} at {at}",
             scene.name
         );
-        for (quantity, cell) in figures.iter().zip(row) {
+        for (quantity, cell) in quantities.iter().zip(row) {
             let bits = |v: f64| (v + 0.0).to_bits();
             let value = quantity.value(&state).map(bits);
             let written = cell.parse().ok().map(bits);
@@ -96,8 +101,8 @@ fn short_sweeps_and_round_angles_equal_single_solutions() {
                 &Steps::new(decimal(start), to, decimal(1e-3)).unwrap(),
             );
         }
-        let whole = Steps::new(decimal(-200.0), decimal(800.0), decimal(10.0));
-        agree(&scene, &whole.unwrap());
+        let complete = Steps::new(decimal(-200.0), decimal(800.0), decimal(10.0));
+        agree(&scene, &complete.unwrap());
     }
 }
 
@@ -110,10 +115,14 @@ fn solving_lanes_allocates_nothing() {
     let at = std::array::from_fn(|lane| 10.0 * lane as f64);
     let mut catalogue = Catalogue::new(&scene);
     catalogue.define("sum = hypot(T.vx, T.vy) + T.v").unwrap();
-    let figures = ["T.a.t", "sum.rate"].map(|name| catalogue.find(name).unwrap());
+    let quantities = ["T.a.t", "sum.rate"].map(|name| catalogue.find(name).unwrap());
     let info = allocation_counter::measure(|| {
         assert!(solver.solve_lanes(at, Order::Acceleration, &mut lanes));
-        assert!(figures.iter().all(|figure| figure.value(&lanes).is_some()));
+        assert!(
+            quantities
+                .iter()
+                .all(|quantity| quantity.value(&lanes).is_some())
+        );
     });
     assert_eq!(info.count_total, 0);
 }
@@ -144,8 +153,8 @@ gap = ["P", "B"]
     let steps = Steps::new(decimal(-4.0), decimal(4.0), decimal(1.0)).unwrap();
     agree(&scene, &steps);
     let solver = Solver::new(&scene.mechanism).unwrap();
-    let figures = Catalogue::new(&scene).select(&["gap.omega"]).unwrap();
-    let rows = swept(&scene, &solver, &figures, &steps);
+    let quantities = Catalogue::new(&scene).select(&["gap.omega"]).unwrap();
+    let rows = swept(&scene, &solver, &quantities, &steps);
     let empty: Vec<bool> = rows.iter().map(|row| row[1].is_empty()).collect();
     assert_eq!(
         empty,

@@ -80,18 +80,18 @@ fn report_shows_driver_rates_without_other_rates() {
     ] {
         assert_eq!(solved(name, Some(at)).2.condition(), condition, "{name}");
         let report = report(name, Some(at));
-        let asked = between(&report, "Velocities\n", "Accelerations\n");
-        let cells = row(asked, head);
-        assert!(cells.contains(&given), "{name}: {cells:?}\n{asked}");
+        let requested = between(&report, "Velocities\n", "Accelerations\n");
+        let cells = row(requested, head);
+        assert!(cells.contains(&given), "{name}: {cells:?}\n{requested}");
     }
 }
 
 #[test]
 fn loop_tables_ask_only_for_their_own_unknowns() {
     let report = report("press-ram", None);
-    let asked = between(&report, "Position table\n", "Loop equations\n");
-    let second = between(asked, "loop 2", "Vectors between");
-    assert_eq!(asked.matches("= ?").count(), 4, "{asked}");
+    let requested = between(&report, "Position table\n", "Loop equations\n");
+    let second = between(requested, "loop 2", "Vectors between");
+    assert_eq!(requested.matches("= ?").count(), 4, "{requested}");
     assert_eq!(second.matches("= ?").count(), 2, "{second}");
     assert!(second.contains("from loop 1"), "{second}");
     let rates = between(&report, "Velocities\n", "The time derivative");
@@ -136,8 +136,8 @@ fn unit_vectors_are_defined_once() {
 #[test]
 fn coefficients_of_the_quadratic_have_units() {
     let text = working("slider-crank", None);
-    let unit = |begin: &str, unit: &str| {
-        let line = text.lines().find(|line| line.trim().starts_with(begin));
+    let unit = |start: &str, unit: &str| {
+        let line = text.lines().find(|line| line.trim().starts_with(start));
         let line = line.unwrap_or_else(|| panic!("{text}"));
         assert!(line.ends_with(unit), "{line}");
     };
@@ -175,9 +175,9 @@ fn by(method: PositionMethod, name: &str, at: Option<f64>) -> String {
     let (scene, solver, state) = solved(name, at);
     let working = Working::new(&scene, &solver);
     let notation = WorkingNotation::Krank;
-    let stand = (&scene, &solver, &*state);
-    let worked = working.by(method, stand, &[], 6, notation).unwrap();
-    worked.page.to_text(WIDE)
+    let driver_state = (&scene, &solver, &*state);
+    let computed = working.by(method, driver_state, &[], 6, notation).unwrap();
+    computed.page.to_text(WIDE)
 }
 
 #[test]

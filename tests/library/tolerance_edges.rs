@@ -159,7 +159,7 @@ fn toggle(random: &mut Random) -> Option<NearEdge> {
 }
 
 /// Returns a machine near an end of its range.
-fn beside_end(
+fn machine_near_end(
     text: &str,
     random: &mut Random,
     columns: &[&str],
@@ -170,13 +170,13 @@ fn beside_end(
     let Range::Limited { low, high } = solver.motion().range else {
         return None;
     };
-    let beside = (high - low) * 10_f64.powf(random.from(-4.0, -1.5));
+    let nearby = (high - low) * 10_f64.powf(random.from(-4.0, -1.5));
     let at = match random.even() < 0.5 {
-        true => low + beside,
-        false => high - beside,
+        true => low + nearby,
+        false => high - nearby,
     };
-    let [least, most] = tolerances;
-    NearEdge::new(text, columns, at, random.from(least, most))
+    let [minimum, maximum] = tolerances;
+    NearEdge::new(text, columns, at, random.from(minimum, maximum))
 }
 
 /// Returns a preset with a limited range, made of dyads or with a cylinder, near an end of its
@@ -197,7 +197,7 @@ fn limited_preset(random: &mut Random) -> Option<NearEdge> {
     ];
     let (name, columns, size) = all[(random.even() * 3.0) as usize];
     let text = presets::find(name)?.text;
-    beside_end(text, random, columns, [0.05 * size, size])
+    machine_near_end(text, random, columns, [0.05 * size, size])
 }
 
 /// Returns Stephenson's coupled group with a longer crank, which has dead points.
@@ -208,7 +208,7 @@ fn coupled(random: &mut Random) -> Option<NearEdge> {
         .replace("length = 30 }", &format!("length = {crank} }}"))
         .replace("\nE = [119, 255]", "");
     let columns = ["E.x", "r4.angle", "r6.omega", "C.ay"];
-    beside_end(&text, random, &columns, [0.05, 0.6])
+    machine_near_end(&text, random, &columns, [0.05, 0.6])
 }
 
 /// Evaluates the columns of varied machines of a scene.
@@ -299,7 +299,7 @@ struct Counts {
 }
 
 impl Counts {
-    fn look(&mut self, near: &NearEdge, random: &mut Random) {
+    fn check_machines(&mut self, near: &NearEdge, random: &mut Random) {
         let NearEdge {
             scene,
             columns,
@@ -346,11 +346,11 @@ impl Counts {
                     );
                     continue;
                 }
-                let furthest = maker.furthest(random, i, sign, *tolerance);
+                let extreme = maker.furthest(random, i, sign, *tolerance);
                 let allowed = 1e-6 * (worst.reached[1] - worst.reached[0]) + 1e-9 * end.abs();
-                if sign * (furthest - end) > allowed {
+                if sign * (extreme - end) > allowed {
                     self.exceeded.push(format!(
-                        "{} at {at} +-{tolerance} sign {sign}: {furthest} {worst:?} of {}",
+                        "{} at {at} +-{tolerance} sign {sign}: {extreme} {worst:?} of {}",
                         columns[i].name, scene.name
                     ));
                 }
@@ -380,7 +380,7 @@ fn random_machines_near_an_edge_stay_within_worst_case() {
             let mut left = scenes;
             for _ in 0..20 * scenes {
                 if let Some(near) = make(&mut random).filter(|_| left > 0) {
-                    counts.look(&near, &mut random);
+                    counts.check_machines(&near, &mut random);
                     left -= 1;
                 }
             }

@@ -1,7 +1,7 @@
 //! Tests the working: it is complete, consistent line by line, and agrees with the solver.
 
 use krank::page::{Content, Line, TextStyle};
-use krank::report::{Worked, Working};
+use krank::report::{WorkedState, Working};
 use krank::scene::{Scene, presets};
 use krank::solver::{Condition, Order, Range, Solver, Workspace};
 
@@ -35,7 +35,7 @@ impl Bench {
         }
     }
 
-    fn at(&mut self, at: f64, digits: usize) -> Worked {
+    fn at(&mut self, at: f64, digits: usize) -> WorkedState {
         let _ = self.solver.solve(at, Order::Force, &mut self.state);
         self.working
             .of(&self.scene, &self.solver, &self.state, digits)
@@ -45,16 +45,16 @@ impl Bench {
     fn places(&self) -> Vec<f64> {
         let (low, high) = self.solver.motion().range.ends();
         let step = (high - low) / 24.0;
-        let mut places: Vec<f64> = (0..=24).map(|k| low + step * f64::from(k)).collect();
+        let mut coordinates: Vec<f64> = (0..=24).map(|k| low + step * f64::from(k)).collect();
         let motion = self.solver.motion();
-        places.extend(motion.change_points.iter().chain(&motion.dead_points));
-        places.extend([low - step, high + step, self.scene.mechanism.driver().start]);
-        places
+        coordinates.extend(motion.change_points.iter().chain(&motion.dead_points));
+        coordinates.extend([low - step, high + step, self.scene.mechanism.driver().start]);
+        coordinates
     }
 }
 
-fn text(worked: &Worked) -> String {
-    worked.page.to_text(PLAIN)
+fn text(computed: &WorkedState) -> String {
+    computed.page.to_text(PLAIN)
 }
 
 // ---- values of the solver
@@ -188,8 +188,8 @@ fn benches() -> impl Iterator<Item = (&'static str, Bench)> {
 fn worked_values_agree_with_the_solver() {
     for (name, mut bench) in benches() {
         for at in bench.places() {
-            let worked = bench.at(at, 6);
-            for agreement in &worked.agreements {
+            let computed = bench.at(at, 6);
+            for agreement in &computed.agreements {
                 assert!(
                     agreement.part() <= ROUNDING,
                     "{} at {at} ({:?}): {agreement:?} off by {:e}",
@@ -199,7 +199,11 @@ fn worked_values_agree_with_the_solver() {
                 );
             }
             let rates = bench.state.condition() == Condition::Ok;
-            assert!(!rates || !worked.agreements.is_empty(), "{} at {at}", name);
+            assert!(
+                !rates || !computed.agreements.is_empty(),
+                "{} at {at}",
+                name
+            );
         }
     }
 }
@@ -217,22 +221,22 @@ fn instant_centres_stay_valid_through_infinity() {
                 let condition = bench.solver.solve(at, Order::Force, &mut bench.state);
                 (condition == Condition::Ok).then(|| bench.state.omega(link).unwrap())
             };
-            let places: Vec<f64> = (0..=60)
+            let coordinates: Vec<f64> = (0..=60)
                 .map(|k| low + (high - low) * f64::from(k) / 60.0 + 0.003)
                 .collect();
-            for pair in places.windows(2) {
+            for pair in coordinates.windows(2) {
                 let [mut from, mut to] = [pair[0], pair[1]];
                 let ends = [omega(&mut bench, from), omega(&mut bench, to)];
-                let [Some(begin), Some(end)] = ends else {
+                let [Some(start), Some(end)] = ends else {
                     continue;
                 };
-                if begin * end >= 0.0 {
+                if start * end >= 0.0 {
                     continue;
                 }
                 for _ in 0..60 {
                     let middle = (from + to) / 2.0;
                     match omega(&mut bench, middle) {
-                        Some(w) if w * begin > 0.0 => from = middle,
+                        Some(w) if w * start > 0.0 => from = middle,
                         _ => to = middle,
                     }
                 }
@@ -243,13 +247,13 @@ fn instant_centres_stay_valid_through_infinity() {
                     continue;
                 }
                 for off in [0.0, 1e-13, 1e-11, 1e-9, 1e-7, 1e-5, 1e-3, 0.1] {
-                    let worked = bench.at(from - off, 6);
-                    for agreement in &worked.agreements {
+                    let computed = bench.at(from - off, 6);
+                    for agreement in &computed.agreements {
                         let part = agreement.part();
                         let at = from - off;
                         assert!(part <= ROUNDING, "{name} at {at}: {agreement:?}: {part:e}");
                     }
-                    let text = text(&worked);
+                    let text = text(&computed);
                     assert!(!text.contains("NaN") && !text.contains("inf "), "{text}");
                 }
                 met += 1;
@@ -273,8 +277,8 @@ fn four_bar_instant_centres_match_snapshot() {
 fn working_names_all_links_vectors_and_groups_in_ascii() {
     for (name, mut bench) in benches() {
         for at in bench.places() {
-            let worked = bench.at(at, 6);
-            let text = text(&worked);
+            let computed = bench.at(at, 6);
+            let text = text(&computed);
             let context = format!("{} at {at}:\n{text}", name);
             assert!(text.is_ascii(), "{context}");
             let mut words = text.split(|c: char| !c.is_alphanumeric());
@@ -294,7 +298,7 @@ fn working_names_all_links_vectors_and_groups_in_ascii() {
             for number in 1..=bench.solver.plan().groups.len() {
                 assert!(text.contains(&format!("Group {number}, ")), "{context}");
             }
-            let markdown = worked.page.to_markdown(true);
+            let markdown = computed.page.to_markdown(true);
             assert!(
                 markdown.is_ascii() && markdown.starts_with("# "),
                 "{markdown}"
@@ -308,11 +312,11 @@ fn lines_fit_their_width() {
     for preset in presets::all() {
         let mut bench = Bench::of(preset.name);
         let start = bench.scene.mechanism.driver().start;
-        let worked = bench.at(start, 6);
+        let computed = bench.at(start, 6);
         for width in [20, 38, 78, 118] {
             for ascii in [false, true] {
                 let style = TextStyle { ascii, width };
-                for line in worked.page.lines(style) {
+                for line in computed.page.lines(style) {
                     let (role, line) = (line.role(), line.text());
                     let columns = line.chars().count();
                     let name = preset.name;
@@ -340,9 +344,9 @@ fn wrapped_lines_keep_every_character() {
         .collect()
     };
     let mut bench = Bench::of("four-bar");
-    let mut worked = bench.at(60.0, 9);
+    let mut computed = bench.at(60.0, 9);
     // Tables repeat their first column.
-    worked
+    computed
         .page
         .blocks
         .retain(|block| !matches!(block.content, Content::Table(_)));
@@ -350,9 +354,9 @@ fn wrapped_lines_keep_every_character() {
         ascii: false,
         width,
     };
-    let whole = words(worked.page.lines(style(10_000)));
+    let text = words(computed.page.lines(style(10_000)));
     for width in [12, 20, 38, 60, 80] {
-        assert_eq!(words(worked.page.lines(style(width))), whole, "{width}");
+        assert_eq!(words(computed.page.lines(style(width))), text, "{width}");
     }
 }
 
@@ -602,9 +606,9 @@ fn slider_crank_values_agree_with_lecture_notes() {
 
 /// Returns the text between two headings.
 fn part<'a>(text: &'a str, from: &str, to: &str) -> &'a str {
-    let begin = text.find(from).unwrap();
-    let end = text[begin..].find(to).map_or(text.len(), |end| begin + end);
-    &text[begin..end]
+    let start = text.find(from).unwrap();
+    let end = text[start..].find(to).map_or(text.len(), |end| start + end);
+    &text[start..end]
 }
 
 #[test]

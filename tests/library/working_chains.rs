@@ -96,9 +96,9 @@ impl<'a> Reader<'a> {
 /// Asserts that the chains of rates, points and forces are true to their printed digits, and
 /// returns their number.
 fn hold(page: &Page, context: &str) -> usize {
-    let begins = |block: &Block| matches!(&block.content, Content::Heading(1, text) if text.starts_with("5 "));
+    let starts = |block: &Block| matches!(&block.content, Content::Heading(1, text) if text.starts_with("5 "));
     let ends = |block: &Block| matches!(&block.content, Content::Heading(1, text) if text.ends_with("Check"));
-    let blocks = page.blocks.iter().skip_while(|b| !begins(b));
+    let blocks = page.blocks.iter().skip_while(|b| !starts(b));
     let mut count = 0;
     for block in blocks.take_while(|b| !ends(b)) {
         let Content::Equations(equations) = &block.content else {
@@ -133,8 +133,8 @@ fn follow(name: &str, text: &str) -> Vec<String> {
     for k in 1..24 {
         let at = low + (high - low) * f64::from(k) / 24.0 + 0.01;
         let _ = solver.solve(at, Order::Force, &mut state);
-        let worked = working.of(&scene, &solver, &state, 12);
-        for agreement in &worked.agreements {
+        let computed = working.of(&scene, &solver, &state, 12);
+        for agreement in &computed.agreements {
             let off = agreement.part();
             assert!(off < 1e-13, "{name} at {at}: {agreement:?}: {off:e}");
         }
@@ -142,8 +142,8 @@ fn follow(name: &str, text: &str) -> Vec<String> {
             ascii: true,
             width: 10_000,
         };
-        texts.push(worked.page.to_text(style));
-        count += hold(&worked.page, &format!("{name} at {at}"));
+        texts.push(computed.page.to_text(style));
+        count += hold(&computed.page, &format!("{name} at {at}"));
     }
     assert!(count > 23, "{name}: {count}");
     texts
@@ -185,7 +185,7 @@ fn loaded_joint_shows_balance_of_its_pin() {
 #[test]
 fn joint_reactions_are_worked_out_for_every_kind_of_group() {
     let presets = presets::all().iter().map(|p| (p.name, p.text));
-    let mut told = [0; 3];
+    let mut output = [0; 3];
     for (name, text) in presets.chain(crate::working::OTHERS) {
         let scene = Scene::parse(text, name).unwrap();
         let mechanism = &scene.mechanism;
@@ -207,12 +207,12 @@ fn joint_reactions_are_worked_out_for_every_kind_of_group() {
                 "contain no outer reaction",
                 "The equations of all links",
             ];
-            for (count, way) in told.iter_mut().zip(ways) {
+            for (count, way) in output.iter_mut().zip(ways) {
                 *count += text.matches(way).count();
             }
         }
     }
-    assert!(told.iter().all(|&count| count > 60), "{told:?}");
+    assert!(output.iter().all(|&count| count > 60), "{output:?}");
 }
 
 /// A spring's law and a load's factor are chains like any other.

@@ -12,18 +12,18 @@ use krank::{Builder, Double, Driver, Input, PointId, Vec2};
 /// Number of positions over a chain's range at which it is compared with its exact motion.
 const STATES: u32 = 64;
 /// Maximum distance from the exact position, relative to the chain's size.
-const CLOSE: f64 = 1e-9;
+const MAX_DISTANCE: f64 = 1e-9;
 
 /// Pseudo-random numbers (xorshift).
-struct Chance(u64);
+struct TestRng(u64);
 
-impl Chance {
-    fn new(seed: u64) -> Chance {
-        let mut chance = Chance(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
+impl TestRng {
+    fn new(seed: u64) -> TestRng {
+        let mut rng = TestRng(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
         for _ in 0..8 {
-            chance.next();
+            rng.next();
         }
-        chance
+        rng
     }
 
     fn next(&mut self) -> u64 {
@@ -37,8 +37,8 @@ impl Chance {
         low + (high - low) * (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    fn below(&mut self, most: usize) -> usize {
-        (self.next() >> 20) as usize % most
+    fn below(&mut self, maximum: usize) -> usize {
+        (self.next() >> 20) as usize % maximum
     }
 }
 
@@ -60,11 +60,11 @@ struct Loop {
 }
 
 impl Loop {
-    fn drawn(kind: Kind, crank: f64, chance: &mut Chance) -> Loop {
+    fn drawn(kind: Kind, crank: f64, rng: &mut TestRng) -> Loop {
         match kind {
             Kind::Parallelogram | Kind::Antiparallelogram => {
-                let ratio = chance.within(1.3, 3.5);
-                let frame = if chance.below(2) == 0 {
+                let ratio = rng.within(1.3, 3.5);
+                let frame = if rng.below(2) == 0 {
                     crank * ratio
                 } else {
                     crank / ratio
@@ -78,7 +78,7 @@ impl Loop {
                 }
             }
             Kind::Kite => {
-                let long = crank * chance.within(1.1, 1.6);
+                let long = crank * rng.within(1.1, 1.6);
                 Loop {
                     kind,
                     crank,
@@ -127,7 +127,7 @@ impl Loop {
 #[derive(Clone, Debug)]
 struct Chain {
     loops: Vec<Loop>,
-    place: Vec2,
+    position: Vec2,
     turn: f64,
     start: f64,
 }
@@ -143,30 +143,25 @@ enum Verdict {
 
 impl Chain {
     fn drawn(seed: u64) -> Chain {
-        let mut chance = Chance::new(seed);
-        let count = 1 + chance.below(15);
-        let mut crank = chance.within(0.5, 2.0);
+        let mut rng = TestRng::new(seed);
+        let count = 1 + rng.below(15);
+        let mut crank = rng.within(0.5, 2.0);
         let mut loops = Vec::new();
         for _ in 0..count {
-            let kind = [Kind::Parallelogram, Kind::Antiparallelogram, Kind::Kite][chance.below(3)];
-            let new = Loop::drawn(kind, crank, &mut chance);
+            let kind = [Kind::Parallelogram, Kind::Antiparallelogram, Kind::Kite][rng.below(3)];
+            let new = Loop::drawn(kind, crank, &mut rng);
             crank = new.rocker;
             loops.push(new);
         }
-        let place = match chance.below(2) {
+        let position = match rng.below(2) {
             0 => Vec2::ZERO,
-            _ => Vec2::new(chance.within(-50.0, 50.0), chance.within(-50.0, 50.0)),
+            _ => Vec2::new(rng.within(-50.0, 50.0), rng.within(-50.0, 50.0)),
         };
-        let turn = [
-            0.0,
-            90.0,
-            chance.within(0.0, 360.0),
-            chance.within(0.0, 360.0),
-        ][chance.below(4)];
-        let start = chance.within(30.0, 150.0);
+        let turn = [0.0, 90.0, rng.within(0.0, 360.0), rng.within(0.0, 360.0)][rng.below(4)];
+        let start = rng.within(30.0, 150.0);
         Chain {
             loops,
-            place,
+            position,
             turn,
             start,
         }
@@ -176,7 +171,7 @@ impl Chain {
     /// chain's line.
     fn pins(&self, crank: f64) -> Vec<Vec2> {
         let along = unit(self.turn);
-        let mut pivot = self.place;
+        let mut pivot = self.position;
         let mut angle = crank.to_radians();
         let pins = self.loops.iter().map(|l| {
             pivot += along * l.frame;
@@ -201,7 +196,7 @@ impl Chain {
         // Pivots are in line in double-double arithmetic, then rounded.
         let along = Double::unit(self.turn);
         let mut so_far = Double::ZERO;
-        let pivot = m.ground_point(self.place.x, self.place.y);
+        let pivot = m.ground_point(self.position.x, self.position.y);
         let mut pin = m.moving_point();
         let first = self.loops[0].crank;
         let crank = m.link(pivot, pin, first);
@@ -214,7 +209,7 @@ impl Chain {
         let mut pins = Vec::new();
         for (l, start) in self.loops.iter().zip(self.pins(self.start)) {
             so_far += Double::exactly(l.frame);
-            let at = self.place.exactly() + along * so_far;
+            let at = self.position.exactly() + along * so_far;
             let pivot = m.ground_point(at.x.hi, at.y.hi);
             let joint = m.moving_point();
             m.link(pin, joint, l.coupler);
@@ -227,7 +222,7 @@ impl Chain {
     }
 
     /// Compares the chain with its exact motion over its whole range.
-    fn judged(&self) -> Verdict {
+    fn check_motion(&self) -> Verdict {
         let (solver, pins) = self.open();
         let range = solver.motion().range;
         let (low, high) = range.ends();
@@ -243,14 +238,14 @@ impl Chain {
             }
             solver.enclose(&mut state, Order::Position, &mut enclosure);
             for (&pin, expected) in pins.iter().zip(self.pins(at - self.turn)) {
-                let (place, ball) = (
+                let (position, ball) = (
                     state.position(pin).unwrap(),
                     enclosure.position(pin).unwrap(),
                 );
-                let off = (place - expected).norm();
-                let bound = ball.x.bound(place.x).zip(ball.y.bound(place.y));
+                let off = (position - expected).norm();
+                let bound = ball.x.bound(position.x).zip(ball.y.bound(position.y));
                 let is_bounded = bound.is_none_or(|(x, y)| off <= x.hypot(y) + own);
-                if !(off <= CLOSE * size && is_bounded) {
+                if !(off <= MAX_DISTANCE * size && is_bounded) {
                     return Verdict::Wrong;
                 }
             }
@@ -278,7 +273,7 @@ fn chains_follow_their_exact_motion_or_end() {
     let mut counts = [0; 3];
     for seed in from..from + cases {
         let chain = Chain::drawn(seed);
-        let verdict = chain.judged();
+        let verdict = chain.check_motion();
         if verdict != Verdict::Right {
             eprintln!("{seed}: {verdict:?}: {chain:?}");
         }
@@ -294,7 +289,11 @@ fn chains_follow_their_exact_motion_or_end() {
 #[test]
 fn chains_of_kites_follow_their_exact_motion() {
     for seed in [104, 106, 171] {
-        assert_eq!(Chain::drawn(seed).judged(), Verdict::Right, "seed {seed}");
+        assert_eq!(
+            Chain::drawn(seed).check_motion(),
+            Verdict::Right,
+            "seed {seed}"
+        );
     }
 }
 
@@ -311,7 +310,7 @@ fn two_equal_parallelograms_in_series_only_translate() {
     };
     let chain = Chain {
         loops: vec![equal; 2],
-        place: Vec2::ZERO,
+        position: Vec2::ZERO,
         turn: 0.0,
         start: 60.0,
     };

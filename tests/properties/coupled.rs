@@ -59,8 +59,8 @@ impl Triad {
             builder.link(feet[i], tops[i], (self.tops[i] - self.feet[i]).norm());
         }
         builder.link(pin, tops[2], (self.tops[2] - self.crank.pin()).norm());
-        for (point, place) in tops.into_iter().zip(self.tops) {
-            builder.start(point, place);
+        for (point, position) in tops.into_iter().zip(self.tops) {
+            builder.start(point, position);
         }
         (builder.build().expect("a sound triad"), tops)
     }
@@ -113,14 +113,14 @@ proptest! {
         let planted = triad.measure();
         let around = (0..180).map(|k| triad.crank.angle + 2.0 * f64::from(k));
         // Two solutions meet at a limit, and are easily confused near it.
-        let beside = match solver.motion().range {
+        let nearby = match solver.motion().range {
             Range::Full { .. } => Vec::new(),
             Range::Limited { low, high } => (1..10)
                 .map(|k| 10.0_f64.powi(-k))
                 .flat_map(|off| [low + off * (high - low), high - off * (high - low)])
                 .collect(),
         };
-        for at in around.chain(beside) {
+        for at in around.chain(nearby) {
             if solver.solve(at, Order::Position, &mut state) != Condition::Ok {
                 continue;
             }
@@ -164,11 +164,11 @@ proptest! {
             placed(if inwards > 0.0 { end.next_down() } else { end.next_up() }, Condition::NoAssembly);
             placed(end - inwards * 1e-11, Condition::NoAssembly);
             // Corrections near rounding must still find a state at each of these doubles.
-            let mut beside = end;
+            let mut nearby = end;
             for _ in 0..200 {
-                beside = if inwards > 0.0 { beside.next_up() } else { beside.next_down() };
-                let condition = solver.solve(beside, Order::Position, &mut aside);
-                prop_assert!(condition != Condition::NoAssembly, "{beside} beside {end}");
+                nearby = if inwards > 0.0 { nearby.next_up() } else { nearby.next_down() };
+                let condition = solver.solve(nearby, Order::Position, &mut aside);
+                prop_assert!(condition != Condition::NoAssembly, "{nearby} beside {end}");
             }
             let share = 1e-11 * (high - low);
             let [near, far] = [share, 100.0 * share].map(|by| {

@@ -15,14 +15,14 @@ pub(crate) fn places() -> impl Strategy<Value = Vec<f64>> {
 
 proptest! {
     #[test]
-    fn scaling_by_powers_of_two_changes_no_bit(pose in round_pose(), power in -40..40_i32, places in places()) {
+    fn scaling_by_powers_of_two_changes_no_bit(pose in round_pose(), power in -40..40_i32, coordinates in places()) {
         let factor = 2.0_f64.powi(power);
         let (near, far) = (pose.build(Vec2::ZERO, 1.0), pose.build(Vec2::ZERO, factor));
         let Some(one) = pose.open(&near.mechanism) else { return Ok(()) };
         let other = Solver::new(&far.mechanism).expect("the same mechanism in another size");
         prop_assert_eq!(one.motion().range, other.motion().range);
         let (mut a, mut b) = (one.state(), other.state());
-        for at in places {
+        for at in coordinates {
             let condition = one.solve(at, Order::Acceleration, &mut a);
             prop_assert_eq!(condition, other.solve(at, Order::Acceleration, &mut b));
             if condition == Condition::Ok {
@@ -35,7 +35,7 @@ proptest! {
     fn translation_far_from_origin_loses_no_digits(
         pose in round_pose(),
         shift in (-100_000_000..100_000_000_i32, -100_000_000..100_000_000_i32),
-        places in places(),
+        coordinates in places(),
     ) {
         let shift = Vec2::new(f64::from(shift.0), f64::from(shift.1));
         let (here, there) = (pose.build(Vec2::ZERO, 1.0), pose.build(shift, 1.0));
@@ -43,7 +43,7 @@ proptest! {
         let Some(one) = pose.open(&here.mechanism) else { return Ok(()) };
         let other = Solver::new(&there.mechanism).expect("the same mechanism elsewhere");
         let (mut a, mut b) = (one.state(), other.state());
-        for at in places {
+        for at in coordinates {
             let condition = one.solve(at, Order::Acceleration, &mut a);
             prop_assert_eq!(condition, other.solve(at, Order::Acceleration, &mut b));
             if condition != Condition::Ok {

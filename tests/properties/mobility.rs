@@ -13,9 +13,9 @@ use std::collections::BTreeSet;
 const MACHINES: u64 = 150;
 
 /// Random numbers in 0..1 (splitmix64); the seed determines the machine.
-struct Dice(u64);
+struct SplitMix(u64);
 
-impl Dice {
+impl SplitMix {
     fn roll(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -76,7 +76,7 @@ impl Plan {
     }
 
     /// Creates a rocking crank: a nearly extended dyad stops it some degrees to either side.
-    fn begin(dice: &mut Dice) -> (Plan, usize) {
+    fn rocking_crank(rng: &mut SplitMix) -> (Plan, usize) {
         let mut plan = Plan::default();
         let a = plan.point(Vec2::ZERO, true);
         let pin = Vec2::new(0.2, 1.0);
@@ -84,7 +84,7 @@ impl Plan {
         plan.bar(&[a, b]);
         // The two bars of a stop reach only a little further than needed.
         let g = plan.point(Vec2::new(-3.0, 1.0), true);
-        let bend = dice.between(0.2, 0.35);
+        let bend = rng.between(0.2, 0.35);
         let c = plan.point(Vec2::new(-1.4, 1.0 + 2.0 * bend), false);
         plan.bar(&[b, c]);
         plan.bar(&[c, g]);
@@ -96,12 +96,12 @@ impl Plan {
     }
 
     /// Adds a dyad from a moving point to the ground, and returns its inner joint.
-    fn dyad(&mut self, dice: &mut Dice, from: usize) -> usize {
+    fn dyad(&mut self, rng: &mut SplitMix, from: usize) -> usize {
         let at = self.points[from].0;
-        let along = unit(dice.between(0.0, 360.0));
-        let joint = at + along * dice.between(0.8, 2.0);
-        let turn = dice.between(50.0, 130.0) * if dice.roll() < 0.5 { 1.0 } else { -1.0 };
-        let pivot = joint + along.turned(unit(turn)) * dice.between(0.8, 2.0);
+        let along = unit(rng.between(0.0, 360.0));
+        let joint = at + along * rng.between(0.8, 2.0);
+        let turn = rng.between(50.0, 130.0) * if rng.roll() < 0.5 { 1.0 } else { -1.0 };
+        let pivot = joint + along.turned(unit(turn)) * rng.between(0.8, 2.0);
         let joint = self.point(joint, false);
         let pivot = self.point(pivot, true);
         self.bar(&[from, joint]);
@@ -110,12 +110,12 @@ impl Plan {
     }
 
     /// Adds a parallelogram next to the crank AB, and further cranks, each of which is redundant.
-    fn cranks(&mut self, dice: &mut Dice, count: usize, stretch: f64) {
+    fn cranks(&mut self, rng: &mut SplitMix, count: usize, stretch: f64) {
         let arm = self.points[1].0 - self.points[0].0;
         let mut platform = vec![1];
         let mut cranks = Vec::new();
         for k in 0..=count {
-            let away = Vec2::new(2.0 + 1.3 * k as f64, dice.between(-0.6, 0.4));
+            let away = Vec2::new(2.0 + 1.3 * k as f64, rng.between(-0.6, 0.4));
             let pivot = self.point(away, true);
             // A last crank that does not fit locks the machine: its arm is turned and stretched.
             let off = if k == count { stretch } else { 0.0 };
@@ -137,12 +137,12 @@ impl Plan {
 
     /// Adds a rigid part of four joints and six bars on a moving point, guided by a bar to the
     /// ground.
-    fn braced(&mut self, dice: &mut Dice, from: usize) {
+    fn braced(&mut self, rng: &mut SplitMix, from: usize) {
         let at = self.points[from].0;
-        let along = unit(dice.between(0.0, 360.0)) * dice.between(1.0, 2.0);
+        let along = unit(rng.between(0.0, 360.0)) * rng.between(1.0, 2.0);
         let corners = [(0.9, 0.1), (0.5, 0.8), (0.4, 0.3)];
         let corners = corners.map(|(x, y)| {
-            let (x, y) = (x + 0.1 * dice.roll(), y + 0.1 * dice.roll());
+            let (x, y) = (x + 0.1 * rng.roll(), y + 0.1 * rng.roll());
             at + along * x + along.perp() * y
         });
         let mut all = vec![from];
@@ -154,19 +154,18 @@ impl Plan {
             }
         }
         let tip = corners[0];
-        let pivot = tip + along.perp() * dice.between(0.8, 1.4);
+        let pivot = tip + along.perp() * rng.between(0.8, 1.4);
         let pivot = self.point(pivot, true);
         self.bar(&[all[1], pivot]);
         self.repeating.push(part);
     }
 
     /// Adds a ram along a guide, pushed by a bar, with a second pin in a parallel slot.
-    fn guided(&mut self, dice: &mut Dice, from: usize) {
-        let angle = dice.between(0.0, 180.0);
+    fn guided(&mut self, rng: &mut SplitMix, from: usize) {
+        let angle = rng.between(0.0, 180.0);
         let along = unit(angle);
-        let origin = self.points[from].0 + along.turned(unit(dice.between(20.0, 60.0))) * 1.5;
-        let second =
-            origin + along * dice.between(0.5, 1.5) + along.perp() * dice.between(0.2, 0.8);
+        let origin = self.points[from].0 + along.turned(unit(rng.between(20.0, 60.0))) * 1.5;
+        let second = origin + along * rng.between(0.5, 1.5) + along.perp() * rng.between(0.2, 0.8);
         let origin = self.point(origin, false);
         let second = self.point(second, false);
         self.bar(&[from, origin]);
@@ -183,12 +182,12 @@ impl Plan {
     }
 
     /// Adds three bars from a moving point to the ground, with one free motion.
-    fn loose_chain(&mut self, dice: &mut Dice, from: usize) {
+    fn loose_chain(&mut self, rng: &mut SplitMix, from: usize) {
         let mut at = self.points[from].0;
         let mut last = from;
-        let heading = dice.between(0.0, 360.0);
+        let heading = rng.between(0.0, 360.0);
         for (k, turn) in [0.0, 70.0, -40.0].into_iter().enumerate() {
-            at += unit(heading + turn) * dice.between(0.7, 1.3);
+            at += unit(heading + turn) * rng.between(0.7, 1.3);
             let next = self.point(at, k == 2);
             let bar = self.bar(&[last, next]);
             self.floating.insert(bar);
@@ -198,46 +197,46 @@ impl Plan {
     }
 
     /// Adds a bar that hangs on a moving point.
-    fn hanging(&mut self, dice: &mut Dice, from: usize) {
-        let end = self.points[from].0 + unit(dice.between(0.0, 360.0));
+    fn hanging(&mut self, rng: &mut SplitMix, from: usize) {
+        let end = self.points[from].0 + unit(rng.between(0.0, 360.0));
         let end = self.point(end, false);
         let bar = self.bar(&[from, end]);
         self.floating.insert(bar);
         self.free += 1;
     }
 
-    fn grown(dice: &mut Dice, held: bool) -> Plan {
-        let (mut plan, pin) = Plan::begin(dice);
+    fn grown(rng: &mut SplitMix, held: bool) -> Plan {
+        let (mut plan, pin) = Plan::rocking_crank(rng);
         let mut joints = vec![pin];
-        for _ in 0..dice.below(3) {
-            let from = joints[dice.below(joints.len())];
-            let joint = plan.dyad(dice, from);
+        for _ in 0..rng.below(3) {
+            let from = joints[rng.below(joints.len())];
+            let joint = plan.dyad(rng, from);
             joints.push(joint);
         }
-        let from = |dice: &mut Dice| joints[dice.below(joints.len())];
+        let from = |rng: &mut SplitMix| joints[rng.below(joints.len())];
         if held {
-            let stretch = dice.between(0.05, 0.3);
-            plan.cranks(dice, 1, stretch);
+            let stretch = rng.between(0.05, 0.3);
+            plan.cranks(rng, 1, stretch);
             return plan;
         }
-        if dice.roll() < 0.5 {
-            let count = 1 + dice.below(2);
-            plan.cranks(dice, count, 0.0);
+        if rng.roll() < 0.5 {
+            let count = 1 + rng.below(2);
+            plan.cranks(rng, count, 0.0);
         }
-        for _ in 0..dice.below(3) {
-            let at = from(dice);
-            plan.braced(dice, at);
+        for _ in 0..rng.below(3) {
+            let at = from(rng);
+            plan.braced(rng, at);
         }
-        if dice.roll() < 0.4 {
-            let at = from(dice);
-            plan.guided(dice, at);
+        if rng.roll() < 0.4 {
+            let at = from(rng);
+            plan.guided(rng, at);
         }
-        for _ in 0..dice.below(3) {
-            let at = from(dice);
-            if dice.roll() < 0.5 {
-                plan.loose_chain(dice, at);
+        for _ in 0..rng.below(3) {
+            let at = from(rng);
+            if rng.roll() < 0.5 {
+                plan.loose_chain(rng, at);
             } else {
-                plan.hanging(dice, at);
+                plan.hanging(rng, at);
             }
         }
         plan
@@ -253,9 +252,9 @@ struct Built {
 }
 
 impl Built {
-    fn of(plan: &Plan, dice: &mut Dice) -> Built {
-        let turn = dice.between(0.0, 360.0);
-        let shift = Vec2::new(dice.between(-5.0, 5.0), dice.between(-5.0, 5.0));
+    fn of(plan: &Plan, rng: &mut SplitMix) -> Built {
+        let turn = rng.between(0.0, 360.0);
+        let shift = Vec2::new(rng.between(-5.0, 5.0), rng.between(-5.0, 5.0));
         let place = |at: Vec2| at.turned(unit(turn)) + shift;
         let mut b = Builder::default();
         let points: Vec<PointId> = plan
@@ -274,14 +273,14 @@ impl Built {
             .collect();
         let mut order: Vec<usize> = (0..plan.bars.len()).collect();
         for i in (1..order.len()).rev() {
-            order.swap(i, dice.below(i + 1));
+            order.swap(i, rng.below(i + 1));
         }
         let mut links = vec![None; plan.bars.len()];
         let mut guides = Vec::new();
         for i in order {
             let bar = &plan.bars[i];
             let mut ends = bar.points.clone();
-            if bar.ram.is_none() && ends.len() == 2 && dice.roll() < 0.5 {
+            if bar.ram.is_none() && ends.len() == 2 && rng.roll() < 0.5 {
                 ends.reverse();
             }
             let at = |p: usize| place(plan.points[p].0);
@@ -371,11 +370,11 @@ fn is_in(set: &[ElementId], elements: &[ElementId]) -> bool {
 /// Returns the deviation of the solver's findings from the plan, if any.
 fn complaint(plan: &Plan, built: &Built) -> Option<String> {
     let planted: Vec<Vec<ElementId>> = plan.repeating.iter().map(|s| built.elements(s)).collect();
-    let told = Solver::new(&built.mechanism);
-    match told {
+    let output = Solver::new(&built.mechanism);
+    match output {
         _ if !plan.held.is_empty() => {
             let held = built.elements(&plan.held);
-            match told {
+            match output {
                 Err(Fault::OverConstrained {
                     element, others, ..
                 }) if held.contains(&element) && is_in(&held, &others) && others.len() >= 2 => None,
@@ -431,10 +430,10 @@ fn machines() -> u64 {
 fn planted_redundancy_and_freedom_are_found_by_count_and_name() {
     let mut wrong = Vec::new();
     for seed in 0..machines() {
-        let mut dice = Dice(seed);
-        let plan = Plan::grown(&mut dice, seed % 5 == 4);
-        let built = Built::of(&plan, &mut dice);
-        wrong.extend(complaint(&plan, &built).map(|said| format!("seed {seed}: {said}")));
+        let mut rng = SplitMix(seed);
+        let plan = Plan::grown(&mut rng, seed % 5 == 4);
+        let built = Built::of(&plan, &mut rng);
+        wrong.extend(complaint(&plan, &built).map(|text| format!("seed {seed}: {text}")));
     }
     let shown = wrong.iter().take(5).cloned().collect::<Vec<_>>();
     assert!(

@@ -251,12 +251,12 @@ impl Inside {
     fn open(&self) -> (Solver, LinkId, PointId) {
         let mut m = Builder::default();
         let centre = self.on;
-        let places = [
+        let positions = [
             Vec2::ZERO,
             Vec2::new(3.0, 0.0),
             centre + Vec2::new(self.frame, 0.0),
         ];
-        let [a, d, g] = places.map(|p| {
+        let [a, d, g] = positions.map(|p| {
             let p = self.of.put(p);
             m.ground_point(p.x, p.y)
         });

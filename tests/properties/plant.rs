@@ -141,7 +141,7 @@ pub(crate) fn open(
     // A length error of g separates an extended dyad by about the square root of 2 g.
     let stretched = sin_mu < (8.0 * roundings * U).sqrt();
     match Solver::new(mechanism) {
-        Ok(solver) if stretched && begins_apart(&solver) => None,
+        Ok(solver) if stretched && ends_at_start(&solver) => None,
         Ok(solver) => Some(solver),
         Err(Fault::Open { gap, .. }) if stretched && gap <= 8.0 * roundings * U * scale => None,
         Err(Fault::Vague { choices, .. })
@@ -157,7 +157,7 @@ pub(crate) fn open(
 /// Returns `true` if the motion ends next to the start, which lies beyond: in the rounded numbers,
 /// the arms of a toggle miss each other by less than a rounding error, and krank decides by those
 /// numbers.
-fn begins_apart(solver: &Solver) -> bool {
+fn ends_at_start(solver: &Solver) -> bool {
     let start = solver.mechanism().driver().start;
     let Range::Limited { low, high } = solver.motion().range else {
         return false;

@@ -114,8 +114,8 @@ const ONE: i128 = 10_i128.pow(PLACES);
 
 impl Decimal {
     fn rounded(value: f64, places: u32) -> Decimal {
-        let whole = (value * 10.0_f64.powi(places as i32)).round() as i128;
-        Decimal(whole * 10_i128.pow(PLACES - places))
+        let integer = (value * 10.0_f64.powi(places as i32)).round() as i128;
+        Decimal(integer * 10_i128.pow(PLACES - places))
     }
 
     fn value(self) -> f64 {
@@ -132,11 +132,11 @@ impl Decimal {
 impl fmt::Display for Decimal {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let sign = if self.0 < 0 { "-" } else { "" };
-        let (whole, part) = (self.0.abs() / ONE, self.0.abs() % ONE);
+        let (integer, part) = (self.0.abs() / ONE, self.0.abs() % ONE);
         let part = format!("{part:015}");
         match part.trim_end_matches('0') {
-            "" => write!(f, "{sign}{whole}"),
-            part => write!(f, "{sign}{whole}.{part}"),
+            "" => write!(f, "{sign}{integer}"),
+            part => write!(f, "{sign}{integer}.{part}"),
         }
     }
 }
@@ -192,9 +192,9 @@ impl fmt::Display for Typed {
 }
 
 /// A generator of random numbers: splitmix64.
-struct Dice(u64);
+struct SplitMix(u64);
 
-impl Dice {
+impl SplitMix {
     fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -215,7 +215,7 @@ impl Dice {
         choices[self.below(choices.len())]
     }
 
-    fn chance(&mut self, one_in: usize) -> bool {
+    fn one_in(&mut self, one_in: usize) -> bool {
         self.below(one_in) == 0
     }
 
@@ -240,38 +240,50 @@ impl Dice {
 #[derive(Clone, Copy, Debug)]
 enum Turn {
     /// (x + i y) / 5^n, a unit vector.
-    Exact { x: i128, y: i128, fifths: u32 },
+    Exact {
+        x: i128,
+        y: i128,
+        power_of_five: u32,
+    },
     /// Any angle in degrees; its components are typed with `digits` digits.
     Rounded { angle: f64, digits: i32 },
 }
 
 impl Turn {
-    fn drawn(dice: &mut Dice) -> Turn {
+    fn drawn(rng: &mut SplitMix) -> Turn {
         let mut power = (1, 0);
-        let fifths = match dice.below(6) {
+        let fifths = match rng.below(6) {
             0 | 1 => 0,
             2 | 3 => 1,
-            4 => 2 + dice.below(2) as u32,
+            4 => 2 + rng.below(2) as u32,
             _ => {
-                let (angle, digits) = (dice.between(5.0, 85.0), 15 + dice.below(3) as i32);
-                let angle = angle + 90.0 * dice.below(4) as f64;
+                let (angle, digits) = (rng.between(5.0, 85.0), 15 + rng.below(3) as i32);
+                let angle = angle + 90.0 * rng.below(4) as f64;
                 return Turn::Rounded { angle, digits };
             }
         };
         for _ in 0..fifths {
             power = (3 * power.0 - 4 * power.1, 4 * power.0 + 3 * power.1);
         }
-        for _ in 0..dice.below(4) {
+        for _ in 0..rng.below(4) {
             power = (-power.1, power.0);
         }
         let (x, y) = power;
-        Turn::Exact { x, y, fifths }
+        Turn::Exact {
+            x,
+            y,
+            power_of_five: fifths,
+        }
     }
 
     /// Returns the vector of a length in this direction.
     fn times(self, length: Decimal) -> Typed {
         match self {
-            Turn::Exact { x, y, fifths } => {
+            Turn::Exact {
+                x,
+                y,
+                power_of_five: fifths,
+            } => {
                 let part = length.0 / 5_i128.pow(fifths);
                 Typed([Decimal(part * x), Decimal(part * y)])
             }
@@ -298,7 +310,11 @@ impl Turn {
 
     fn direction(self) -> Plane {
         match self {
-            Turn::Exact { x, y, fifths } => at(x as f64, y as f64) * 5.0_f64.powi(-(fifths as i32)),
+            Turn::Exact {
+                x,
+                y,
+                power_of_five: fifths,
+            } => at(x as f64, y as f64) * 5.0_f64.powi(-(fifths as i32)),
             Turn::Rounded { angle, .. } => unit(angle),
         }
     }
@@ -352,7 +368,13 @@ impl Draft {
         ));
     }
 
-    fn text(&self, start: &[(&str, Plane)], unit: &str, moved: Typed, dice: &mut Dice) -> String {
+    fn text(
+        &self,
+        start: &[(&str, Plane)],
+        unit: &str,
+        moved: Typed,
+        rng: &mut SplitMix,
+    ) -> String {
         let mut ground = self.ground.clone();
         let mut links: Vec<String> = self.links.iter().map(Bar::to_string).collect();
         if self.has_base {
@@ -375,7 +397,7 @@ impl Draft {
             .map(|&(name, p)| format!("{name} = {}", Typed::rounded(p, 4) + moved))
             .collect();
         for lines in [&mut ground, &mut links, &mut start] {
-            dice.shuffle(lines);
+            rng.shuffle(lines);
         }
         let mut text = format!("unit = \"{unit}\"\n");
         let mut tables = [
@@ -386,7 +408,7 @@ impl Draft {
             ("inputs", &self.inputs),
             ("start", &start),
         ];
-        dice.shuffle(&mut tables);
+        rng.shuffle(&mut tables);
         for (name, lines) in tables {
             if !lines.is_empty() {
                 text += &format!("[{name}]\n{}\n", lines.join("\n"));
@@ -492,9 +514,9 @@ fn kite(crank: f64, long: f64, angle: f64, frame: Plane) -> Plane {
 }
 
 impl Group {
-    fn drawn(name: &'static str, scale: f64, draft: &mut Draft, dice: &mut Dice) -> Group {
-        let turn = Turn::drawn(dice);
-        let crank = dice.length(0.4 * scale, 1.2 * scale);
+    fn drawn(name: &'static str, scale: f64, draft: &mut Draft, rng: &mut SplitMix) -> Group {
+        let turn = Turn::drawn(rng);
+        let crank = rng.length(0.4 * scale, 1.2 * scale);
         let mut group = Group {
             crank,
             turn,
@@ -513,32 +535,32 @@ impl Group {
         group.motion = Rc::new(move |psi| vec![("B", unit(psi) * a)]);
         match name {
             "antiparallelogram" | "kite" | "dart" | "folding slider" => {
-                group.end(name, &FIRST, scale, draft, dice);
+                group.end(name, &FIRST, scale, draft, rng);
             }
             "rhombus" => group.parallelogram(crank, turn, &FIRST, draft),
             _ => {
-                let frame = group.frame(scale, dice);
+                let frame = group.frame(scale, rng);
                 group.parallelogram(frame, turn, &FIRST, draft);
             }
         }
         match name {
-            "triple parallelogram" => group.third(scale, draft, dice),
-            "platform" => group.platform(scale, draft, dice),
+            "triple parallelogram" => group.third(scale, draft, rng),
+            "platform" => group.platform(scale, draft, rng),
             "two parallelograms" => {
-                let frame = group.frame(scale, dice);
-                let turn = if dice.chance(2) {
+                let frame = group.frame(scale, rng);
+                let turn = if rng.one_in(2) {
                     turn
                 } else {
-                    Turn::drawn(dice)
+                    Turn::drawn(rng)
                 };
                 group.is_exact &= turn.is_exact();
                 group.parallelogram(frame, turn, &SECOND, draft);
             }
             "parallelogram and antiparallelogram" => {
-                group.end("antiparallelogram", &SECOND, scale, draft, dice);
+                group.end("antiparallelogram", &SECOND, scale, draft, rng);
             }
-            "parallelogram and kite" => group.end("kite", &SECOND, scale, draft, dice),
-            "parallelogram and dart" => group.end("dart", &SECOND, scale, draft, dice),
+            "parallelogram and kite" => group.end("kite", &SECOND, scale, draft, rng),
+            "parallelogram and dart" => group.end("dart", &SECOND, scale, draft, rng),
             _ => {}
         }
         group
@@ -550,9 +572,9 @@ impl Group {
     }
 
     /// Draws a frame length that differs from the crank's.
-    fn frame(&self, scale: f64, dice: &mut Dice) -> Decimal {
+    fn frame(&self, scale: f64, rng: &mut SplitMix) -> Decimal {
         loop {
-            let frame = dice.length(0.5 * scale, 4.0 * scale);
+            let frame = rng.length(0.5 * scale, 4.0 * scale);
             if (frame.value() / self.crank.value()).ln().abs() > 0.1 {
                 return frame;
             }
@@ -601,8 +623,8 @@ impl Group {
     }
 
     /// Adds a third crank to a parallelogram, its pivot in line with the others.
-    fn third(&mut self, scale: f64, draft: &mut Draft, dice: &mut Dice) {
-        let along = dice.length(0.3 * scale, 5.0 * scale);
+    fn third(&mut self, scale: f64, draft: &mut Draft, rng: &mut SplitMix) {
+        let along = rng.length(0.3 * scale, 5.0 * scale);
         let by = self.turn.times(along);
         draft.frame.push(("H", by));
         draft.carry("r3", "K", Typed([along, Decimal(0)]));
@@ -614,13 +636,13 @@ impl Group {
     }
 
     /// Adds a dyad on the coupler of a parallelogram, long enough to close everywhere.
-    fn platform(&mut self, scale: f64, draft: &mut Draft, dice: &mut Dice) {
-        let on = at(dice.between(-1.0, 2.0), dice.between(-1.5, 1.5)) * scale;
+    fn platform(&mut self, scale: f64, draft: &mut Draft, rng: &mut SplitMix) {
+        let on = at(rng.between(-1.0, 2.0), rng.between(-1.5, 1.5)) * scale;
         let on = Typed::rounded(on, 2);
         let away = 3.0 * self.crank.value();
-        let ground = on.plane() * self.turn.direction() + unit(dice.between(0.0, 360.0)) * away;
+        let ground = on.plane() * self.turn.direction() + unit(rng.between(0.0, 360.0)) * away;
         let ground = Typed::rounded(ground, 3);
-        let arms = [0; 2].map(|_| dice.length(0.8 * away, 1.1 * away));
+        let arms = [0; 2].map(|_| rng.length(0.8 * away, 1.1 * away));
         draft.carry("r3", "E", on);
         draft.frame.push(("H", ground));
         draft.bar("r8", "E", "G", arms[0]);
@@ -630,7 +652,7 @@ impl Group {
             ground.plane(),
             arms.map(Decimal::value),
         );
-        let side = dice.sign();
+        let side = rng.sign();
         self.follow(move |_, named| {
             let e = named("B") + on;
             let line = ground - e;
@@ -647,20 +669,20 @@ impl Group {
         of: &'static Stage,
         scale: f64,
         draft: &mut Draft,
-        dice: &mut Dice,
+        rng: &mut SplitMix,
     ) {
         let pivot = self.at_pivot(draft, of);
         let (middle, a) = (pivot.plane(), self.crank.value());
         // Half of the second frames have their own direction.
-        let turn = if of.pin == "B" || dice.chance(2) {
+        let turn = if of.pin == "B" || rng.one_in(2) {
             self.turn
         } else {
-            Turn::drawn(dice)
+            Turn::drawn(rng)
         };
         self.is_exact &= turn.is_exact();
         let frame = match name {
             "kite" => self.crank,
-            _ => self.frame(scale, dice),
+            _ => self.frame(scale, rng),
         };
         let place = turn.from(pivot, frame);
         let far = place.plane();
@@ -677,7 +699,7 @@ impl Group {
                 self.changes_along(by, &[0.0, 180.0]);
             }
             "kite" => {
-                let long = Decimal::rounded(a * dice.between(1.1, 4.0), 2);
+                let long = Decimal::rounded(a * rng.between(1.1, 4.0), 2);
                 draft.frame.push((of.far, place));
                 draft.bar(of.coupler, of.pin, of.joint, long);
                 draft.bar(of.rocker, of.far, of.joint, long);
@@ -696,9 +718,9 @@ impl Group {
             _ => {
                 draft.bar("r3", "B", "C", self.crank);
                 let on = if draft.has_base { "k" } else { "ground" };
-                let angle = Decimal::rounded(dice.between(-180.0, 180.0), 3);
-                let angle = if dice.chance(2) {
-                    Decimal(90 * dice.below(4) as i128 * ONE)
+                let angle = Decimal::rounded(rng.between(-180.0, 180.0), 3);
+                let angle = if rng.one_in(2) {
+                    Decimal(90 * rng.below(4) as i128 * ONE)
                 } else {
                     angle
                 };
@@ -910,8 +932,8 @@ const DRIVERS: [&str; 14] = [
 
 /// Draws the distance of a change point from the end of a range, as a share of it. Returns `None` in a third of all
 /// cases.
-fn share(dice: &mut Dice) -> Option<f64> {
-    (!dice.chance(3)).then(|| 10.0_f64.powf(-dice.between(1.0, 9.0)))
+fn share(rng: &mut SplitMix) -> Option<f64> {
+    (!rng.one_in(3)).then(|| 10.0_f64.powf(-rng.between(1.0, 9.0)))
 }
 
 /// The lengths of a linkage in front, laid out along x before its rotation about the circle's centre.
@@ -927,40 +949,42 @@ struct Layout {
 }
 
 impl Layout {
-    fn drawn(kind: &'static str, radius: f64, dice: &mut Dice) -> Option<Layout> {
-        let mut part = |low: f64, high: f64| dice.length(low * radius, high * radius);
+    fn drawn(kind: &'static str, radius: f64, rng: &mut SplitMix) -> Option<Layout> {
+        let mut part = |low: f64, high: f64| rng.length(low * radius, high * radius);
         let (crank, push, rod) = (part(0.2, 2.5), part(1.0, 4.0), part(0.3, 4.0));
         let layout = Layout {
             kind,
-            away: dice.between(0.3, 3.0) * radius,
-            beside: dice.between(-1.5, 1.5) * radius,
+            away: rng.between(0.3, 3.0) * radius,
+            beside: rng.between(-1.5, 1.5) * radius,
             crank,
             push,
             rod,
-            side: dice.sign(),
+            side: rng.sign(),
         };
-        layout.is_sound(radius).then_some(layout)
+        layout.is_valid(radius).then_some(layout)
     }
 
     /// Returns `true` if the linkage is of its kind by a clear margin.
-    fn is_sound(&self, radius: f64) -> bool {
+    fn is_valid(&self, radius: f64) -> bool {
         let [crank, push, rod] = [self.crank, self.push, self.rod].map(Decimal::value);
         let (inner, outer) = ((rod - radius).abs(), rod + radius);
         let margin = 0.04 * radius;
-        let apart = |a: f64, b: f64| (a - b).abs() > margin;
+        let distance = |a: f64, b: f64| (a - b).abs() > margin;
         let (near, far) = ((self.away - crank).abs(), self.away + crank);
-        let turns = near > inner + margin && far < outer - margin;
-        let limited = near < outer && far > inner && !turns;
-        let general =
-            apart(near, inner) && apart(far, outer) && apart(near, outer) && apart(far, inner);
+        let is_rotary = near > inner + margin && far < outer - margin;
+        let limited = near < outer && far > inner && !is_rotary;
+        let general = distance(near, inner)
+            && distance(far, outer)
+            && distance(near, outer)
+            && distance(far, inner);
         match self.kind {
-            "crank-rocker" => turns && crank < self.away,
-            "drag link" => turns && crank > self.away + margin,
+            "crank-rocker" => is_rotary && crank < self.away,
+            "drag link" => is_rotary && crank > self.away + margin,
             "limited four-bar" => limited && general && inner > margin && near > margin,
-            "cylinder on the ground" | "second input, cylinder" => apart(self.away, radius),
+            "cylinder on the ground" | "second input, cylinder" => distance(self.away, radius),
             "slider" => {
-                let beside = self.beside.abs();
-                beside < outer - margin && apart(beside, inner) && inner > margin
+                let nearby = self.beside.abs();
+                nearby < outer - margin && distance(nearby, inner) && inner > margin
             }
             "slider-crank" => {
                 let [low, high] = [push - crank, push + crank]
@@ -1092,23 +1116,23 @@ fn attached(
     group: &Group,
     scale: f64,
     draft: &mut Draft,
-    dice: &mut Dice,
+    rng: &mut SplitMix,
 ) -> (Circle, &'static str) {
     let a = group.crank.value();
     let translates = group.translates();
-    let carried = |dice: &mut Dice| {
-        let p = unit(dice.between(0.0, 360.0)) * (dice.between(0.4, 1.3) * a);
-        Typed::rounded(p, 2 + dice.below(4) as u32)
+    let carried = |rng: &mut SplitMix| {
+        let p = unit(rng.between(0.0, 360.0)) * (rng.between(0.4, 1.3) * a);
+        Typed::rounded(p, 2 + rng.below(4) as u32)
     };
     let circle = |centre: Plane, p: Plane| Circle {
         centre,
         radius: p.norm(),
         ahead: p.angle(),
     };
-    match dice.below(if translates { 5 } else { 2 }) {
+    match rng.below(if translates { 5 } else { 2 }) {
         0 => (circle(ORIGIN, at(a, 0.0)), "B"),
         1 => {
-            let p = carried(dice);
+            let p = carried(rng);
             draft.carry("r2", "P", p);
             (circle(ORIGIN, p.plane()), "P")
         }
@@ -1118,12 +1142,12 @@ fn attached(
         }
         3 => {
             let far = draft.frame.iter().find(|p| p.0 == "D").unwrap().1;
-            let p = carried(dice);
+            let p = carried(rng);
             draft.carry("r4", "P", p);
             (circle(far.plane(), p.plane()), "P")
         }
         _ => {
-            let on = at(dice.between(-1.0, 2.0), dice.between(-1.0, 1.0)) * scale;
+            let on = at(rng.between(-1.0, 2.0), rng.between(-1.0, 1.0)) * scale;
             let on = Typed::rounded(on, 2);
             draft.carry("r3", "P", on);
             let centre = on.plane() * group.turn.direction();
@@ -1133,12 +1157,12 @@ fn attached(
 }
 
 /// Draws a coordinate inside a range, in some cases close to an end.
-fn inside(span: Span, dice: &mut Dice) -> f64 {
+fn inside(span: Span, rng: &mut SplitMix) -> f64 {
     let (low, high) = span.ends();
-    match (span, share(dice)) {
-        (Span::Limited(..), Some(share)) if dice.chance(2) => low + share * (high - low),
+    match (span, share(rng)) {
+        (Span::Limited(..), Some(share)) if rng.one_in(2) => low + share * (high - low),
         (Span::Limited(..), Some(share)) => high - share * (high - low),
-        _ => low + dice.between(0.05, 0.95) * (high - low),
+        _ => low + rng.between(0.05, 0.95) * (high - low),
     }
 }
 
@@ -1178,16 +1202,16 @@ fn driven(
     scale: f64,
     places: u32,
     draft: &mut Draft,
-    dice: &mut Dice,
+    rng: &mut SplitMix,
 ) -> Option<Driven> {
     let turns = if group.doubles { 2.0 } else { 1.0 };
     let full = Span::Full(360.0 * turns);
-    let change = dice.one_of(&group.changes);
+    let change = rng.one_of(&group.changes);
     match kind {
         "crank" | "law over time" => Some(Driven::line("link = \"r2\"", 1.0, 0.0, full)),
         "crank with a range" => {
-            let wide = dice.between(30.0, 300.0);
-            let near = inside(Span::Limited(0.0, wide), dice);
+            let wide = rng.between(30.0, 300.0);
+            let near = inside(Span::Limited(0.0, wide), rng);
             let [low, high] =
                 [change - near, change - near + wide].map(|v| Decimal::rounded(v, 12));
             let keys = format!("link = \"r2\"\nrange = [{low}, {high}]");
@@ -1199,14 +1223,14 @@ fn driven(
         }
         "elbow" => {
             let angle = group.turn.direction().angle();
-            Some(match dice.chance(2) {
+            Some(match rng.one_in(2) {
                 true => Driven::line("link = \"r3\"\nfrom = \"r2\"", -1.0, angle, full),
                 false => Driven::line("link = \"r4\"\nfrom = \"r3\"", 1.0, angle, full),
             })
         }
         "second input, ratio" => {
-            let ratio = dice.one_of(&[1.0, -1.0, 2.0, 0.5, -0.5, 3.0]);
-            let phase = Decimal::rounded(dice.between(-180.0, 180.0), 3);
+            let ratio = rng.one_of(&[1.0, -1.0, 2.0, 0.5, -0.5, 3.0]);
+            let phase = Decimal::rounded(rng.between(-180.0, 180.0), 3);
             draft.inputs = vec![format!(
                 "r2 = {{ from = \"k\", ratio = {ratio}, phase = {phase} }}"
             )];
@@ -1218,8 +1242,8 @@ fn driven(
         }
         "second input, table" => {
             let span = Span::Limited(0.0, 200.0);
-            let planted = inside(span, dice);
-            let wide = dice.between(40.0, 400.0) * dice.sign();
+            let planted = inside(span, rng);
+            let wide = rng.between(40.0, 400.0) * rng.sign();
             let s = planted / 200.0;
             let from = Decimal::rounded(change - wide * s * s * (3.0 - 2.0 * s), 11);
             let to = Decimal::rounded(from.value() + wide, 3);
@@ -1236,10 +1260,10 @@ fn driven(
             })
         }
         "cylinder between links" if group.translates() => {
-            between(group, change, places, draft, dice)
+            between(group, change, places, draft, rng)
         }
-        "cylinder between links" => across(group, draft, dice),
-        _ => in_front(kind, group, change, [scale, f64::from(places)], draft, dice),
+        "cylinder between links" => across(group, draft, rng),
+        _ => in_front(kind, group, change, [scale, f64::from(places)], draft, rng),
     }
 }
 
@@ -1249,23 +1273,23 @@ fn between(
     change: f64,
     places: u32,
     draft: &mut Draft,
-    dice: &mut Dice,
+    rng: &mut SplitMix,
 ) -> Option<Driven> {
     let a = at(group.crank.value(), 0.0);
-    let p = unit(dice.between(0.0, 360.0)) * (dice.between(0.4, 1.3) * a.x);
+    let p = unit(rng.between(0.0, 360.0)) * (rng.between(0.4, 1.3) * a.x);
     let p = Typed::rounded(p, 3);
     let by = group.shifts[0].2;
     let places = places.min(10);
     draft.carry("r2", "P", p);
     // The vector from P to the other end is by + w, of which w turns with the crank.
-    let side = dice.sign();
-    let (pivot, radius, on_coupler) = match dice.chance(2) {
+    let side = rng.sign();
+    let (pivot, radius, on_coupler) = match rng.one_in(2) {
         true => (
-            at(dice.between(0.5, 2.0) * a.x, 0.0),
+            at(rng.between(0.5, 2.0) * a.x, 0.0),
             (a - p.plane()).norm(),
             true,
         ),
-        false => (by * -1.0, dice.between(0.4, 2.0) * a.x, false),
+        false => (by * -1.0, rng.between(0.4, 2.0) * a.x, false),
     };
     if (pivot.norm() - radius).abs() < 0.1 * radius {
         return None;
@@ -1285,7 +1309,7 @@ fn between(
             0.0
         },
     };
-    let planted = inside(span_of(&front(pivot), &circle, side)?, dice);
+    let planted = inside(span_of(&front(pivot), &circle, side)?, rng);
     let off = change - front(pivot).psi(planted, &circle)?.0;
     let pivot = if on_coupler {
         let to = pivot * unit(off) * -1.0 * group.turn.direction().conj();
@@ -1316,10 +1340,10 @@ fn between(
 }
 
 /// Adds a cylinder from the coupler to the crank of any group, as the driver.
-fn across(group: &Group, draft: &mut Draft, dice: &mut Dice) -> Option<Driven> {
+fn across(group: &Group, draft: &mut Draft, rng: &mut SplitMix) -> Option<Driven> {
     let a = group.crank.value();
     let [p, q] = [0.9, 2.0].map(|far| {
-        let p = unit(dice.between(0.0, 360.0)) * (dice.between(0.4, far) * a);
+        let p = unit(rng.between(0.0, 360.0)) * (rng.between(0.4, far) * a);
         Typed::rounded(p, 3)
     });
     draft.carry("r2", "P", p);
@@ -1335,7 +1359,7 @@ fn across(group: &Group, draft: &mut Draft, dice: &mut Dice) -> Option<Driven> {
         let along = (c - b) * (1.0 / (c - b).norm());
         (b + q * along - p * unit(psi)).norm()
     };
-    let start = dice.between(0.0, if group.doubles { 720.0 } else { 360.0 });
+    let start = rng.between(0.0, if group.doubles { 720.0 } else { 360.0 });
     let sign = length(start + 0.1) - length(start);
     let ends = [-1.0, 1.0].map(|sense| {
         let is_on = |psi: f64| (length(psi + 0.25 * sense) - length(psi)) * sign * sense > 0.0;
@@ -1388,17 +1412,17 @@ fn in_front(
     change: f64,
     [scale, places]: [f64; 2],
     draft: &mut Draft,
-    dice: &mut Dice,
+    rng: &mut SplitMix,
 ) -> Option<Driven> {
-    let (circle, name) = attached(group, scale, draft, dice);
-    let layout = (0..400).find_map(|_| Layout::drawn(kind, circle.radius, dice))?;
-    let choice = dice.sign();
+    let (circle, name) = attached(group, scale, draft, rng);
+    let layout = (0..400).find_map(|_| Layout::drawn(kind, circle.radius, rng))?;
+    let choice = rng.sign();
     let (front, ..) = layout.turned(0.0, &circle, 12);
     let span = span_of(&front, &circle, choice)?;
-    let mut planted = inside(span, dice);
-    if matches!(kind, "crank-rocker" | "slider-crank") && dice.chance(2) {
-        let off = share(dice).unwrap_or(0.1) * 100.0 * dice.sign();
-        planted = turning_point(&front, &circle, dice.sign()) + off;
+    let mut planted = inside(span, rng);
+    if matches!(kind, "crank-rocker" | "slider-crank") && rng.one_in(2) {
+        let off = share(rng).unwrap_or(0.1) * 100.0 * rng.sign();
+        planted = turning_point(&front, &circle, rng.sign()) + off;
     }
     let angle = change - front.psi(planted, &circle)?.0;
     let (mut front, points, line) = layout.turned(angle, &circle, places as u32);
@@ -1436,8 +1460,8 @@ fn in_front(
         "second input, cylinder" => {
             draft.cylinder("O", name);
             let (low, high) = span.ends();
-            let ratio = Decimal::rounded((high - low) / dice.between(60.0, 300.0) * dice.sign(), 4);
-            let phase = Decimal::rounded(dice.between(low, high), 3);
+            let ratio = Decimal::rounded((high - low) / rng.between(60.0, 300.0) * rng.sign(), 4);
+            let phase = Decimal::rounded(rng.between(low, high), 3);
             draft.inputs = vec![format!("rod = {{ ratio = {ratio}, phase = {phase} }}")];
             let [ratio, phase] = [ratio, phase].map(Decimal::value);
             draft
@@ -1493,26 +1517,26 @@ const LAWS: [&str; 4] = ["constant", "harmonic", "cycloidal", "dwell"];
 
 impl Planted {
     fn drawn(seed: u64) -> Planted {
-        let mut dice = Dice(seed.wrapping_mul(0x2545_f491_4f6c_dd1d));
+        let mut rng = SplitMix(seed.wrapping_mul(0x2545_f491_4f6c_dd1d));
         let seed = seed as usize;
         let wanted = [
             GROUPS[seed % GROUPS.len()],
             DRIVERS[seed / GROUPS.len() % DRIVERS.len()],
         ];
         loop {
-            if let Some(planted) = Planted::tried(wanted, &mut dice) {
+            if let Some(planted) = Planted::tried(wanted, &mut rng) {
                 return planted;
             }
         }
     }
 
-    fn tried([name, kind]: [&'static str; 2], dice: &mut Dice) -> Option<Planted> {
-        let (unit, scale) = dice.one_of(&[("mm", 100.0), ("mm", 250.0), ("in", 4.0), ("in", 12.0)]);
+    fn tried([name, kind]: [&'static str; 2], rng: &mut SplitMix) -> Option<Planted> {
+        let (unit, scale) = rng.one_of(&[("mm", 100.0), ("mm", 250.0), ("in", 4.0), ("in", 12.0)]);
         let mut draft = Draft {
             has_base: matches!(kind, "second input, ratio" | "second input, table"),
             ..Draft::default()
         };
-        let group = Group::drawn(name, scale, &mut draft, dice);
+        let group = Group::drawn(name, scale, &mut draft, rng);
         // A direction whose numbers happen to end in zeros would be typed as an exact one.
         let is_long = |p: Typed| p.0.iter().any(|v| v.digits() >= 15);
         if !(group.is_exact || draft.frame.iter().any(|&(_, p)| is_long(p))) {
@@ -1523,11 +1547,11 @@ impl Planted {
             kind => kind,
         };
         let far = if group.is_exact {
-            dice.one_of(&[0.0, 0.0, 1e3, 1e4, 1e6])
+            rng.one_of(&[0.0, 0.0, 1e3, 1e4, 1e6])
         } else {
-            dice.one_of(&[0.0, 300.0])
+            rng.one_of(&[0.0, 300.0])
         };
-        let moved = at(dice.between(-far, far), dice.between(-far, far));
+        let moved = at(rng.between(-far, far), rng.between(-far, far));
         let mut moved = Typed::rounded(moved, 1);
         // A rounded position with fewer digits would be typed as another one.
         if !group.is_exact && draft.frame.iter().any(|&(_, p)| !p.keeps_digits(moved)) {
@@ -1540,11 +1564,11 @@ impl Planted {
         } else {
             12
         };
-        let places = if dice.chance(4) { 4 } else { places };
-        let driven = driven(kind, &group, scale, places, &mut draft, dice)?;
+        let places = if rng.one_in(4) { 4 } else { places };
+        let driven = driven(kind, &group, scale, places, &mut draft, rng)?;
         let base = draft.has_base.then(|| {
             let about = Typed::rounded(
-                at(dice.between(-2.0, 2.0), dice.between(-2.0, 2.0)) * scale,
+                at(rng.between(-2.0, 2.0), rng.between(-2.0, 2.0)) * scale,
                 2,
             );
             draft.frame.push(("O", about));
@@ -1560,7 +1584,7 @@ impl Planted {
             labels: [name, kind],
             text: String::new(),
             carried: carried.collect(),
-            ahead: if group.doubles && kind != "cylinder between links" && dice.chance(2) {
+            ahead: if group.doubles && kind != "cylinder between links" && rng.one_in(2) {
                 360.0
             } else {
                 0.0
@@ -1572,14 +1596,14 @@ impl Planted {
             start: 0.0,
             steps: Vec::new(),
         };
-        let start = (0..30).find_map(|_| planted.opening(dice))?;
+        let start = (0..30).find_map(|_| planted.opening(rng))?;
         planted.start = start.value();
         draft.driver = vec![
             planted.driven.keys.clone(),
             format!("{} = {start}", planted.driven.coordinate),
         ];
         if kind == "law over time" {
-            planted.steps = steps(planted.start, planted.group.doubles, dice);
+            planted.steps = steps(planted.start, planted.group.doubles, rng);
             let lines = planted.steps.iter().map(|&(law, to, time)| match law {
                 "dwell" => format!("{{ dwell = {time} }}"),
                 _ => format!("{{ law = \"{law}\", to = {to}, time = {time} }}"),
@@ -1590,17 +1614,17 @@ impl Planted {
             ));
         }
         let at_start = planted.truth(planted.start)?;
-        planted.text = draft.text(&at_start, unit, moved, dice);
+        planted.text = draft.text(&at_start, unit, moved, rng);
         Some(planted)
     }
 
     /// Draws a coordinate for the start, away from change points and from the ends.
-    fn opening(&self, dice: &mut Dice) -> Option<Decimal> {
+    fn opening(&self, rng: &mut SplitMix) -> Option<Decimal> {
         let (low, high) = self.driven.span.ends();
-        let q = Decimal::rounded(low + dice.between(0.03, 0.97) * (high - low), 6);
+        let q = Decimal::rounded(low + rng.between(0.03, 0.97) * (high - low), 6);
         let (psi, _) = self.driven.front.psi(q.value(), &self.driven.circle)?;
-        let apart = |change: &f64| (psi - change).to_radians().sin().abs() > 0.05;
-        let is_clear = self.group.changes.iter().all(apart);
+        let distance = |change: &f64| (psi - change).to_radians().sin().abs() > 0.05;
+        let is_clear = self.group.changes.iter().all(distance);
         is_clear.then_some(q)
     }
 
@@ -1637,18 +1661,18 @@ impl Planted {
 }
 
 /// Draws a motion over time that passes every change point and returns to its start.
-fn steps(start: f64, doubles: bool, dice: &mut Dice) -> Vec<(&'static str, f64, f64)> {
+fn steps(start: f64, doubles: bool, rng: &mut SplitMix) -> Vec<(&'static str, f64, f64)> {
     let turns = if doubles { 720.0 } else { 360.0 };
     let mut steps = Vec::new();
     let mut now = start;
-    for to in [start + dice.between(-200.0, 500.0), start + turns] {
+    for to in [start + rng.between(-200.0, 500.0), start + turns] {
         let to = if to == start + turns {
             to
         } else {
             Decimal::rounded(to, 2).value()
         };
-        let time = Decimal::rounded(dice.between(0.1, 2.0), 2).value();
-        let law = LAWS[dice.below(3)];
+        let time = Decimal::rounded(rng.between(0.1, 2.0), 2).value();
+        let law = LAWS[rng.below(3)];
         steps.push((law, to, time));
         now = to;
         steps.push(("dwell", now, 0.25));
@@ -1681,7 +1705,7 @@ fn position(start: f64, steps: &[(&'static str, f64, f64)], mut time: f64) -> f6
 /// The failures of a scene.
 #[derive(Debug, Default)]
 struct Verdict {
-    wrong: Option<String>,
+    failure: Option<String>,
     cut: Option<String>,
     /// A change point missing from the report.
     silent: Option<String>,
@@ -1698,10 +1722,10 @@ struct Trial<'a> {
 }
 
 /// Rounding error of the test's own formulas, relative to the size.
-const ROUGH: f64 = 2e-6;
+const FORMULA_ROUNDING: f64 = 2e-6;
 
 impl Planted {
-    fn judged(&self) -> Verdict {
+    fn check_motion(&self) -> Verdict {
         let mut verdict = Verdict::default();
         let scene = match Scene::parse(&self.text, "planted") {
             Ok(scene) => scene,
@@ -1731,22 +1755,22 @@ impl Planted {
                 .collect(),
             solver,
         };
-        trial.judge_range(&mut verdict);
+        trial.check_range(&mut verdict);
         for q in self.coordinates() {
-            trial.judge_state(q, &mut verdict);
+            trial.check_state(q, &mut verdict);
         }
-        trial.judge_change_points(&mut verdict);
+        trial.check_change_points(&mut verdict);
         if let Some(law) = &scene.motion {
             for k in 0..40 {
                 let time = law.period() * f64::from(k) / 40.0;
                 let q = law.at(time).at;
                 let expected = position(self.start, &self.steps, time);
                 if (q - expected).abs() > 1e-9 {
-                    verdict.wrong = Some(format!(
+                    verdict.failure = Some(format!(
                         "the driver is at {q} after {time} s, not at {expected}"
                     ));
                 }
-                trial.judge_state(q, &mut verdict);
+                trial.check_state(q, &mut verdict);
             }
         }
         verdict
@@ -1827,19 +1851,19 @@ impl Planted {
 }
 
 impl Trial<'_> {
-    fn judge_range(&self, verdict: &mut Verdict) {
+    fn check_range(&self, verdict: &mut Verdict) {
         let (range, span) = (self.solver.motion().range, self.planted.driven.span);
         match (span, range) {
             (Span::Full(expected), Range::Full { period }) => {
                 if period != expected {
-                    verdict.wrong = Some(format!("the period is {period}, not {expected}"));
+                    verdict.failure = Some(format!("the period is {period}, not {expected}"));
                 }
             }
             (Span::Full(_), Range::Limited { low, high }) => {
                 verdict.cut = Some(format!("it ends at {low} and {high}, but turns fully"));
             }
             (Span::Limited(..), Range::Full { period }) => {
-                verdict.wrong = Some(format!(
+                verdict.failure = Some(format!(
                     "it turns fully, by {period}, but has ends: {span:?}"
                 ));
             }
@@ -1855,14 +1879,14 @@ impl Trial<'_> {
                 }
                 let beyond = (low - l).max(h - high);
                 if beyond > slack {
-                    verdict.wrong =
+                    verdict.failure =
                         Some(format!("it ends at {l} and {h}, beyond {low} and {high}"));
                 }
             }
         }
     }
 
-    fn judge_state(&mut self, q: f64, verdict: &mut Verdict) {
+    fn check_state(&mut self, q: f64, verdict: &mut Verdict) {
         let Some(truth) = self.planted.truth(q) else {
             return;
         };
@@ -1871,12 +1895,12 @@ impl Trial<'_> {
                 self.solver
                     .enclose(&mut self.state, Order::Acceleration, &mut self.balls);
                 if let Some(why) = self.off(q, &truth) {
-                    verdict.wrong.get_or_insert(why);
+                    verdict.failure.get_or_insert(why);
                 }
             }
             Condition::ChangePoint => {
-                if let Some(why) = self.far_off(q, &truth) {
-                    verdict.wrong.get_or_insert(why);
+                if let Some(why) = self.is_far(q, &truth) {
+                    verdict.failure.get_or_insert(why);
                 }
             }
             condition @ (Condition::DeadPoint | Condition::NoAssembly) => {
@@ -1898,9 +1922,9 @@ impl Trial<'_> {
     }
 
     /// Reports a point that is far from its known position, as on another assembly.
-    fn far_off(&self, q: f64, truth: &[(&'static str, Plane)]) -> Option<String> {
+    fn is_far(&self, q: f64, truth: &[(&'static str, Plane)]) -> Option<String> {
         let planted = self.planted;
-        let rounding = 1e-15 * planted.moved.norm() + ROUGH * planted.group.size;
+        let rounding = 1e-15 * planted.moved.norm() + FORMULA_ROUNDING * planted.group.size;
         let allowed = rounding + 1e-14 * planted.group.size / planted.sine(q);
         truth.iter().find_map(|(name, expected)| {
             let found = self.place(name)? - planted.moved;
@@ -1913,7 +1937,7 @@ impl Trial<'_> {
     }
 
     fn off(&self, q: f64, truth: &[(&'static str, Plane)]) -> Option<String> {
-        let far = self.far_off(q, truth);
+        let far = self.is_far(q, truth);
         // If the frame's coordinates are rounded, the lengths differ slightly from those of the known motion.
         match self.planted.group.is_exact {
             true => far
@@ -1975,7 +1999,7 @@ impl Trial<'_> {
     }
 
     /// Reports a change point that the crank passes and the solver does not list.
-    fn judge_change_points(&self, verdict: &mut Verdict) {
+    fn check_change_points(&self, verdict: &mut Verdict) {
         let motion = self.solver.motion();
         let (period, wide) = match motion.range {
             Range::Full { period } => (period, period),
@@ -2013,8 +2037,8 @@ fn planted_motions_are_followed_to_their_ends() {
     let mut failing = Vec::new();
     for seed in first..first + count {
         let planted = Planted::drawn(seed);
-        let verdict = planted.judged();
-        let failed = [&verdict.wrong, &verdict.cut, &verdict.silent];
+        let verdict = planted.check_motion();
+        let failed = [&verdict.failure, &verdict.cut, &verdict.silent];
         let [group, driver] = planted.labels;
         for label in [
             "all".to_owned(),
@@ -2033,7 +2057,7 @@ fn planted_motions_are_followed_to_their_ends() {
             .zip(failed)
             .find(|(_, why)| why.is_some());
         let Some((kind, why)) = kind else { continue };
-        if verdict.wrong.is_some() || verdict.cut.is_some() {
+        if verdict.failure.is_some() || verdict.cut.is_some() {
             failing.push(seed);
         }
         let why = why.clone().unwrap_or_default();
@@ -2072,6 +2096,10 @@ fn planted_motions_are_followed_to_their_ends() {
 #[test]
 fn scenes_that_once_went_wrong_are_right_or_end() {
     for seed in ONCE_WRONG {
-        assert_eq!(Planted::drawn(seed).judged().wrong, None, "seed {seed}");
+        assert_eq!(
+            Planted::drawn(seed).check_motion().failure,
+            None,
+            "seed {seed}"
+        );
     }
 }

@@ -1,6 +1,6 @@
 //! Tests that every way to end the program restores the terminal and leaves no process.
 
-use crate::session::{Manner, Session, Setup};
+use crate::session::{Session, Setup, TerminalBehaviour};
 use rustix::process::Signal;
 use std::process::{Command, Stdio};
 use std::thread;
@@ -23,7 +23,7 @@ fn hangup_ends_the_program() {
     let krank = env!("CARGO_BIN_EXE_krank");
     // The second script ignores SIGHUP, as under `nohup`.
     for script in ["exec", "trap '' HUP; exec"] {
-        for manner in [Manner::Answers, Manner::Mute] {
+        for manner in [TerminalBehaviour::Answers, TerminalBehaviour::Mute] {
             let setup = Setup::script(&format!("{script} {krank} four-bar")).manner(manner);
             let mut session = setup.start();
             session.wait_for("60.00 deg").send(" ");
@@ -37,7 +37,7 @@ fn hangup_ends_the_program() {
 #[test]
 fn signal_ends_the_program_on_a_stalled_line() {
     for signal in [Signal::TERM, Signal::HUP] {
-        let setup = Setup::krank(&["four-bar"]).manner(Manner::Stalled);
+        let setup = Setup::krank(&["four-bar"]).manner(TerminalBehaviour::Stalled);
         let mut session = setup.start();
         session.resize(240, 80);
         // Sends whole screens until the kernel's buffer is full.
@@ -98,8 +98,8 @@ fn output_without_terminal_exits_with_2() {
         .unwrap();
     assert_eq!(output.status.code(), Some(2));
     assert!(output.stdout.is_empty());
-    let told = String::from_utf8(output.stderr).unwrap();
-    assert!(told.contains("krank table"), "{told}");
+    let printed = String::from_utf8(output.stderr).unwrap();
+    assert!(printed.contains("krank table"), "{printed}");
 }
 
 /// Like `krank | head -c 0`: the pipe has no reader.
@@ -114,8 +114,8 @@ fn broken_output_pipe_exits_with_2_without_panic() {
     drop(child.stdout.take());
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(2));
-    let told = String::from_utf8(output.stderr).unwrap();
-    assert!(!told.contains("panicked"), "{told}");
+    let printed = String::from_utf8(output.stderr).unwrap();
+    assert!(!printed.contains("panicked"), "{printed}");
 }
 
 /// If the disk is full while a scene is saved, an error is shown, the file stays unchanged, and no

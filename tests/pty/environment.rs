@@ -1,6 +1,6 @@
 //! Tests of various terminals: none receives sequences that it does not support.
 
-use crate::session::{Manner, Session, Setup};
+use crate::session::{Session, Setup, TerminalBehaviour};
 use std::process::Command;
 
 /// Plays for some frames, quits, and returns the bytes sent.
@@ -130,7 +130,7 @@ fn colours_change_by_key_and_by_option() {
 #[test]
 fn dumb_terminal_exits_with_2() {
     let setup = Setup::krank(&["four-bar"]).env("TERM", "dumb");
-    let mut session = setup.manner(Manner::Mute).start();
+    let mut session = setup.manner(TerminalBehaviour::Mute).start();
     assert_eq!(session.ended_as_found().exit_code(), 2);
     session.wait_for("krank table");
 }
@@ -162,12 +162,12 @@ fn diagnose_works_in_a_pipe() {
         .output()
         .unwrap();
     assert_eq!(output.status.code(), Some(0));
-    let told = String::from_utf8(output.stdout).unwrap();
-    assert!(told.is_ascii() && !told.contains('\x1b'), "{told}");
+    let printed = String::from_utf8(output.stdout).unwrap();
+    assert!(printed.is_ascii() && !printed.contains('\x1b'), "{printed}");
     for line in [
         "standard output  no terminal\n",
         "glyphs           line: requested; otherwise ascii: the locale is not UTF-8\n",
     ] {
-        assert!(told.contains(line), "{told}");
+        assert!(printed.contains(line), "{printed}");
     }
 }

@@ -62,21 +62,21 @@ fn paste_is_not_read_after(keys: &str) {
 /// Only a key enables the mouse, and only its buttons are reported. Every exit disables it.
 #[test]
 fn key_enables_the_mouse_and_exit_disables_it() {
-    const TAKEN: &[u8] = b"\x1b[?1002h\x1b[?1006h";
-    const GIVEN: &[u8] = b"\x1b[?1006l\x1b[?1002l";
+    const MOUSE_ENABLED: &[u8] = b"\x1b[?1002h\x1b[?1006h";
+    const MOUSE_DISABLED: &[u8] = b"\x1b[?1006l\x1b[?1002l";
     let count = |session: &Session, sequence: &[u8]| session.seen.lock().unwrap().count(sequence);
     for keys in ["q", "\x03"] {
         let mut session = Session::krank(&["four-bar"]);
         session.wait_for("60.00 deg").settle();
-        assert_eq!(count(&session, TAKEN), 0, "not asked for");
+        assert_eq!(count(&session, MOUSE_ENABLED), 0, "not asked for");
         session.send("M");
-        session.wait_until("the mouse", |seen| seen.count(TAKEN) == 1);
+        session.wait_until("the mouse", |seen| seen.count(MOUSE_ENABLED) == 1);
         // Presses and releases the tab of the tables.
         session.send("\x1b[<0;15;1M\x1b[<0;15;1m");
         session.wait_for(" tables ");
         session.send(keys);
         assert!(session.ended_as_found().success() || keys != "q");
-        assert_eq!(count(&session, GIVEN), 1);
+        assert_eq!(count(&session, MOUSE_DISABLED), 1);
         assert_eq!(count(&session, b"\x1b[?1003h"), 0);
     }
 }

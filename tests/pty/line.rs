@@ -1,7 +1,7 @@
 //! Tests of bad lines: noise, lost or late answers, and unrequested strings. After each of them,
 //! the next key is handled and its effect shown.
 
-use crate::session::{Manner, PATIENCE, Session, Setup};
+use crate::session::{PATIENCE, Session, Setup, TerminalBehaviour};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -38,12 +38,12 @@ fn hostile() -> Vec<Vec<u8>> {
     .map(<[u8]>::to_vec)
     .to_vec();
     // Replies longer than any key. Regression test: bytes after the first 256 were read as keys, and `q` quits.
-    for (begins, ends) in [
+    for (starts, ends) in [
         ("\x1b]52;c;", "\x07"),
         ("\x1bP1+r", "\x1b\\"),
         ("\x1b_G", "\x1b\\"),
     ] {
-        all.push(format!("{begins}{}{ends}", "q".repeat(3000)).into_bytes());
+        all.push(format!("{starts}{}{ends}", "q".repeat(3000)).into_bytes());
     }
     all.push(format!("\x1b[{}q", "1;".repeat(3000)).into_bytes());
     all
@@ -59,7 +59,7 @@ fn step(session: &Session, from: u32) -> u32 {
 }
 
 /// Sends noise to a new session, whole or byte by byte, and checks a key after each piece.
-fn hears_after_noise(manner: Manner, by_bytes: bool) {
+fn assert_key_after_noise(manner: TerminalBehaviour, by_bytes: bool) {
     let mut session = Setup::krank(&["four-bar"]).manner(manner).start();
     session.wait_for("60.00 deg").wait_for("-3.9164");
     let mut at = 60;
@@ -93,9 +93,9 @@ fn hears_after_noise(manner: Manner, by_bytes: bool) {
 #[test]
 fn next_key_after_noise_is_handled_and_shown() {
     thread::scope(|scope| {
-        for manner in [Manner::Answers, Manner::Mute] {
+        for manner in [TerminalBehaviour::Answers, TerminalBehaviour::Mute] {
             for by_bytes in [false, true] {
-                scope.spawn(move || hears_after_noise(manner, by_bytes));
+                scope.spawn(move || assert_key_after_noise(manner, by_bytes));
             }
         }
     });
@@ -107,7 +107,7 @@ fn lost_answer_does_not_stop_the_screen() {
     let session = Session::krank(&["four-bar"]);
     session.wait_for("60.00 deg").wait_for("-3.9164");
     session.settle();
-    session.fall_silent();
+    session.stop_answering();
     let mut at = 60;
     for _ in 0..8 {
         at = step(&session, at);

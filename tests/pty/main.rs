@@ -21,7 +21,7 @@ mod stopping;
 mod taking;
 
 use rustix::process::Signal;
-use session::{Manner, PATIENCE, Session, Setup};
+use session::{PATIENCE, Session, Setup, TerminalBehaviour};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -115,7 +115,7 @@ fn last_of_many_resizes_is_drawn() {
         let [cols, rows] = [seed >> 8, seed >> 20].map(|n| u16::try_from(n % 300).unwrap());
         session.resize(cols, rows);
     }
-    session.tell_size(u16::MAX, u16::MAX);
+    session.set_reported_size(u16::MAX, u16::MAX);
     session.resize(100, 30);
     session.wait_for("pause").send(" ");
     session.wait_for("play");
@@ -141,7 +141,9 @@ fn starts_at_any_size_and_grows() {
 
 #[test]
 fn mute_terminal_is_not_waited_for() {
-    let mut session = Setup::krank(&["four-bar"]).manner(Manner::Mute).start();
+    let mut session = Setup::krank(&["four-bar"])
+        .manner(TerminalBehaviour::Mute)
+        .start();
     session.wait_for("60.00 deg").wait_for("-3.9164").send(".");
     session.wait_for("65.00 deg").send("..");
     session.wait_for("75.00 deg").send("q");

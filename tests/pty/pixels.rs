@@ -27,7 +27,7 @@ fn missing_pixels_feature_is_explained_in_the_workbench() {
 
 #[cfg(feature = "pictures")]
 mod sent {
-    use crate::session::{Manner, Setup};
+    use crate::session::{Setup, TerminalBehaviour};
 
     /// Start and end of a protocol's sequence, and the sequence that removes its picture in
     /// addition to clearing the screen.
@@ -67,7 +67,7 @@ mod sent {
         for sequence in [KITTY, ITERM, SIXEL] {
             let Sequence {
                 protocol,
-                begins,
+                begins: starts,
                 ends,
                 removal,
             } = sequence;
@@ -80,16 +80,16 @@ mod sent {
             session.send("V");
             session.wait_for("any key closes it");
             session.wait_until("the picture", |seen| {
-                has(&seen.bytes, begins) && seen.bytes.ends_with(ends)
+                has(&seen.bytes, starts) && seen.bytes.ends_with(ends)
             });
             let sent = session.seen.lock().unwrap().bytes.len();
             session.send(".");
             session.wait_until("cells again", |seen| {
-                let behind = &seen.bytes[sent..];
-                has(behind, CLEARED) && (removal.is_empty() || has(behind, removal))
+                let after = &seen.bytes[sent..];
+                has(after, CLEARED) && (removal.is_empty() || has(after, removal))
             });
             assert!(
-                !has(&session.seen.lock().unwrap().bytes[sent..], begins),
+                !has(&session.seen.lock().unwrap().bytes[sent..], starts),
                 "{protocol}"
             );
             session.send("q");
@@ -101,11 +101,13 @@ mod sent {
     #[test]
     fn pixels_are_removed_on_exit_by_signal() {
         let Sequence {
-            begins, removal, ..
+            begins: starts,
+            removal,
+            ..
         } = KITTY;
         let mut session = Setup::krank(&["four-bar", "--picture", "kitty"]).start();
         session.wait_for("60.00 deg").send("V");
-        session.wait_until("the picture", |seen| has(&seen.bytes, begins));
+        session.wait_until("the picture", |seen| has(&seen.bytes, starts));
         session.signal(rustix::process::Signal::TERM);
         session.wait_until("it is taken away", |seen| has(&seen.bytes, removal));
         session.ended_as_found();
@@ -113,18 +115,20 @@ mod sent {
 
     #[test]
     fn pixels_on_a_slow_line_are_sent_only_after_confirmation() {
-        let begins = SIXEL.begins;
+        let starts = SIXEL.begins;
         let arguments = ["four-bar", "--picture", "sixel"];
-        let mut session = Setup::krank(&arguments).manner(Manner::Slow).start();
+        let mut session = Setup::krank(&arguments)
+            .manner(TerminalBehaviour::Slow)
+            .start();
         session.wait_for("-3.9164").send("V");
         session.wait_for("on this line; press V again");
         session.send(".");
         session.wait_for("65.00 deg");
-        assert!(!has(&session.seen.lock().unwrap().bytes, begins));
+        assert!(!has(&session.seen.lock().unwrap().bytes, starts));
         session.send("V");
         session.wait_for("on this line; press V again").send("V");
-        session.wait_until("the picture begins", |seen| has(&seen.bytes, begins));
-        session.hurry();
+        session.wait_until("the picture begins", |seen| has(&seen.bytes, starts));
+        session.read_without_delay();
         session.send("q");
         assert!(session.ended_as_found().success());
     }

@@ -83,11 +83,11 @@ impl Drop for Terminal {
 }
 
 /// Runs far longer than any test; a key ends it.
-const ENDLESS: &str = "$KRANK sweep four-bar --step 1e-6";
+const LONG_SWEEP: &str = "$KRANK sweep four-bar --step 1e-6";
 
 #[test]
 fn progress_is_shown_and_ctrl_c_clears_its_line() {
-    let script = format!("trap : INT; {ENDLESS} -o /dev/null; echo code $?");
+    let script = format!("trap : INT; {LONG_SWEEP} -o /dev/null; echo code $?");
     for (term, cols, bar) in [
         ("xterm", 100, "\u{2500}"),
         ("linux", 60, "[..."),
@@ -117,7 +117,7 @@ fn ctrl_c_ends_a_command_blocked_on_a_full_pipe() {
     let mark = concat!(env!("CARGO_TARGET_TMPDIR"), "/progress-stuck");
     let _ = std::fs::remove_file(mark);
     let reader = format!("{{ timeout 2 cat > /dev/null; echo > {mark}; sleep 1000; }}");
-    let script = format!("trap : INT; {ENDLESS} | {reader}; echo code $?");
+    let script = format!("trap : INT; {LONG_SWEEP} | {reader}; echo code $?");
     let mut terminal = Terminal::run(&script, "xterm", 80);
     terminal.wait_for(" left");
     terminal.wait_until("reader that has stopped", |_| {
@@ -157,7 +157,7 @@ fn progress_is_hidden_if_it_would_disturb_the_output() {
         ("-o /dev/null 2>/dev/null", "xterm"),
     ] {
         // Four times as long as the delay of the progress, and in the foreground, where it is shown.
-        let sweep = format!("timeout --foreground 2 {ENDLESS} {redirected}");
+        let sweep = format!("timeout --foreground 2 {LONG_SWEEP} {redirected}");
         let terminal = Terminal::run(&format!("{sweep}; echo done"), term, 80);
         terminal.wait_for("done");
         let bytes = terminal.bytes.lock().unwrap();
@@ -207,8 +207,8 @@ fn ctrl_c_stops_synthesis_and_prints_results_so_far() {
     assert!(left.contains("stopped: the results so far"), "{left}");
     let code = left.rsplit("code ").next().unwrap_or_default().trim();
     assert!(["0", "1"].contains(&code), "{left}");
-    let told = std::fs::read_to_string(format!("{file}.txt")).unwrap();
-    assert!(told.contains("long-path"), "{told}");
+    let output = std::fs::read_to_string(format!("{file}.txt")).unwrap();
+    assert!(output.contains("long-path"), "{output}");
 }
 
 /// A search that takes hours.
@@ -228,8 +228,8 @@ fn ctrl_c_stops_solve_and_writes_the_best_so_far() {
     let left = terminal.contents();
     assert!(left.contains("stopped: the results so far"), "{left}");
     assert!(left.contains("code 0"), "{left}");
-    let told = std::fs::read_to_string(format!("{file}.txt")).unwrap();
-    assert!(told.contains("m.length"), "{told}");
+    let output = std::fs::read_to_string(format!("{file}.txt")).unwrap();
+    assert!(output.contains("m.length"), "{output}");
     let scene = std::fs::read_to_string(format!("{file}.toml")).unwrap();
     assert!(scene.contains("[links]"), "{scene}");
 }
@@ -264,6 +264,6 @@ fn interrupt_stops_solve_without_a_terminal() {
     let status = child.wait().unwrap();
     // The program exits by itself instead of being killed by the signal.
     assert!(status.code().is_some(), "{status:?}");
-    let told = std::fs::read_to_string(format!("{file}.err")).unwrap();
-    assert!(told.contains("stopped: the results so far"), "{told}");
+    let output = std::fs::read_to_string(format!("{file}.err")).unwrap();
+    assert!(output.contains("stopped: the results so far"), "{output}");
 }

@@ -11,7 +11,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// The number of kills in an ordinary run; `KRANK_KILLS=400 cargo test` runs more.
-const KILLS: u64 = 16;
+const KILL_COUNT: u64 = 16;
 /// Selects the crank's length.
 const TO_CRANK: &str = "6/r2 len\r";
 
@@ -34,7 +34,7 @@ fn folder(name: &str) -> (PathBuf, PathBuf) {
 }
 
 /// Starts krank in a folder that also has its state.
-fn begin(folder: &Path, scene: &str) -> Session {
+fn start_krank(folder: &Path, scene: &str) -> Session {
     let krank = env!("CARGO_BIN_EXE_krank");
     let line = format!("cd '{}' && exec {krank} {scene}", folder.display());
     let state = folder.join("state");
@@ -82,7 +82,7 @@ fn killed_while_saving(name: &str, is_linked: bool, kills: u64) {
         let _ = fs::remove_dir_all(folder.join("state"));
         let old = fs::read_to_string(&file).unwrap();
         let key = if old == four_bar() { ">" } else { "<" };
-        let mut session = begin(&folder, "mine.toml");
+        let mut session = start_krank(&folder, "mine.toml");
         session.wait_for("60.00 deg").send(TO_CRANK);
         session.wait_for("nudge by 1 mm").send(&format!("{key}w"));
         thread::sleep(Duration::from_micros(kill * 1_777 % 40_000));
@@ -97,7 +97,7 @@ fn killed_while_saving(name: &str, is_linked: bool, kills: u64) {
     eprintln!("{kills} kills, {saved} of them after the file was written");
     // The next save removes all temporary files.
     let _ = fs::remove_dir_all(folder.join("state"));
-    let mut session = begin(&folder, "mine.toml");
+    let mut session = start_krank(&folder, "mine.toml");
     session.wait_for("60.00 deg").send(TO_CRANK);
     session.wait_for("nudge by 1 mm").send("{>w");
     session.wait_for("written to").send("q");
@@ -115,7 +115,7 @@ fn kills_while_saving_leave_the_old_or_new_file() {
     let kills = std::env::var("KRANK_KILLS")
         .ok()
         .and_then(|n| n.parse().ok());
-    let kills = kills.unwrap_or(KILLS) / 2;
+    let kills = kills.unwrap_or(KILL_COUNT) / 2;
     thread::scope(|scope| {
         scope.spawn(|| killed_while_saving("killed", false, kills));
         scope.spawn(|| killed_while_saving("killed-linked", true, kills));
@@ -124,7 +124,7 @@ fn kills_while_saving_leave_the_old_or_new_file() {
 
 /// Opens a scene that other sessions have open, and dismisses the warning.
 fn join(folder: &Path) -> Session {
-    let session = begin(folder, "mine.toml");
+    let session = start_krank(folder, "mine.toml");
     session.wait_for("Open elsewhere");
     // Keys typed before a user can have read the question are ignored.
     thread::sleep(Duration::from_millis(500));
@@ -171,7 +171,7 @@ fn sessions_killed_in_any_order_keep_all_their_edits() {
         for order in orders {
             scope.spawn(move || {
                 let (folder, _) = folder(&format!("three-{}{}{}", order[0], order[1], order[2]));
-                let first = begin(&folder, "mine.toml");
+                let first = start_krank(&folder, "mine.toml");
                 first.wait_for("? help");
                 let mut all = [first, join(&folder), join(&folder)];
                 for (n, session) in all.iter().enumerate() {
@@ -182,7 +182,7 @@ fn sessions_killed_in_any_order_keep_all_their_edits() {
                     all[killed].signal(Signal::KILL);
                     all[killed].ended();
                 }
-                let mut next = begin(&folder, "./mine.toml");
+                let mut next = start_krank(&folder, "./mine.toml");
                 next.wait_for("Unsaved edits of this scene");
                 next.wait_until("three generations", |seen| {
                     let screen = seen.terminal.screen().contents();
@@ -201,7 +201,7 @@ fn sessions_killed_in_any_order_keep_all_their_edits() {
 #[test]
 fn second_of_two_saving_sessions_must_confirm() {
     for (name, kills_first) in [("two", false), ("two-killed", true)] {
-        later_is_asked(name, kills_first);
+        start_with_later_save(name, kills_first);
     }
 }
 
@@ -210,8 +210,8 @@ fn second_of_two_saving_sessions_must_confirm() {
 #[test]
 fn edits_of_a_killed_second_session_are_offered() {
     for (name, kills_first) in [("later", false), ("later-killed", true)] {
-        let folder = later_is_asked(name, kills_first);
-        let mut next = begin(&folder, "mine.toml");
+        let folder = start_with_later_save(name, kills_first);
+        let mut next = start_krank(&folder, "mine.toml");
         next.wait_until("edits that do not fit", |seen| {
             let screen = seen.terminal.screen().contents();
             screen.contains("Unsaved edits of this scene")
@@ -222,9 +222,9 @@ fn edits_of_a_killed_second_session_are_offered() {
     }
 }
 
-fn later_is_asked(name: &str, kills_first: bool) -> PathBuf {
+fn start_with_later_save(name: &str, kills_first: bool) -> PathBuf {
     let (folder, file) = folder(name);
-    let mut one = begin(&folder, "mine.toml");
+    let mut one = start_krank(&folder, "mine.toml");
     one.wait_for("? help");
     let mut two = join(&folder);
     edit(&one, 1);
@@ -271,7 +271,7 @@ fn special_files_are_rejected_without_hanging() {
     let text = fs::read(&file).unwrap();
     let to = pipe.clone();
     let feeding = thread::spawn(move || fs::write(to, text));
-    let mut session = begin(&folder, "pipe");
+    let mut session = start_krank(&folder, "pipe");
     feeding.join().unwrap().unwrap();
     session.wait_for("? help");
     edit(&session, 1);
@@ -287,7 +287,7 @@ fn special_files_are_rejected_without_hanging() {
     session.signal(Signal::TERM);
     assert!(!session.ended_as_found().success());
     // The file of a scene becomes a pipe while it is open.
-    let mut session = begin(&folder, "mine.toml");
+    let mut session = start_krank(&folder, "mine.toml");
     session.wait_for("? help");
     fs::remove_file(&file).unwrap();
     fs::rename(&pipe, &file).unwrap();
@@ -302,7 +302,7 @@ fn slow_save_does_not_block_keys() {
     let (folder, file) = folder("hangs");
     let lock = File::open(&folder).unwrap();
     flock(&lock, FlockOperation::LockExclusive).unwrap();
-    let mut session = begin(&folder, "mine.toml");
+    let mut session = start_krank(&folder, "mine.toml");
     session.wait_for("? help");
     edit(&session, 1);
     session.send("w");
@@ -330,7 +330,7 @@ fn scene_opened_during_a_save_does_not_get_its_file() {
     let (folder, _) = folder("meanwhile");
     let lock = File::open(&folder).unwrap();
     flock(&lock, FlockOperation::LockExclusive).unwrap();
-    let mut session = begin(&folder, "four-bar");
+    let mut session = start_krank(&folder, "four-bar");
     session.wait_for("? help").send("W\x15mine-too.toml\r");
     session.wait_for("writing mine-too.toml").send("n");
     session.wait_until("another preset", |seen| {

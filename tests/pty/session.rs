@@ -20,7 +20,7 @@ pub(crate) const QUESTION: &[u8] = b"\x1b[5n";
 const ANSWER: &[u8] = b"\x1b[0n";
 
 /// Bytes per second of a line with 9,600 baud.
-const SLOW: usize = 960;
+const SLOW_LINE_RATE: usize = 960;
 
 /// The output received from the program.
 pub(crate) struct Seen {
@@ -79,7 +79,7 @@ struct Switches {
 
 /// The behaviour of the terminal at the other end.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Manner {
+pub(crate) enum TerminalBehaviour {
     Answers,
     Mute,
     /// Answers and reads 960 bytes per second, like a line with 9,600 baud.
@@ -91,7 +91,7 @@ pub(crate) enum Manner {
 /// The configuration of a session.
 pub(crate) struct Setup {
     command: CommandBuilder,
-    manner: Manner,
+    manner: TerminalBehaviour,
     size: PtySize,
 }
 
@@ -125,12 +125,12 @@ impl Setup {
         }
         Setup {
             command,
-            manner: Manner::Answers,
+            manner: TerminalBehaviour::Answers,
             size: size(80, 24),
         }
     }
 
-    pub(crate) fn manner(mut self, manner: Manner) -> Self {
+    pub(crate) fn manner(mut self, manner: TerminalBehaviour) -> Self {
         self.manner = manner;
         self
     }
@@ -160,8 +160,8 @@ impl Setup {
         let reader = pair.master.try_clone_reader().unwrap();
         let (screen, answers) = (Arc::clone(&seen), Arc::clone(&keys));
         let switches = Arc::new(Switches::default());
-        let (manner, told) = (self.manner, Arc::clone(&switches));
-        thread::spawn(move || watch(reader, &screen, &answers, manner, &told));
+        let (manner, output) = (self.manner, Arc::clone(&switches));
+        thread::spawn(move || watch(reader, &screen, &answers, manner, &output));
         Session {
             seen,
             keys,
@@ -193,7 +193,7 @@ impl Session {
     }
 
     /// Makes the terminal stop answering.
-    pub(crate) fn fall_silent(&self) {
+    pub(crate) fn stop_answering(&self) {
         self.switches.silent.store(true, Ordering::SeqCst);
     }
 
@@ -270,7 +270,7 @@ impl Session {
         let name = self.master.as_ref().and_then(|master| master.tty_name());
         let flags = OFlags::WRONLY | OFlags::NOCTTY;
         let line = rustix::fs::open(name.unwrap(), flags, Mode::empty()).unwrap();
-        self.hurry();
+        self.read_without_delay();
         rustix::io::write(&line, MARK).unwrap();
         self.wait_until("end", |seen| seen.bytes.ends_with(MARK));
         let mut seen = self.seen.lock().unwrap();
@@ -288,7 +288,7 @@ impl Session {
     }
 
     /// Sets the size that the program sees, independently of the screen's size.
-    pub(crate) fn tell_size(&self, cols: u16, rows: u16) {
+    pub(crate) fn set_reported_size(&self, cols: u16, rows: u16) {
         let size = size(cols, rows);
         self.master.as_ref().unwrap().resize(size).unwrap();
     }
@@ -296,7 +296,7 @@ impl Session {
     pub(crate) fn resize(&self, cols: u16, rows: u16) {
         // The old screen must not receive what is drawn for the new size.
         let mut seen = self.seen.lock().unwrap();
-        self.tell_size(cols, rows);
+        self.set_reported_size(cols, rows);
         if cols > 0 && rows > 0 {
             seen.terminal = emulator(cols, rows);
         }
@@ -310,13 +310,13 @@ impl Session {
     /// Closes all descriptors of the terminal's end.
     pub(crate) fn hang_up(&mut self) {
         self.switches.cut.store(true, Ordering::SeqCst);
-        self.wake_reader();
+        self.interrupt_reader();
         *self.keys.lock().unwrap() = Box::new(std::io::sink());
         self.master = None;
     }
 
     /// Sends one byte to the reader thread: it owns a copy of the line, and closes it only after a read.
-    fn wake_reader(&self) {
+    fn interrupt_reader(&self) {
         let line = self.master.as_deref().and_then(MasterPty::tty_name);
         let flags = OFlags::WRONLY | OFlags::NOCTTY | OFlags::NONBLOCK;
         let line = rustix::fs::open(line.unwrap(), flags, Mode::empty()).unwrap();
@@ -330,7 +330,7 @@ impl Session {
     }
 
     /// Makes a slow terminal read everything without delay.
-    pub(crate) fn hurry(&self) {
+    pub(crate) fn read_without_delay(&self) {
         self.switches.hurry.store(true, Ordering::SeqCst);
     }
 
@@ -402,15 +402,17 @@ fn watch(
     mut reader: Box<dyn Read + Send>,
     seen: &Mutex<Seen>,
     keys: &Mutex<Box<dyn Write + Send>>,
-    manner: Manner,
+    manner: TerminalBehaviour,
     switches: &Switches,
 ) {
-    let mut whole = [0; 4096];
+    let mut complete = [0; 4096];
     let buffer = match manner {
-        Manner::Slow => &mut whole[..32],
-        Manner::Answers | Manner::Mute | Manner::Stalled => &mut whole[..],
+        TerminalBehaviour::Slow => &mut complete[..32],
+        TerminalBehaviour::Answers | TerminalBehaviour::Mute | TerminalBehaviour::Stalled => {
+            &mut complete[..]
+        }
     };
-    while manner == Manner::Stalled && !switches.cut.load(Ordering::SeqCst) {
+    while manner == TerminalBehaviour::Stalled && !switches.cut.load(Ordering::SeqCst) {
         thread::sleep(Duration::from_millis(5));
     }
     while let Ok(n @ 1..) = reader.read(buffer) {
@@ -418,8 +420,8 @@ fn watch(
             return;
         }
         let hurry = switches.hurry.load(Ordering::SeqCst);
-        if manner == Manner::Slow && !hurry {
-            thread::sleep(Duration::from_secs_f64(n as f64 / SLOW as f64));
+        if manner == TerminalBehaviour::Slow && !hurry {
+            thread::sleep(Duration::from_secs_f64(n as f64 / SLOW_LINE_RATE as f64));
         }
         let mut seen = seen.lock().unwrap();
         let from = seen.bytes.len().saturating_sub(QUESTION.len() - 1);
@@ -427,7 +429,7 @@ fn watch(
         let new = seen.bytes[from..].windows(QUESTION.len());
         let questions = new.filter(|bytes| *bytes == QUESTION).count();
         drop(seen);
-        let answers = matches!(manner, Manner::Answers | Manner::Slow);
+        let answers = matches!(manner, TerminalBehaviour::Answers | TerminalBehaviour::Slow);
         if answers && questions > 0 && !switches.silent.load(Ordering::SeqCst) {
             let _ = keys.lock().unwrap().write_all(&ANSWER.repeat(questions));
         }

@@ -1,10 +1,12 @@
 //! Tests on a real line of 960 bytes per second. `src/tui/tests/slow_line.rs` tests the time until
 //! something is shown, with a simulated clock.
 
-use crate::session::{Manner, QUESTION, Seen, Session, Setup};
+use crate::session::{QUESTION, Seen, Session, Setup, TerminalBehaviour};
 
 fn slow(arguments: &[&str]) -> Session {
-    Setup::krank(arguments).manner(Manner::Slow).start()
+    Setup::krank(arguments)
+        .manner(TerminalBehaviour::Slow)
+        .start()
 }
 
 fn last_row(seen: &Seen) -> String {

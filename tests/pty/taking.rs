@@ -1,11 +1,15 @@
 //! Tests of output from the workbench: bytes for the terminal's clipboard, and files.
 
-use crate::session::{Manner, Setup};
+use crate::session::{Setup, TerminalBehaviour};
 
 /// Copied text arrives once and complete, between frames, even on a slow line.
 #[test]
 fn clipboard_sequence_is_sent_once_and_complete() {
-    for manner in [Manner::Answers, Manner::Mute, Manner::Slow] {
+    for manner in [
+        TerminalBehaviour::Answers,
+        TerminalBehaviour::Mute,
+        TerminalBehaviour::Slow,
+    ] {
         let mut session = Setup::krank(&["four-bar"]).manner(manner).start();
         session.wait_for("60.00 deg").send(" 2");
         session.wait_for("> r2").send("yt");

@@ -9,7 +9,7 @@ fn without_errors(screen: &str) -> String {
     let mut masked = String::new();
     let mut rest = screen;
     while let Some(at) = rest.find("e-1") {
-        let (before, behind) = rest.split_at(at);
+        let (before, after) = rest.split_at(at);
         let kept = before.trim_end_matches(|c: char| c.is_ascii_digit() || c == '.');
         let digits = before.len() - kept.len();
         masked.push_str(kept);
@@ -19,8 +19,8 @@ fn without_errors(screen: &str) -> String {
         } else {
             &before[kept.len()..]
         });
-        masked.push_str(&behind[..3]);
-        rest = &behind[3..];
+        masked.push_str(&after[..3]);
+        rest = &after[3..];
     }
     masked + rest
 }
@@ -59,7 +59,7 @@ fn accuracy_study_leaves_keys_live_and_stops_on_esc() {
     let before = session.workbench.frames();
     session.pass(10.0).paint();
     assert_eq!(session.workbench.frames(), before, "stopped is stopped");
-    let screen = session.look();
+    let screen = session.painted_text();
     insta::assert_snapshot!("accuracy-list-ascii-80x24", list_of_methods(&screen));
     for axis in ["error over time", "1e-16+"] {
         assert!(screen.contains(axis), "{screen}");
@@ -74,7 +74,7 @@ fn next_scene_restarts_study_and_small_screen_scrolls() {
     for _ in 0..1200 {
         session.workbench.pass(Duration::from_millis(40));
     }
-    let screen = session.press("Down").look();
+    let screen = session.press("Down").painted_text();
     assert!(
         screen.contains("\n   the group at E has no closed form"),
         "{screen}"
@@ -83,7 +83,7 @@ fn next_scene_restarts_study_and_small_screen_scrolls() {
         screen.lines().all(|line| line.chars().count() <= 40),
         "{screen}"
     );
-    let end = session.press(&"PgDn ".repeat(20)).look();
+    let end = session.press(&"PgDn ".repeat(20)).painted_text();
     assert!(end.contains("v RK4 3600 x 1000"), "{end}");
     let line = session.press("n").last_line();
     assert!(line.contains("measuring  0 %"), "{line}");
@@ -93,7 +93,7 @@ fn next_scene_restarts_study_and_small_screen_scrolls() {
 fn m_key_steps_through_methods_and_esc_returns_to_study() {
     let mut session = timed(preset("four-bar"), Glyphs::Ascii, 80, 24);
     session.press("4");
-    let screen = session.press("m").look();
+    let screen = session.press("m").painted_text();
     assert!(screen.contains("1 Newton-Raphson"), "{screen}");
     assert!(screen.contains("error over iteration"), "{screen}");
     let line = session.last_line();
@@ -102,18 +102,23 @@ fn m_key_steps_through_methods_and_esc_returns_to_study() {
         "{line}"
     );
     assert!(line.contains("m method  Esc back"), "{line}");
-    let below = session.press("End").look();
+    let below = session.press("End").painted_text();
     assert!(below.contains("to the assembly of this motion"), "{below}");
     // The guess stays at the opening state: stepping the driver moves the state away from it.
-    let before = session.press("Home").look();
-    assert_ne!(session.press(".").look(), before);
-    assert!(session.press("m").look().contains("1 Bisection"));
-    let drawing = session.press("m").look();
+    let before = session.press("Home").painted_text();
+    assert_ne!(session.press(".").painted_text(), before);
+    assert!(session.press("m").painted_text().contains("1 Bisection"));
+    let drawing = session.press("m").painted_text();
     assert!(drawing.contains("1 By compass and ruler"), "{drawing}");
     assert!(!drawing.contains("error over"), "{drawing}");
     // After the last method, and on Esc, the study returns; another Esc stops it.
-    assert!(session.press("m").look().contains("closed form"));
-    assert!(session.press("m Esc").look().contains("closed form"));
+    assert!(session.press("m").painted_text().contains("closed form"));
+    assert!(
+        session
+            .press("m Esc")
+            .painted_text()
+            .contains("closed form")
+    );
     assert!(session.last_line().contains("measuring"));
     assert!(session.press("Esc").last_line().contains("stopped"));
 }
@@ -123,7 +128,7 @@ fn method_starts_from_typed_guess() {
     let mut session = timed(preset("four-bar"), Glyphs::Ascii, 120, 40);
     let line = session.press("4 Enter").last_line();
     assert!(line.contains("press m for the first"), "{line}");
-    let sketch = session.press("m").look();
+    let sketch = session.press("m").painted_text();
     let line = session.press("Enter").last_line();
     assert!(
         line.contains("r3=20, r4=280") && line.contains("Esc cancel"),
@@ -136,14 +141,14 @@ fn method_starts_from_typed_guess() {
         .press("Backspace Backspace Backspace Backspace Backspace Backspace")
         .type_in("r4=280")
         .press("Enter")
-        .look();
+        .painted_text();
     assert!(guessed.contains("From the guess"), "{guessed}");
     assert!(guessed.contains("30.0538  289.934"), "{guessed}");
     // The guess survives driver steps and edits, and the prompt proposes it again.
-    assert!(session.press(".").look().contains("From the guess"));
+    assert!(session.press(".").painted_text().contains("From the guess"));
     let line = session.press("Enter").last_line();
     assert!(line.contains("r3=20, r4=280"), "{line}");
-    let again = session.press("Ctrl-U Enter").press(",").look();
+    let again = session.press("Ctrl-U Enter").press(",").painted_text();
     assert_eq!(again, sketch);
     // Only bisection accepts an interval; the graphical method takes no guess.
     let line = session
@@ -153,7 +158,7 @@ fn method_starts_from_typed_guess() {
         .last_line();
     assert!(line.contains("is for bisection"), "{line}");
     session.press("Esc m Enter").type_in("r3=0..90");
-    let halved = session.press("Enter").look();
+    let halved = session.press("Enter").painted_text();
     assert!(
         halved.contains("1 Bisection") && halved.contains("45.0000"),
         "{halved}"
@@ -168,7 +173,7 @@ fn method_view_fits_every_screen_size() {
         let mut session = timed(preset("press"), Glyphs::Ascii, cols, rows);
         session.press("4");
         for _ in 0..3 {
-            let screen = session.press("m").look();
+            let screen = session.press("m").painted_text();
             let fits = |line: &str| line.chars().count() <= usize::from(cols);
             assert!(screen.lines().all(fits), "{screen}");
             assert_eq!(screen.lines().count(), usize::from(rows), "{screen}");

@@ -1,6 +1,6 @@
 //! Tests the candidate linkages of a task, driven by keys: listing, moving and taking them.
 
-use crate::claims::{assert_told, said};
+use crate::claims::{assert_shown, collapse_blanks};
 use crate::screen::{SCREENS, Session, folder, preset, text};
 use krank::drawing::Glyphs;
 use krank::task_file::{ExampleTask, TaskFile};
@@ -18,7 +18,7 @@ fn order(text: &str, name: &str) -> TaskOrder {
 }
 
 /// Opens the four-bar with the candidates of an example task above it.
-fn looking_for(example: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
+fn search_linkages(example: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
     let text = ExampleTask::find(example).unwrap().text;
     coloured(&order(text, example), glyphs, Colours::Sixteen, cols, rows)
 }
@@ -42,8 +42,8 @@ fn masked(screen: &str) -> String {
 #[test]
 fn candidates_are_listed_with_their_results() {
     for (name, glyphs, cols, rows) in SCREENS {
-        let screen = masked(&looking_for("hatch", glyphs, cols, rows).look());
-        assert_told(
+        let screen = masked(&search_linkages("hatch", glyphs, cols, rows).painted_text());
+        assert_shown(
             &screen,
             &[
                 "4 found, 2 defective",
@@ -60,35 +60,44 @@ fn candidates_are_listed_with_their_results() {
 
 #[test]
 fn candidate_steps_and_plays_through_task_points() {
-    let mut session = looking_for("hatch", Glyphs::Ascii, 80, 24);
-    let first = session.look();
-    assert!(said(&first).contains("point 1 of 5, crank at"), "{first}");
-    let second = session.press("Right").look();
-    assert!(said(&second).contains("point 2 of 5, crank at"), "{second}");
+    let mut session = search_linkages("hatch", Glyphs::Ascii, 80, 24);
+    let first = session.painted_text();
+    assert!(
+        collapse_blanks(&first).contains("point 1 of 5, crank at"),
+        "{first}"
+    );
+    let second = session.press("Right").painted_text();
+    assert!(
+        collapse_blanks(&second).contains("point 2 of 5, crank at"),
+        "{second}"
+    );
     assert_ne!(first, second);
-    assert_eq!(session.press("Left").look(), first);
+    assert_eq!(session.press("Left").painted_text(), first);
     // Playing runs to the last point and back, independent of the open scene's crank.
     session.press("space").pass(3.2);
-    let last = session.look();
-    assert!(said(&last).contains("point 5 of 5, crank at"), "{last}");
+    let last = session.painted_text();
+    assert!(
+        collapse_blanks(&last).contains("point 5 of 5, crank at"),
+        "{last}"
+    );
     assert!(last.contains("space pause"), "{last}");
     session.pass(3.2);
-    assert_eq!(session.press("space").look(), first);
+    assert_eq!(session.press("space").painted_text(), first);
     // The next candidate starts at its first point.
-    let next = session.press("Right Down").look();
-    assert!(said(&next).contains("point 1 of 5"), "{next}");
-    assert_told(&next, &["> 2"]);
+    let next = session.press("Right Down").painted_text();
+    assert!(collapse_blanks(&next).contains("point 1 of 5"), "{next}");
+    assert_shown(&next, &["> 2"]);
 }
 
 #[test]
 fn defective_candidate_explains_its_defect_and_is_rejected() {
     let why = "branch: a dead point lies between points 1 and 2";
     for (cols, rows) in [(80, 24), (40, 12)] {
-        let mut session = looking_for("hatch", Glyphs::Ascii, cols, rows);
-        let screen = session.press("End").look();
+        let mut session = search_linkages("hatch", Glyphs::Ascii, cols, rows);
+        let screen = session.press("End").painted_text();
         assert!(!screen.contains("Enter take"), "{screen}");
         assert!(
-            said(&screen).contains("branch: a dead point lies"),
+            collapse_blanks(&screen).contains("branch: a dead point lies"),
             "{screen}"
         );
         let line = session.press("Enter").last_line();
@@ -99,30 +108,33 @@ fn defective_candidate_explains_its_defect_and_is_rejected() {
 
 #[test]
 fn taken_candidate_becomes_scene_and_list_stays_reachable() {
-    let mut session = looking_for("hatch", Glyphs::Ascii, 80, 24);
-    let screen = session.press("Down Enter").look();
-    assert_told(&screen, &["hatch-2*"]);
+    let mut session = search_linkages("hatch", Glyphs::Ascii, 80, 24);
+    let screen = session.press("Down Enter").painted_text();
+    assert_shown(&screen, &["hatch-2*"]);
     assert!(screen.contains("Hatch, candidate 2"), "{screen}");
     assert!(session.press("w").last_line().contains("hatch-2.toml"));
-    let list = session.press("Esc o Home").look();
-    assert_told(&list, &["> Linkages for hatch"]);
-    let again = session.press("Enter").look();
-    assert_told(&again, &["4 found, 2 defective", "> 2"]);
+    let list = session.press("Esc o Home").painted_text();
+    assert_shown(&list, &["> Linkages for hatch"]);
+    let again = session.press("Enter").painted_text();
+    assert_shown(&again, &["4 found, 2 defective", "> 2"]);
     // The scene below the list is the one taken.
-    assert_told(&session.press("Esc").look(), &["hatch-2*"]);
+    assert_shown(&session.press("Esc").painted_text(), &["hatch-2*"]);
 }
 
 /// A taken candidate is in no file yet, so both quitting and opening another scene ask.
 #[test]
 fn leaving_unsaved_candidate_asks_first() {
     let file = folder("candidates-taken").join("hatch.toml");
-    let mut session = looking_for("hatch", Glyphs::Ascii, 80, 24);
+    let mut session = search_linkages("hatch", Glyphs::Ascii, 80, 24);
     session.press("Enter");
     assert!(session.last_line().contains("hatch-1*"));
-    let told = "this linkage is not saved yet";
+    let output = "this linkage is not saved yet";
     for (key, keys) in [("q", "q drop, quit"), ("n", "d drop, open")] {
-        let asked = session.press(key).look();
-        assert!(asked.contains(told) && asked.contains(keys), "{asked}");
+        let requested = session.press(key).painted_text();
+        assert!(
+            requested.contains(output) && requested.contains(keys),
+            "{requested}"
+        );
         session.press("Esc");
         assert!(session.last_line().contains("hatch-1*"));
     }
@@ -130,7 +142,7 @@ fn leaving_unsaved_candidate_asks_first() {
     session.press("o Home Enter Down Enter");
     assert!(session.last_line().contains("hatch-2*"));
     session.press("6 >").press("o Home Enter Home Enter");
-    assert!(session.look().contains("unsaved edits"));
+    assert!(session.painted_text().contains("unsaved edits"));
     session.press("Esc q w Ctrl-U");
     session.type_in(file.to_str().unwrap());
     assert!(!session.workbench.press("Enter"), "written, and left");
@@ -149,11 +161,12 @@ fn taking_candidate_asks_about_unsaved_edits() {
     fs::write(folder.join("mine.toml"), text("four-bar")).unwrap();
     let mut session = opened_in(&folder, Glyphs::Ascii);
     session.press("6 > o").type_in("hatch").press("Enter");
-    assert_told(&session.look(), &["4 found, 2 defective"]);
-    let asked = session.press("Enter").look();
+    assert_shown(&session.painted_text(), &["4 found, 2 defective"]);
+    let requested = session.press("Enter").painted_text();
     assert!(
-        said(&asked).contains("w save") || said(&asked).contains("mine.toml"),
-        "{asked}"
+        collapse_blanks(&requested).contains("w save")
+            || collapse_blanks(&requested).contains("mine.toml"),
+        "{requested}"
     );
     session.press("Esc");
     assert!(
@@ -182,20 +195,23 @@ fn picker_opens_task_files_as_tasks() {
     let wrong = FOUR_POSES.replace("-75.3, 83.9, -27.1", "0, 0, 0");
     fs::write(folder.join("twice.toml"), wrong).unwrap();
     let mut session = opened_in(&folder, Glyphs::Ascii);
-    let screen = session.press("o").type_in("places").look();
-    let told = "a task: a body in 4 poses; Enter searches for linkages";
+    let screen = session.press("o").type_in("places").painted_text();
+    let output = "a task: a body in 4 poses; Enter searches for linkages";
     assert!(
-        said(&screen.replace('|', " ")).contains("a task: a body in 4 poses"),
-        "{told}\n{screen}"
+        collapse_blanks(&screen.replace('|', " ")).contains("a task: a body in 4 poses"),
+        "{output}\n{screen}"
     );
-    assert_told(&session.press("Enter").look(), &["Linkages for places"]);
+    assert_shown(
+        &session.press("Enter").painted_text(),
+        &["Linkages for places"],
+    );
     // A faulty task reports its error as a scene does.
     session.press("Esc o").type_in("twice");
-    assert_told(&session.look(), &["cannot be opened"]);
+    assert_shown(&session.painted_text(), &["cannot be opened"]);
     // A task cannot be compared with a scene, so the comparison list omits it.
-    let screen = session.press("Esc D").type_in("places").look();
+    let screen = session.press("Esc D").type_in("places").painted_text();
     assert!(!screen.contains("places.toml"), "{screen}");
-    let screen = session.press("Ctrl-U").type_in("other").look();
+    let screen = session.press("Ctrl-U").type_in("other").painted_text();
     assert!(screen.contains("other.toml"), "{screen}");
 }
 
@@ -219,7 +235,7 @@ fn candidate_is_saved_next_to_its_task_file() {
 fn four_poses_draw_curves_of_possible_pivots() {
     let dots = |text: &str| {
         let task = order(text, "places");
-        let screen = coloured(&task, Glyphs::Ascii, Colours::None, 120, 40).look();
+        let screen = coloured(&task, Glyphs::Ascii, Colours::None, 120, 40).painted_text();
         screen.matches(['.', '\'', ':']).count()
     };
     let five = ExampleTask::find("hatch").unwrap().text;
@@ -235,8 +251,8 @@ fn four_poses_draw_curves_of_possible_pivots() {
 fn candidates_show_same_text_without_colours() {
     let task = order(ExampleTask::find("logarithm").unwrap().text, "logarithm");
     let mut plain = coloured(&task, Glyphs::Ascii, Colours::None, 80, 24);
-    let english = plain.look();
+    let english = plain.painted_text();
     let mut painted = coloured(&task, Glyphs::Ascii, Colours::True, 80, 24);
-    assert_eq!(painted.look(), english);
+    assert_eq!(painted.painted_text(), english);
     assert!(english.contains("> 1"), "{english}");
 }

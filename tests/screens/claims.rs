@@ -5,17 +5,17 @@
 use std::collections::BTreeSet;
 
 /// Collapses runs of white space to single blanks.
-pub(crate) fn said(text: &str) -> String {
+pub(crate) fn collapse_blanks(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// Asserts that the screen contains these groups of words, each within one line with any spacing,
 /// and none above its predecessor.
 #[track_caller]
-pub(crate) fn assert_told(screen: &str, told: &[&str]) {
-    let lines: Vec<String> = screen.lines().map(said).collect();
+pub(crate) fn assert_shown(screen: &str, texts: &[&str]) {
+    let lines: Vec<String> = screen.lines().map(collapse_blanks).collect();
     let mut from = 0;
-    for wanted in told {
+    for wanted in texts {
         let below = lines[from..]
             .iter()
             .position(|line| format!(" {line} ").contains(&format!(" {wanted} ")));
@@ -51,10 +51,10 @@ pub(crate) fn spelled(screen: &str) -> String {
 /// Returns the numbers of a screen, as written.
 pub(crate) fn figures(screen: &str) -> BTreeSet<String> {
     // The zero line of a chart may touch a number.
-    let bare = |word: &str| word.trim_matches(['[', ']', '*', '·', '.']).to_owned();
+    let plain = |word: &str| word.trim_matches(['[', ']', '*', '·', '.']).to_owned();
     // A cursor's bracket may touch the next number.
-    let apart = |c: char| c.is_whitespace() || c == '[' || c == ']';
-    let words = screen.split(apart).map(bare);
+    let distance = |c: char| c.is_whitespace() || c == '[' || c == ']';
+    let words = screen.split(distance).map(plain);
     words.filter(|word| word.parse::<f64>().is_ok()).collect()
 }
 
@@ -107,7 +107,7 @@ pub(crate) fn drawing(body: &str) -> String {
     let left = |row: &[char]| row[..bar.unwrap_or(width)].iter().collect::<String>() + "\n";
     // Matches a table, or a list of assemblies with their coordinates.
     let below = |line: &String| {
-        let begins = [
+        let starts = [
             " vector ",
             " difference: ",
             "---",
@@ -119,12 +119,12 @@ pub(crate) fn drawing(body: &str) -> String {
             "- plots",
             "─ plots",
         ];
-        begins.iter().any(|start| line.starts_with(start)) || line.contains('(')
+        starts.iter().any(|start| line.starts_with(start)) || line.contains('(')
     };
     let untitled = |(row, line): (usize, String)| match row {
         0 if [" step ", " compared"]
             .iter()
-            .any(|said| line.contains(said)) =>
+            .any(|text| line.contains(text)) =>
         {
             " ".repeat(line.len() - 1) + "\n"
         }
@@ -177,15 +177,15 @@ pub(crate) fn assert_only_a_ghost_is_added(alone: &str, with: &str) -> usize {
 #[track_caller]
 pub(crate) fn assert_dotted(through: &[(usize, usize)], dotted: &str) {
     let drawn = cells(dotted);
-    let beside = |a: usize, b: usize| a.abs_diff(b) <= 1;
+    let nearby = |a: usize, b: usize| a.abs_diff(b) <= 1;
     for &(row, col) in through {
         let rows = drawn
             .iter()
             .enumerate()
-            .filter(|(near, _)| beside(*near, row));
+            .filter(|(near, _)| nearby(*near, row));
         let mut near = rows.flat_map(|(_, cells)| {
             let cells = cells.iter().enumerate();
-            cells.filter(|(near, _)| beside(*near, col))
+            cells.filter(|(near, _)| nearby(*near, col))
         });
         assert!(
             near.any(|(_, c)| dots(*c).is_some()),

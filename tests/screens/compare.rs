@@ -2,7 +2,8 @@
 //! values.
 
 use crate::claims::{
-    assert_dotted, assert_only_a_ghost_is_added, assert_told, cells, drawing, places, said,
+    assert_dotted, assert_only_a_ghost_is_added, assert_shown, cells, collapse_blanks, drawing,
+    places,
 };
 use crate::screen::{SCREENS, Session, folder, masked, open, text};
 use krank::drawing::Glyphs;
@@ -28,7 +29,7 @@ fn in_inches() -> String {
 }
 
 /// Opens the four-bar in a folder with other scenes to compare it with.
-pub(crate) fn beside(test: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
+pub(crate) fn open_with_scenes(test: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
     let folder = folder(test);
     let shorter = text("four-bar").replace("length = 300", "length = 220");
     let scenes = [
@@ -59,8 +60,8 @@ fn row(screen: &str, name: &str) -> Vec<String> {
 }
 
 /// Opens the four-bar, compared with a four-bar whose coupler is shorter.
-fn beside_shorter(test: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
-    let mut session = beside(test, glyphs, cols, rows);
+fn compare_with_shorter(test: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
+    let mut session = open_with_scenes(test, glyphs, cols, rows);
     session.press("D").type_in("shorter").press("Enter");
     session
 }
@@ -69,9 +70,9 @@ fn beside_shorter(test: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
 fn compared_scene_is_drawn_as_ghost() {
     let mut plain = String::new();
     for (name, glyphs, cols, rows) in SCREENS {
-        let alone = drawing(&beside(name, glyphs, cols, rows).body());
-        let mut session = beside_shorter(name, glyphs, cols, rows);
-        let screen = session.look();
+        let alone = drawing(&open_with_scenes(name, glyphs, cols, rows).body());
+        let mut session = compare_with_shorter(name, glyphs, cols, rows);
+        let screen = session.painted_text();
         if name == "ascii-80x24" {
             insta::assert_snapshot!("motion-ascii-80x24", masked(&screen));
         }
@@ -82,21 +83,21 @@ fn compared_scene_is_drawn_as_ghost() {
             has_title,
             "{screen}"
         );
-        assert_told(&screen, &["this - shorter.toml", "r3 80.0000 0.211*"]);
+        assert_shown(&screen, &["this - shorter.toml", "r3 80.0000 0.211*"]);
         let drawn = drawing(&session.body());
         if glyphs == Glyphs::Ascii {
             plain.clone_from(&drawn);
         }
         // Each Braille screen shows the ghost of the ASCII screen of its size.
         let ghost = places(&cells(&plain), &['.']);
-        let least = if cols == 40 { 2 } else { 4 };
-        assert!(ghost.len() >= least, "{plain}");
+        let minimum = if cols == 40 { 2 } else { 4 };
+        assert!(ghost.len() >= minimum, "{plain}");
         if glyphs == Glyphs::Braille {
             assert_dotted(&ghost, &drawn);
         }
         if (cols, rows) == (80, 24) {
             assert!(
-                assert_only_a_ghost_is_added(&alone, &drawn) >= least,
+                assert_only_a_ghost_is_added(&alone, &drawn) >= minimum,
                 "{screen}"
             );
         } else {
@@ -111,19 +112,21 @@ fn compared_scene_is_drawn_as_ghost() {
 #[test]
 fn tables_show_differences_in_place_of_values() {
     for (name, glyphs, cols, rows) in SCREENS {
-        let mut session = beside_shorter(&format!("tables-{name}"), glyphs, cols, rows);
-        let screen = session.press(if cols > 100 { "2 O" } else { "2" }).look();
+        let mut session = compare_with_shorter(&format!("tables-{name}"), glyphs, cols, rows);
+        let screen = session
+            .press(if cols > 100 { "2 O" } else { "2" })
+            .painted_text();
         if name == "ascii-40x12" {
             insta::assert_snapshot!("tables-ascii-40x12", screen);
         }
-        let mut told = vec![
+        let mut lines = vec![
             "difference: this - shorter.toml",
             "> r2 [0.0000] 0.000",
             "r3 80.0000 0.211*",
             "r4 0.0000 -18.415*",
         ];
         if cols >= 80 {
-            told = vec![
+            lines = vec![
                 "difference: this - shorter.toml",
                 "> r2 [0.0000] 0.000 0 0.00000 0 0.000",
                 "r3 80.0000 0.211* 0 2.55432* 0 23.967*",
@@ -133,9 +136,9 @@ fn tables_show_differences_in_place_of_values() {
             ];
         }
         if cols >= 120 {
-            told.push("1706.7 5060.1 -4806.5 -5.434");
+            lines.push("1706.7 5060.1 -4806.5 -5.434");
         }
-        assert_told(&screen, &told);
+        assert_shown(&screen, &lines);
     }
 }
 
@@ -143,8 +146,12 @@ fn tables_show_differences_in_place_of_values() {
 /// one, and moves at 15 rad/s.
 #[test]
 fn differences_equal_hand_computed_values() {
-    let mut session = beside("numbers", Glyphs::Ascii, 100, 40);
-    let screen = session.press("2 D").type_in("longer").press("Enter").look();
+    let mut session = open_with_scenes("numbers", Glyphs::Ascii, 100, 40);
+    let screen = session
+        .press("2 D")
+        .type_in("longer")
+        .press("Enter")
+        .painted_text();
     assert!(
         screen.contains("difference: this - longer.toml"),
         "{screen}"
@@ -157,26 +164,34 @@ fn differences_equal_hand_computed_values() {
         ["-0.50000", "-0.86603", "12.9904", "-7.5000", "-15.0000"]
     );
     // Differences follow the driver: B is at 90 deg now.
-    let screen = session.press("g 9 0 Enter").look();
+    let screen = session.press("g 9 0 Enter").painted_text();
     assert_eq!(
         row(&screen, "B")[1..6],
         ["0.00000", "-1.00000", "15.0000", "0.0000", "-15.0000"]
     );
     // Comparing the other way round inverts the signs.
-    let screen = session.press("D o").type_in("longer").press("Enter").look();
+    let screen = session
+        .press("D o")
+        .type_in("longer")
+        .press("Enter")
+        .painted_text();
     assert!(!screen.contains("compared with"), "{screen}");
     let origin = Origin::File(folder("numbers-back").join("longer.toml"));
     let mut back = Session::new(open(&longer(), origin), Glyphs::Ascii, 100, 40);
-    let screen = back.press("2 D").type_in("four-bar").press("Enter").look();
+    let screen = back
+        .press("2 D")
+        .type_in("four-bar")
+        .press("Enter")
+        .painted_text();
     assert_eq!(row(&screen, "r2")[1], "1.00000");
     assert_eq!(row(&screen, "r3")[2], "-0.122");
 }
 
 #[test]
 fn differences_convert_units() {
-    let mut session = beside("units", Glyphs::Ascii, 100, 40);
+    let mut session = open_with_scenes("units", Glyphs::Ascii, 100, 40);
     session.press("D").type_in("inches").press("Enter");
-    let tables = session.press("2").look();
+    let tables = session.press("2").painted_text();
     assert!(tables.contains("r [mm]"), "{tables}");
     for (name, figures) in [("r2", 1..7), ("r3", 1..7), ("B", 1..6), ("C", 1..6)] {
         for figure in &row(&tables, name)[figures] {
@@ -187,8 +202,12 @@ fn differences_convert_units() {
 
 #[test]
 fn rows_without_counterpart_are_marked() {
-    let mut session = beside("partners", Glyphs::Ascii, 100, 40);
-    let screen = session.press("2 D").type_in("press").press("Enter").look();
+    let mut session = open_with_scenes("partners", Glyphs::Ascii, 100, 40);
+    let screen = session
+        .press("2 D")
+        .type_in("press")
+        .press("Enter")
+        .painted_text();
     assert_eq!(row(&screen, "r2.com")[1..], ["only", "here"]);
     assert!(screen.contains("only there: r5"), "{screen}");
     // Rates also differ through the drivers' speeds, which the screen names.
@@ -196,59 +215,67 @@ fn rows_without_counterpart_are_marked() {
         .press("D D")
         .type_in("slider-crank")
         .press("Down Up Enter")
-        .look();
+        .painted_text();
     assert!(screen.contains("driven at 15.0 and 200 rad/s"), "{screen}");
 }
 
 #[test]
 fn missing_assembly_of_compared_scene_is_reported() {
-    let mut session = beside("nowhere", Glyphs::Ascii, 80, 24);
+    let mut session = open_with_scenes("nowhere", Glyphs::Ascii, 80, 24);
     session.press("g 1 8 0 Enter");
-    let screen = session.press("D").type_in("shorter").press("Enter").look();
+    let screen = session
+        .press("D")
+        .type_in("shorter")
+        .press("Enter")
+        .painted_text();
     let title = "\n Four-bar crank-rocker compared with shorte.. ";
     assert!(screen.contains(title), "{screen}");
     assert!(
         screen.contains("| shorter.toml has no assembly.."),
         "{screen}"
     );
-    assert_told(&screen, &["| r3 80.0000 -"]);
+    assert_shown(&screen, &["| r3 80.0000 -"]);
     // The ghost returns where the other scene has an assembly.
-    let screen = session.press("Home").look();
+    let screen = session.press("Home").painted_text();
     assert!(!screen.contains("no assembly"), "{screen}");
 }
 
 #[test]
 fn comparison_rejects_different_kinds_of_driver() {
-    let mut session = beside("refused", Glyphs::Ascii, 120, 40);
-    let before = session.look();
-    let screen = session.press("D").type_in("scissor").press("Enter").look();
-    let told = "scissor-lift is driven by a slide, this scene by a link that turns";
-    assert!(said(&screen).contains(told), "{screen}");
+    let mut session = open_with_scenes("refused", Glyphs::Ascii, 120, 40);
+    let before = session.painted_text();
+    let screen = session
+        .press("D")
+        .type_in("scissor")
+        .press("Enter")
+        .painted_text();
+    let output = "scissor-lift is driven by a slide, this scene by a link that turns";
+    assert!(collapse_blanks(&screen).contains(output), "{screen}");
     // The list stays open for another choice.
     let line = session.last_line();
     assert!(line.starts_with(" compare "), "{line}");
-    assert_eq!(session.press("Esc").look(), before);
+    assert_eq!(session.press("Esc").painted_text(), before);
 }
 
 #[test]
 fn comparison_ends_by_key_and_on_scene_change() {
-    let mut session = beside("ends", Glyphs::Ascii, 80, 24);
-    let before = session.look();
+    let mut session = open_with_scenes("ends", Glyphs::Ascii, 80, 24);
+    let before = session.painted_text();
     session.press("D").type_in("longer").press("Enter");
-    assert!(session.look().contains("compared with longer"));
+    assert!(session.painted_text().contains("compared with longer"));
     assert!(session.press("D").last_line().contains("comparison ended"));
     // The next key clears the message.
-    assert_eq!(session.press("Esc").look(), before);
+    assert_eq!(session.press("Esc").painted_text(), before);
     // The cursor is on the scene compared last, so that toggling takes two keys.
-    let again = session.press("D").look();
+    let again = session.press("D").painted_text();
     assert!(again.contains("> longer.toml"), "{again}");
     assert!(
         session
             .press("Enter")
-            .look()
+            .painted_text()
             .contains("compared with longer")
     );
-    assert!(!session.press("n").look().contains("compared with"));
+    assert!(!session.press("n").painted_text().contains("compared with"));
 }
 
 /// No pair of presets breaks the workbench.
@@ -263,13 +290,13 @@ fn every_preset_compares_with_every_other() {
             session.press("D").type_in(other.name);
             if other.name == this.name {
                 // The list omits the open scene itself.
-                let screen = session.look();
+                let screen = session.painted_text();
                 assert!(!screen.contains(&format!("> {} ", other.name)), "{screen}");
                 session.press("Esc");
                 continue;
             }
             session.press("Enter");
-            let screen = session.look();
+            let screen = session.painted_text();
             let title = screen.lines().nth(1).unwrap();
             // Long titles are truncated.
             if title.contains(" compared") {
@@ -293,24 +320,24 @@ fn every_preset_compares_with_every_other() {
 /// edit.
 #[test]
 fn edited_scene_compares_with_its_opened_state() {
-    let mut session = beside("edited", Glyphs::Ascii, 100, 40);
-    assert!(!session.press("D").look().contains("as opened"));
+    let mut session = open_with_scenes("edited", Glyphs::Ascii, 100, 40);
+    assert!(!session.press("D").painted_text().contains("as opened"));
     session.press("Esc 6 / r 2 space l e n Enter Enter 1 0 1 Enter");
-    let list = session.press("2 D").look();
+    let list = session.press("2 D").painted_text();
     assert!(
         list.contains("> as opened") && list.contains("| Four-bar"),
         "{list}"
     );
-    let screen = session.press("Enter").look();
+    let screen = session.press("Enter").painted_text();
     assert!(screen.contains("this - as opened"), "{screen}");
     assert_eq!(row(&screen, "r2")[1..3], ["1.00000", "0.000"]);
     assert_eq!(row(&screen, "B")[1], "0.50000");
     // After a further edit, the difference still refers to the opened state, not to the step
     // before.
-    let screen = session.press("6 Enter 1 0 2 Enter 2").look();
+    let screen = session.press("6 Enter 1 0 2 Enter 2").painted_text();
     assert_eq!(row(&screen, "r2")[1], "2.00000");
     // After undo, all differences are zero and the comparison stays active.
-    let screen = session.press("u u").look();
+    let screen = session.press("u u").painted_text();
     assert_eq!(row(&screen, "r2")[1].parse::<f64>().unwrap(), 0.0);
     assert!(screen.contains("this - as opened"), "{screen}");
 }

@@ -1,7 +1,7 @@
 //! Tests the plots of a comparison: curves of the second scene.
 
-use crate::claims::{assert_told, cells, differences, places};
-use crate::compare::beside;
+use crate::claims::{assert_shown, cells, differences, places};
+use crate::compare::open_with_scenes;
 use krank::drawing::Glyphs;
 
 /// Asserts that the second scene's curve is dotted. Its crank is 1 % longer, so that its points lie
@@ -41,33 +41,39 @@ fn plots_show_compared_scene_as_dotted_curve() {
         ("ascii-40x12", Glyphs::Ascii, 40, 12),
     ];
     for (name, glyphs, cols, rows) in screens {
-        let mut session = beside(&format!("plots-{name}"), glyphs, cols, rows);
-        let alone = session.press(if cols > 100 { "3 O" } else { "3" }).look();
+        let mut session = open_with_scenes(&format!("plots-{name}"), glyphs, cols, rows);
+        let alone = session
+            .press(if cols > 100 { "3 O" } else { "3" })
+            .painted_text();
         session.press("D").type_in("longer").press("Enter");
         // The opening message has expired.
-        let screen = session.pass(9.0).look();
+        let screen = session.pass(9.0).painted_text();
         let (own, other) = if cols == 40 {
             ("r4.omega 3.0911 +1", "plots mine.toml 60.00 deg ok ? help")
         } else {
             ("r4.alpha 95.50", "r4.omega longer.toml")
         };
-        assert_told(&screen, &[other]);
-        assert_told(&screen, &[own]);
+        assert_shown(&screen, &[other]);
+        assert_shown(&screen, &[own]);
         match glyphs {
             Glyphs::Braille => insta::assert_snapshot!(format!("plots-{name}"), screen),
             _ => assert_curve_is_dotted(&alone, &screen),
         }
         // Switching views keeps the dotted curves; ending the comparison removes them.
-        assert_eq!(session.press("m m").pass(9.0).look(), screen);
-        assert_eq!(session.press("1 3").look(), screen);
-        assert_eq!(session.press("D , .").look(), alone);
+        assert_eq!(session.press("m m").pass(9.0).painted_text(), screen);
+        assert_eq!(session.press("1 3").painted_text(), screen);
+        assert_eq!(session.press("D , .").painted_text(), alone);
     }
     // The same scene in inches has the same axis and ticks.
-    let mut session = beside("plots-units", Glyphs::Ascii, 80, 24);
+    let mut session = open_with_scenes("plots-units", Glyphs::Ascii, 80, 24);
     session.press("3 x c / B . x Enter space Esc");
-    let alone = session.press("Esc").look();
+    let alone = session.press("Esc").painted_text();
     assert!(alone.contains("B.x"), "{alone}");
-    let screen = session.press("D").type_in("inches").press("Enter").look();
+    let screen = session
+        .press("D")
+        .type_in("inches")
+        .press("Enter")
+        .painted_text();
     assert!(screen.contains("B.x inches.toml"), "{screen}");
     let ticks = |screen: &str| -> Vec<String> {
         let labels = screen

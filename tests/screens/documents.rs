@@ -63,7 +63,7 @@ fn manual_screens_match_program() {
     let mut workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, 80, 25);
     workbench.press("4");
     let screen = workbench.text();
-    methods_are_told(VIEWS, "error over time", &screen);
+    assert_method_screen(VIEWS, "error over time", &screen);
 }
 
 /// The chapters show one screen of each view but the first, which the README shows; other tests compare the screens of
@@ -76,7 +76,7 @@ fn no_screen_is_left_out_of_the_comparison() {
 
 /// Asserts that the text has exactly one screen of the accuracy view, and that `screen` contains
 /// all its methods.
-fn methods_are_told(text: &str, title: &str, screen: &str) {
+fn assert_method_screen(text: &str, title: &str, screen: &str) {
     let blocks = text.split("```txt\n").skip(1);
     let shown = blocks.map(|block| block.split("```").next().unwrap());
     let shown = shown.filter(|block| block.contains(title));
@@ -143,5 +143,5 @@ fn turkish_manual_screens_match_program() {
         "--language",
         "tr",
     ]);
-    methods_are_told(GORUNUMLER, "hata yatay: sure", &methods);
+    assert_method_screen(GORUNUMLER, "hata yatay: sure", &methods);
 }

@@ -2,7 +2,7 @@
 //! them worse to read is a bug.
 
 use krank::drawing::{
-    Figure, Glyphs, Labels, Layers, Raster, Reach, WorldView, linkage, render, render_into,
+    Extents, Figure, Glyphs, Labels, Layers, Raster, WorldView, linkage, render, render_into,
 };
 use krank::scene::{Scene, presets};
 use krank::solver::{Order, Solver, State};
@@ -20,9 +20,9 @@ fn drawn(
     let mut state = solver.state();
     let at = at.unwrap_or(scene.mechanism.driver().start);
     let _ = solver.solve(at, Order::Position, &mut state);
-    let reach = Reach::of(&scene, &solver);
-    let view = WorldView::fit(&reach, cols, rows, 2.0);
-    let figure = linkage(&scene, &reach, state.state(), layers);
+    let extents = Extents::of(&scene, &solver);
+    let view = WorldView::fit(&extents, cols, rows, 2.0);
+    let figure = linkage(&scene, &extents, state.state(), layers);
     let state = state.state().clone();
     (scene, state, view, figure)
 }
@@ -96,8 +96,8 @@ fn line_glyphs_match_ascii_cell_by_cell() {
 }
 
 /// Returns `true` if the cell of this place, or a neighbour of it, is not blank.
-fn is_drawn(raster: &Raster, place: Vec2) -> bool {
-    let (col, row) = (place.x.floor() as i32, place.y.floor() as i32);
+fn is_drawn(raster: &Raster, position: Vec2) -> bool {
+    let (col, row) = (position.x.floor() as i32, position.y.floor() as i32);
     let near = [(0, 0), (-1, 0), (1, 0), (0, -1), (0, 1)];
     let cells = near.map(|(right, down)| raster.cell(col + right, row + down));
     cells.into_iter().flatten().any(|cell| cell.glyph != ' ')
@@ -110,12 +110,12 @@ fn every_link_is_drawn_without_gaps() {
         for (size, glyphs) in SIZES.into_iter().flat_map(|size| {
             [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille].map(|glyphs| (size, glyphs))
         }) {
-            let bare = Layers {
+            let plain = Layers {
                 points: false,
                 ground: false,
                 ..Layers::default()
             };
-            let (scene, state, view, figure) = drawn(preset.text, None, size, bare);
+            let (scene, state, view, figure) = drawn(preset.text, None, size, plain);
             let raster = render(&figure, &view, glyphs);
             let place = |point: PointId| view.cell(state.position(point).expect("it is placed"));
             for link in scene.mechanism.links() {
@@ -194,11 +194,11 @@ fn raster_can_be_reused_for_another_size() {
     let solver = Solver::new(&scene.mechanism).expect("the scene moves");
     let mut state = solver.state();
     let _ = solver.solve(60.0, Order::Position, &mut state);
-    let reach = Reach::of(&scene, &solver);
-    let figure = linkage(&scene, &reach, &state, Layers::default());
+    let extents = Extents::of(&scene, &solver);
+    let figure = linkage(&scene, &extents, &state, Layers::default());
     let mut raster = Raster::new();
     for (cols, rows) in [(80, 24), (0, 0), (200, 60), (40, 12)] {
-        let view = WorldView::fit(&reach, cols, rows, 2.0);
+        let view = WorldView::fit(&extents, cols, rows, 2.0);
         let labels = &mut Labels::default();
         render_into(&figure, &view, Glyphs::Ascii, labels, &mut raster);
         assert_eq!(raster, render(&figure, &view, Glyphs::Ascii));

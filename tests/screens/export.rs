@@ -1,6 +1,6 @@
 //! Tests the export of the workbench: to the clipboard and to files.
 
-use crate::claims::{assert_told, said};
+use crate::claims::{assert_shown, collapse_blanks};
 use crate::screen::{SWINGING, Session, folder, four_bar, krank, open, preset};
 use crate::tables::under_cursor;
 use krank::drawing::Glyphs;
@@ -73,8 +73,8 @@ fn value_row_and_table_are_copied_with_full_precision() {
     let value = on_clipboard(&sent);
     assert_eq!(value, values["C.vx"]);
     assert!(value.len() > 15, "{value}");
-    let told = format!("sent to the terminal's clipboard: {} B", value.len());
-    assert!(line.ends_with(&told), "{line}");
+    let output = format!("sent to the terminal's clipboard: {} B", value.len());
+    assert!(line.ends_with(&output), "{line}");
     session.press("y r");
     let row = on_clipboard(&session.workbench.take_sent());
     assert!(
@@ -111,26 +111,29 @@ fn copy_prompt_ignores_other_keys_and_closes_on_esc() {
     // other keys.
     assert_eq!(session.press("[ A q").last_line(), line);
     assert!(session.press("Esc").last_line().starts_with(" tables "));
-    let screen = session.press("y t").look();
+    let screen = session.press("y t").painted_text();
     assert!(
-        said(&screen).contains("sent to the terminal's clipboard: "),
+        collapse_blanks(&screen).contains("sent to the terminal's clipboard: "),
         "{screen}"
     );
     assert!(!session.workbench.take_sent().is_empty());
     // The scene view copies the value under the cursor; views without one report that.
     let sent = session.press("6 y").workbench.take_sent();
     assert_eq!(on_clipboard(&sent).trim().parse(), Ok(0.0), "A x");
-    let screen = session.press("5 y").look();
-    assert!(said(&screen).contains("nothing to copy here"), "{screen}");
+    let screen = session.press("5 y").painted_text();
+    assert!(
+        collapse_blanks(&screen).contains("nothing to copy here"),
+        "{screen}"
+    );
     assert_eq!(session.workbench.take_sent(), b"");
     // Text views are copied in full.
-    for (key, said) in [
+    for (key, text) in [
         ("e", "r2.com.x"),
         ("7", "Vector polygons"),
         ("4", "closed form"),
     ] {
         let sent = session.press(key).press("y").workbench.take_sent();
-        assert!(on_clipboard(&sent).contains(said), "{key}");
+        assert!(on_clipboard(&sent).contains(text), "{key}");
     }
 }
 
@@ -145,7 +148,7 @@ fn missing_values_are_empty_cells() {
         under_cursor(&mut session).contains("[     -*]")
             || under_cursor(&mut session).contains("- ]"),
         "{}",
-        session.look()
+        session.painted_text()
     );
     let line = session.press("y v").last_line();
     assert!(line.ends_with("no value to copy"), "{line}");
@@ -216,8 +219,8 @@ fn existing_file_is_overwritten_only_after_confirmation() {
         " write  write to: four-bar-60.csv    Enter write  Esc cancel"
     );
     session.press("Ctrl-U").type_in(file.to_str().unwrap());
-    let asked = ["overwrite kept.csv?", "Enter write Esc cancel"];
-    assert_told(&session.press("Enter").look(), &asked);
+    let requested = ["overwrite kept.csv?", "Enter write Esc cancel"];
+    assert_shown(&session.press("Enter").painted_text(), &requested);
     session.press("Esc");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "kept");
     session.press("Y Ctrl-U").type_in(file.to_str().unwrap());
@@ -226,9 +229,9 @@ fn existing_file_is_overwritten_only_after_confirmation() {
     assert!(std::fs::read_to_string(&file).unwrap().ends_with(",ok\n"));
     // A folder is not a file.
     session.press("Y Ctrl-U").type_in(here.to_str().unwrap());
-    let screen = session.press("Enter").look();
-    let told = " that is a folder: add a name";
-    assert!(said(&screen).contains(told), "{screen}");
+    let screen = session.press("Enter").painted_text();
+    let output = " that is a folder: add a name";
+    assert!(collapse_blanks(&screen).contains(output), "{screen}");
     // The rejected name stays visible.
     assert!(session.last_line().contains("write to: "), "{screen}");
     assert_eq!(std::fs::read_dir(&here).unwrap().count(), 1);
@@ -271,7 +274,7 @@ fn screen_and_drawing_are_written_to_files() {
     let file = here.join("screen.txt");
     for keys in ["1", "2 j j L", "4 Esc", "e"] {
         let mut session = Session::new(preset("press"), Glyphs::Braille, 80, 24);
-        let seen = session.press(keys).look();
+        let seen = session.press(keys).painted_text();
         let line = session.press("P").last_line();
         assert!(line.contains("write to: press-60.txt"), "{line}");
         session.press("Ctrl-U").type_in(file.to_str().unwrap());
@@ -283,8 +286,11 @@ fn screen_and_drawing_are_written_to_files() {
     assert!(line.contains("write to: four-bar-60.svg"), "{line}");
     let file = here.join("drawing.svg");
     session.press("Ctrl-U").type_in(file.to_str().unwrap());
-    let screen = session.press("Enter").look();
-    assert!(said(&screen).contains("the drawing written to"), "{screen}");
+    let screen = session.press("Enter").painted_text();
+    assert!(
+        collapse_blanks(&screen).contains("the drawing written to"),
+        "{screen}"
+    );
     let svg = std::fs::read_to_string(&file).unwrap();
     assert!(
         svg.starts_with("<svg ") && svg.ends_with("</svg>\n"),
@@ -299,7 +305,7 @@ fn screen_and_drawing_are_written_to_files() {
 fn report_format_follows_file_extension() {
     let here = folder("reports");
     let mut session = four_bar(80, 24);
-    for (name, begins) in [
+    for (name, starts) in [
         ("a.html", "<!DOCTYPE html>"),
         ("a.tex", "\\documentclass"),
         ("a.md", "# Four-bar"),
@@ -312,7 +318,7 @@ fn report_format_follows_file_extension() {
         let line = session.press("Enter").last_line();
         assert!(line.contains("the report written to"), "{line}");
         let text = std::fs::read_to_string(&file).unwrap();
-        assert!(text.starts_with(begins), "{name}: {text}");
+        assert!(text.starts_with(starts), "{name}: {text}");
         session.pass(20.0);
     }
     // In the plots view, too, the report describes the linkage at its present position.
@@ -331,7 +337,7 @@ fn plots_are_copied_at_cursor_and_written_in_full() {
     let row = format!("60\t{}\t{}\n", values["r4.omega"], values["r4.alpha"]);
     let heading = "driver.angle [deg]\tr4.omega [rad/s]\tr4.alpha [rad/s^2]\n";
     assert_eq!(copied, format!("{heading}{row}"));
-    for (key, ending, begins) in [
+    for (key, ending, starts) in [
         ("Y", "csv", "driver.angle [deg],r4.omega"),
         ("S", "svg", "<svg "),
     ] {
@@ -345,7 +351,7 @@ fn plots_are_copied_at_cursor_and_written_in_full() {
             .press("Ctrl-U")
             .type_in(file.to_str().unwrap())
             .press("Enter");
-        assert!(std::fs::read_to_string(&file).unwrap().starts_with(begins));
+        assert!(std::fs::read_to_string(&file).unwrap().starts_with(starts));
     }
     // Without a plot, each key reports that.
     for key in ["y", "Y", "S"] {
@@ -367,7 +373,7 @@ fn working_is_copied_and_written_in_full() {
     for part in ["1 Vector polygons", "3 Loop equations", "Check"] {
         assert!(copied.contains(part), "{part}: {copied}");
     }
-    for (ending, begins, has) in [
+    for (ending, starts, has) in [
         ("txt", "Four-bar crank-rocker\n", "at 60 deg, with 15 rad/s"),
         ("md", "# Four-bar crank-rocker\n", "\n## 3 Loop equations"),
         ("csv", "driver.angle [deg],", "\n60,"),
@@ -380,7 +386,7 @@ fn working_is_copied_and_written_in_full() {
             .type_in(file.to_str().unwrap())
             .press("Enter");
         let written = std::fs::read_to_string(&file).unwrap();
-        assert!(written.starts_with(begins), "{written}");
+        assert!(written.starts_with(starts), "{written}");
         assert!(written.contains(has), "{written}");
     }
     // Other views write the values.
@@ -392,7 +398,7 @@ fn working_is_copied_and_written_in_full() {
 fn copied_differences_are_labelled_as_such() {
     let mut session = four_bar(80, 24);
     session.press("2 D d o u b l e Enter");
-    let screen = session.look();
+    let screen = session.painted_text();
     assert!(screen.contains("difference: this - "), "{screen}");
     session.press("y r");
     let row = on_clipboard(&session.workbench.take_sent());
@@ -406,7 +412,7 @@ fn oversized_copy_is_rejected() {
     let bars: String = (0..1200).map(bar).collect();
     let scene = format!("{SWINGING}[vectors]\n{bars}");
     let mut session = Session::new(open(&scene, Origin::Stdin), Glyphs::Ascii, 40, 12);
-    let screen = said(&session.press("2 y t").look());
+    let screen = collapse_blanks(&session.press("2 y t").painted_text());
     assert!(screen.contains("too much to copy, "), "{screen}");
     assert!(screen.contains(" B: use Y"), "{screen}");
     assert_eq!(session.workbench.take_sent(), b"");

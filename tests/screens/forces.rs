@@ -1,6 +1,6 @@
 //! Tests the forces view.
 
-use crate::claims::{assert_told, said};
+use crate::claims::{assert_shown, collapse_blanks};
 use crate::screen::{Session, open, preset, text};
 use krank::drawing::Glyphs;
 use krank::report::Forces;
@@ -34,13 +34,13 @@ fn masked(screen: &str) -> String {
 #[test]
 fn forces_are_listed_in_blocks_of_equal_width() {
     let mut large = Session::new(preset("press-ram"), Glyphs::Braille, 120, 40);
-    let screen = large.press("5 O").look();
+    let screen = large.press("5 O").painted_text();
     insta::assert_snapshot!("forces-press-ram-braille-120x40", masked(&screen));
     let mut small = session("press-ram", 40, 12);
-    let screen = small.press("5").look();
+    let screen = small.press("5").painted_text();
     insta::assert_snapshot!("forces-press-ram-ascii-40x12", masked(&screen));
-    let screen = small.press("PgDn PgDn PgDn PgDn PgDn PgDn").look();
-    let told = [
+    let screen = small.press("PgDn PgDn PgDn PgDn PgDn PgDn").painted_text();
+    let lines = [
         "r6 0.000",
         "check torque fx",
         "N m N",
@@ -50,14 +50,14 @@ fn forces_are_listed_in_blocks_of_equal_width() {
         "off by",
         "forces press-ram 60.00 deg ok ? help",
     ];
-    assert_told(&screen, &told);
+    assert_shown(&screen, &lines);
 }
 
 /// A sliding driver has a force in its own unit and column width.
 #[test]
 fn sliding_driver_has_force_instead_of_torque() {
-    let screen = session("excavator-boom", 80, 24).press("5").look();
-    let told = [
+    let screen = session("excavator-boom", 80, 24).press("5").painted_text();
+    let lines = [
         "driver force loads gravity inertia power",
         "N N N N W",
         "rod 220072 152736 67983 -647 33010.8",
@@ -74,7 +74,7 @@ fn sliding_driver_has_force_instead_of_torque() {
         "off by",
         "forces excavator-boom 2.0000 m ok force",
     ];
-    assert_told(&screen, &told);
+    assert_shown(&screen, &lines);
 }
 
 #[test]
@@ -131,7 +131,7 @@ fn values_equal_solved_state() {
     let forces = Forces::new(&opened.scene, &opened.solver, &state, None).unwrap();
     let mut session = session("press-ram", 120, 40);
     session.press("5 O g").type_in("20").press("Enter");
-    let screen = session.look();
+    let screen = session.painted_text();
     let near = |shown: f64, value: Option<f64>| {
         let value = value.unwrap();
         assert!(
@@ -192,10 +192,10 @@ fn columns_stay_aligned_as_driver_moves() {
         .collect()
     };
     let mut session = session("press-ram", 80, 24);
-    let first = ends(&session.press("5").look());
+    let first = ends(&session.press("5").painted_text());
     assert_eq!(first.len(), 6);
     for _ in 0..24 {
-        let screen = session.press(". . .").look();
+        let screen = session.press(". . .").painted_text();
         assert_eq!(ends(&screen), first, "{screen}");
     }
 }
@@ -206,13 +206,13 @@ fn scene_without_loads_explains_how_to_add_them() {
                         This view then shows the driver's torque or force and the force at every joint.";
     let shown = session("four-bar", 80, 24).press("5").body();
     let nothing = "No forces act on this linkage: the scene has no loads, springs or masses.";
-    assert_eq!(said(&shown), nothing.to_owned() + MEND);
+    assert_eq!(collapse_blanks(&shown), nothing.to_owned() + MEND);
     let text = format!("gravity = [0, -9.81]\n{}", text("four-bar"));
     let mut session = Session::new(open(&text, Origin::Stdin), Glyphs::Ascii, 40, 12);
     let nothing = "No forces act on this linkage: the scene has gravity, but no link has a mass.";
     // The next key clears the message in the last line.
     assert_eq!(
-        said(&session.press("5 [").body()),
+        collapse_blanks(&session.press("5 [").body()),
         nothing.to_owned() + MEND
     );
 }
@@ -224,10 +224,10 @@ fn dead_point_shows_no_force_values() {
     let shown = session.press("5 ] ] ] ] ] . . . . . . . .").body();
     let none = "No force of the driver exists here: at a dead point the driver cannot move the mechanism, and \
                 the forces grow without bound.";
-    assert_eq!(said(&shown), none);
+    assert_eq!(collapse_blanks(&shown), none);
     let line = " forces  3.0382305285 m  dead point: no rates  the motion ends here";
     assert_eq!(session.last_line(), line);
-    let screen = session.press("[ ,").look();
+    let screen = session.press("[ ,").painted_text();
     assert!(screen.contains("off by"), "{screen}");
 }
 
@@ -239,7 +239,7 @@ fn change_point_shows_only_driver_torque() {
                r2 1.000000 1.000000 0.000000 0.000000 1.000000 \
                Of the forces only the driver's torque has a value here: at a change point, the links can \
                carry internal forces of any size.";
-    assert_eq!(said(&shown), all);
+    assert_eq!(collapse_blanks(&shown), all);
     let line = session.last_line();
     assert!(
         line.starts_with(" forces  stdin    0.00 deg  change point  "),
@@ -250,26 +250,29 @@ fn change_point_shows_only_driver_torque() {
 #[test]
 fn indeterminate_reactions_are_named() {
     let mut session = with("triple-parallelogram", PULL, 80, 24);
-    insta::assert_snapshot!("forces-indeterminate-ascii-80x24", masked(&session.look()));
-    let below = session.press("PgDn").look();
-    for said in ["Indeterminate: r2.A", "Of least norm: "] {
-        assert!(below.contains(said), "{below}");
+    insta::assert_snapshot!(
+        "forces-indeterminate-ascii-80x24",
+        masked(&session.painted_text())
+    );
+    let below = session.press("PgDn").painted_text();
+    for text in ["Indeterminate: r2.A", "Of least norm: "] {
+        assert!(below.contains(text), "{below}");
     }
 }
 
 #[test]
 fn forces_follow_driver_and_scene() {
     let mut session = session("four-bar-load", 80, 24);
-    let before = row(&session.press("5").look(), " r2 ");
-    let other = row(&session.press(".").look(), " r2 ");
+    let before = row(&session.press("5").painted_text(), " r2 ");
+    let other = row(&session.press(".").painted_text(), " r2 ");
     assert_ne!(before, other);
     // The next scene is the engine; the one after it has no loads.
-    let screen = session.press("n").look();
+    let screen = session.press("n").painted_text();
     assert!(
         screen.contains("r3 at C by piston") && !screen.contains("piston at C"),
         "{screen}"
     );
-    let screen = session.press("n").look();
+    let screen = session.press("n").painted_text();
     assert!(screen.contains("No forces act on this linkage"), "{screen}");
 }
 
@@ -278,28 +281,28 @@ fn forces_follow_driver_and_scene() {
 #[test]
 fn drawing_shows_loads_and_forces_with_their_magnitudes() {
     let mut session = session("four-bar-load", 120, 40);
-    let bare = session.look();
-    assert!(!bare.contains(" N "), "{bare}");
-    let screen = session.press("N").look();
-    for told in ["500 N", "6.45 N m", "F 200 N = ", "loads and forces on"] {
-        assert!(screen.contains(told), "{told}\n{screen}");
+    let plain = session.painted_text();
+    assert!(!plain.contains(" N "), "{plain}");
+    let screen = session.press("N").painted_text();
+    for output in ["500 N", "6.45 N m", "F 200 N = ", "loads and forces on"] {
+        assert!(screen.contains(output), "{output}\n{screen}");
     }
-    let figures = session.press("5 O").look();
+    let figures = session.press("5 O").painted_text();
     let numbers = figures
         .split_whitespace()
         .filter_map(|word| word.parse().ok());
     let numbers: Vec<f64> = numbers.collect();
     for size in [127.0, 139.0, 141.0, 455.0] {
-        let is_told = numbers.iter().any(|number| (number - size).abs() <= 0.5);
-        assert!(is_told, "{size}\n{figures}");
+        let is_shown = numbers.iter().any(|number| (number - size).abs() <= 0.5);
+        assert!(is_shown, "{size}\n{figures}");
         assert!(screen.contains(&format!("{size} N")), "{size}\n{screen}");
     }
     // The layer follows the driver in every view.
-    assert_ne!(session.press("O 1 .").look(), screen);
-    let off = session.press("N").look();
+    assert_ne!(session.press("O 1 .").painted_text(), screen);
+    let off = session.press("N").painted_text();
     assert!(!off.contains("500 N"), "{off}");
     let mut nothing = Session::new(preset("four-bar"), Glyphs::Ascii, 120, 40);
-    let screen = nothing.press("N").look();
-    assert_told(&screen, &["no forces here: no loads, springs or masses"]);
+    let screen = nothing.press("N").painted_text();
+    assert_shown(&screen, &["no forces here: no loads, springs or masses"]);
     assert!(!screen.contains("stands still"), "{screen}");
 }

@@ -31,7 +31,7 @@ fn every_frame(check: impl Fn(&str, (u16, u16), &mut Session, &str)) {
     for name in SIX {
         for (cols, rows) in SIZES {
             let mut session = frame(name, cols, rows);
-            let place = format!("{name} at {cols} x {rows}\n{}", session.look());
+            let place = format!("{name} at {cols} x {rows}\n{}", session.painted_text());
             check(name, (cols, rows), &mut session, &place);
         }
     }
@@ -113,9 +113,9 @@ fn hues_of_rows(session: &Session, name: &str) -> BTreeMap<String, vt100::Color>
                 // A length follows the name.
                 let here: String = text[*at..at + length].iter().collect();
                 let parted = *at == 0 || matches!(text[at - 1], ' ' | '>');
-                let behind = &text[at + length..];
-                let blanks = behind.iter().take_while(|c| **c == ' ').count();
-                let figure = behind
+                let after = &text[at + length..];
+                let blanks = after.iter().take_while(|c| **c == ' ').count();
+                let figure = after
                     .get(blanks)
                     .is_some_and(|c| c.is_ascii_digit() || *c == '-');
                 here == wanted && parted && blanks > 1 && figure
@@ -132,7 +132,7 @@ fn hues_of_rows(session: &Session, name: &str) -> BTreeMap<String, vt100::Color>
 #[test]
 fn every_frame_has_tabs_panes_values_and_state() {
     every_frame(|_, (cols, rows), session, place| {
-        let screen = session.look();
+        let screen = session.painted_text();
         let lines: Vec<&str> = screen.lines().collect();
         // All tabs appear by their numbers, and the active one is marked.
         assert!(lines[0].contains("[1 Motion]"), "{place}");
@@ -158,14 +158,14 @@ fn every_frame_has_tabs_panes_values_and_state() {
         };
         assert_eq!((panes, plots), expected, "{place}");
         // The smallest screen shows the values of the first vectors.
-        let least = match (cols, rows) {
+        let minimum = match (cols, rows) {
             (200, _) => 42,
             (120, _) => 28,
             (80, _) => 12,
             _ => 4,
         };
         assert!(
-            figures(&screen).len() >= least,
+            figures(&screen).len() >= minimum,
             "{} figures: {place}",
             figures(&screen).len()
         );
@@ -185,11 +185,11 @@ fn drawing_gets_its_share_of_screen_and_fills_its_pane() {
             _ => 0.3,
         };
         let cells = f64::from(pane.cols + 1) * height;
-        let whole = f64::from(cols) * f64::from(rows);
+        let complete = f64::from(cols) * f64::from(rows);
         assert!(
-            cells >= share * whole,
-            "{} of {whole}: {place}",
-            cells / whole
+            cells >= share * complete,
+            "{} of {complete}: {place}",
+            cells / complete
         );
         // The window shows the whole motion, which the linkage fills over a turn.
         let mut dots = pane.inked(session);

@@ -38,7 +38,7 @@ fn row(session: &mut Session) -> String {
 fn parameters_are_listed_first_and_update_dependent_values() {
     let mut session = session(100, 30);
     session.press("6");
-    insta::assert_snapshot!("scene-parameters-100x30", session.look());
+    insta::assert_snapshot!("scene-parameters-100x30", session.painted_text());
     assert_eq!(row(&mut session), "> a 100");
     let followers =
         |session: &mut Session| ["D x", "r3 len", "driver sp"].map(|name| row(session.find(name)));
@@ -71,9 +71,9 @@ fn parameters_are_listed_first_and_update_dependent_values() {
 fn formula_values_cannot_be_nudged_but_can_be_typed() {
     let mut session = session(120, 30);
     session.press("6").find("r3 len").press(">");
-    let said = session.last_line();
-    let told = "r3 length is given by rod: change rod, or press Enter to edit";
-    assert!(said.contains(told), "{said}");
+    let text = session.last_line();
+    let output = "r3 length is given by rod: change rod, or press Enter to edit";
+    assert!(text.contains(output), "{text}");
     assert_eq!(row(&mut session), "> r3 length 300 mm = rod");
     session
         .press("Enter")
@@ -81,8 +81,8 @@ fn formula_values_cannot_be_nudged_but_can_be_typed() {
         .press("Enter");
     assert_eq!(row(&mut session), ">*r3 length 310 mm rod");
     session.press("Enter").type_in("3 * b").press("Enter");
-    let said = session.last_line();
-    assert!(said.contains("unknown parameter `b`"), "{said}");
+    let text = session.last_line();
+    assert!(text.contains("unknown parameter `b`"), "{text}");
     session
         .press("Esc")
         .press("Enter")
@@ -98,7 +98,7 @@ fn formula_values_cannot_be_nudged_but_can_be_typed() {
 fn staged_edits_are_applied_and_undone_together() {
     let mut session = four_bar(80, 24);
     session.press("6");
-    let before = session.look();
+    let before = session.painted_text();
     session
         .find("r3 len")
         .press("Enter")
@@ -106,7 +106,7 @@ fn staged_edits_are_applied_and_undone_together() {
         .press("Enter");
     assert!(session.last_line().contains("out of reach by"));
     session.press("Esc").press("b");
-    assert!(session.look().contains("edits are staged"));
+    assert!(session.painted_text().contains("edits are staged"));
     session.press("Enter").type_in("1000").press("Enter");
     assert_eq!(row(&mut session), ">+r3 length 1000 mm");
     session
@@ -118,7 +118,7 @@ fn staged_edits_are_applied_and_undone_together() {
         .press(">");
     let waiting = row(&mut session);
     assert!(waiting.starts_with(">+D x 1104"), "{waiting}");
-    assert!(session.look().contains("2 staged"));
+    assert!(session.painted_text().contains("2 staged"));
     // Staged edits change nothing, and other actions are blocked until they are applied or
     // discarded.
     for key in ["w", "u", "q", "o"] {
@@ -139,7 +139,7 @@ fn staged_edits_are_applied_and_undone_together() {
             .contains("r3 length, D x undone")
     );
     assert_eq!(row(&mut session), "> r3 length 300 mm");
-    assert_eq!(session.find("A x").press("Esc {").look(), before);
+    assert_eq!(session.find("A x").press("Esc {").painted_text(), before);
 }
 
 /// The row of a value shows its staged formula, not the present one.
@@ -194,8 +194,8 @@ fn undo_restores_discarded_staged_edits() {
     session.find("D x").press("Enter").type_in("1099");
     session.press("Enter");
     let line = session.press("Esc").last_line();
-    let told = "discarded the staged edits; u restores them";
-    assert!(line.contains(told), "{line}");
+    let output = "discarded the staged edits; u restores them";
+    assert!(line.contains(output), "{line}");
     assert_eq!(row(&mut session), "> D x 400 mm = 4 * a");
     // Later edits are undone first.
     session.find("r4 len").press("> u");
@@ -253,10 +253,10 @@ fn every_documented_goal_can_be_typed() {
             let end: String = goal.chars().rev().take(24).collect();
             let end: String = end.chars().rev().collect();
             assert!(line.contains(end.trim()), "{goal}\n{line}");
-            assert!(!session.look().contains("valid here"));
+            assert!(!session.painted_text().contains("valid here"));
         }
         session.press("Ctrl-U").type_in(longest).press("Enter");
-        let screen = session.look();
+        let screen = session.painted_text();
         assert!(
             screen.contains("it") && !screen.contains("goal  r4"),
             "{screen}"
@@ -278,7 +278,7 @@ fn invalid_keys_are_reported_in_every_prompt() {
     session.press("Esc");
     for keys in ["g", "2 /", "? /", "6 @"] {
         session.press(keys);
-        let screen = session.press("\u{20ac}").look();
+        let screen = session.press("\u{20ac}").painted_text();
         assert!(
             screen.contains("(U+20AC) is not valid here"),
             "{keys}\n{screen}"
@@ -293,9 +293,13 @@ fn invalid_keys_are_reported_in_every_prompt() {
 fn goal_search_changes_value_under_cursor() {
     let mut session = Session::new(preset("slider-crank"), Glyphs::Ascii, 120, 30);
     session.press("6").find("r2 len").press("@");
-    assert!(session.look().contains("C.x.stroke = 120 by r2.length"));
+    assert!(
+        session
+            .painted_text()
+            .contains("C.x.stroke = 120 by r2.length")
+    );
     session.type_in("r4.length.stroke = 13").press("Enter");
-    assert!(session.look().contains("r2 length 6.5 meets it"));
+    assert!(session.painted_text().contains("r2 length 6.5 meets it"));
     assert_eq!(row(&mut session), ">*r2 length 6.5 cm 10");
     session.press("u").find("r2 len");
     assert_eq!(row(&mut session), "> r2 length 10 cm");
@@ -305,7 +309,7 @@ fn goal_search_changes_value_under_cursor() {
         .press("Enter");
     assert!(
         session
-            .look()
+            .painted_text()
             .contains("the nearest has r4.length.stroke 24")
     );
     session.press("Esc");
@@ -321,15 +325,15 @@ fn several_designs_for_a_goal_can_be_browsed() {
     session.press("6").find("r2 len");
     let given = row(&mut session);
     session.press("@").type_in(goal).press("Enter");
-    let first = session.look();
+    let first = session.painted_text();
     assert!(first.contains("1 of 2: r2 length "), "{first}");
     session.press("Right");
-    let second = session.look();
+    let second = session.painted_text();
     assert!(second.contains("2 of 2: r2 length "), "{second}");
     session.press("Esc");
-    assert!(session.look().contains(goal));
+    assert!(session.painted_text().contains(goal));
     session.press("Enter").press("Right").press("Enter");
-    assert!(session.look().contains(" meets it"));
+    assert!(session.painted_text().contains(" meets it"));
     assert_ne!(row(&mut session), given);
     session.press("u").find("r2 len");
     assert_eq!(row(&mut session), given);
@@ -341,6 +345,6 @@ fn goal_on_undefined_value_explains_why() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 160, 30);
     session.press("6").find("r4 len").press("@");
     session.type_in("driver.angle.ratio = 2").press("Enter");
-    let said = session.look();
-    assert!(said.contains("it turns fully"), "{said}");
+    let text = session.painted_text();
+    assert!(text.contains("it turns fully"), "{text}");
 }

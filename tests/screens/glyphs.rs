@@ -28,7 +28,10 @@ fn line_screens_match_ascii_screens_cell_by_cell() {
                 "e",
                 "1 a",
             ] {
-                let (plain, lines) = (plain.press(keys).look(), lines.press(keys).look());
+                let (plain, lines) = (
+                    plain.press(keys).painted_text(),
+                    lines.press(keys).painted_text(),
+                );
                 assert_eq!(spelled(&lines), plain, "{} {keys}", found.name);
             }
         }
@@ -43,11 +46,14 @@ fn braille_screens_show_every_ascii_value() {
             let [mut plain, mut dotted] = [Glyphs::Ascii, Glyphs::Braille]
                 .map(|glyphs| Session::new(preset(found.name), glyphs, cols, rows));
             for view in ["1", "2", "3", "5", "6", "7", "e", "8"] {
-                let (plain, dotted) = (plain.press(view).look(), dotted.press(view).look());
-                let told = figures(&dotted);
+                let (plain, dotted) = (
+                    plain.press(view).painted_text(),
+                    dotted.press(view).painted_text(),
+                );
+                let output = figures(&dotted);
                 let missing = figures(&plain)
                     .into_iter()
-                    .find(|figure| !told.contains(figure));
+                    .find(|figure| !output.contains(figure));
                 assert_eq!(missing, None, "{} {view}\n{plain}{dotted}", found.name);
             }
         }

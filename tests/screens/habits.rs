@@ -7,7 +7,7 @@ use std::fs;
 
 /// Returns the name in the row under the cursor of the tables.
 fn row(session: &mut Session) -> String {
-    let screen = session.look();
+    let screen = session.painted_text();
     let line = screen.lines().find(|line| line.starts_with('>'));
     let name = line.and_then(|line| line.split_whitespace().nth(1));
     name.unwrap_or_default().to_owned()
@@ -109,7 +109,7 @@ fn commands_of_vi_save_open_and_quit() {
     assert!(
         gone.last_line().contains("cannot be read"),
         "{}",
-        gone.look()
+        gone.painted_text()
     );
     session.press(":").type_in(&format!("e {}", own.display()));
     session.press("Enter 6 Down < :").type_in("wq");
@@ -132,7 +132,11 @@ fn theme_is_switched_by_a_command() {
 fn esc_ends_only_what_the_view_shows() {
     let mut session = four_bar(80, 24);
     session.press("6 b Down >");
-    assert!(session.look().contains(">+"), "{}", session.look());
+    assert!(
+        session.painted_text().contains(">+"),
+        "{}",
+        session.painted_text()
+    );
     session.press("1 D").type_in("press").press("Enter");
     assert!(session.last_line().contains("Esc ends the comparison"));
     assert!(
@@ -141,7 +145,10 @@ fn esc_ends_only_what_the_view_shows() {
             .last_line()
             .contains("comparison ended")
     );
-    assert!(session.press("6").look().contains(">+"), "still staged");
+    assert!(
+        session.press("6").painted_text().contains(">+"),
+        "still staged"
+    );
     session.press("Esc");
-    assert!(!session.look().contains(">+"));
+    assert!(!session.painted_text().contains(">+"));
 }

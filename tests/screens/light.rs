@@ -27,7 +27,7 @@ fn names(screen: &str) -> Vec<String> {
 fn on(scene: &str, value: &str) -> String {
     let opened = open(scene, Origin::Preset("test".into()));
     let mut session = Session::new(opened, Glyphs::Ascii, 100, 24);
-    session.press("6").find(value).look()
+    session.press("6").find(value).painted_text()
 }
 
 /// Every kind of value highlights and names its part in ASCII; values of the whole scene highlight
@@ -70,7 +70,7 @@ fn value_under_cursor_highlights_its_part() {
 fn highlighted_part_is_bold_and_named_when_names_are_off() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Braille, 100, 30);
     session.press("i i 6").find("r3 length");
-    let screen = session.look();
+    let screen = session.painted_text();
     assert!(
         screen.contains("[r3]") && !screen.lines().any(|line| line.ends_with(" C")),
         "{screen}"
@@ -84,27 +84,30 @@ fn highlighted_part_is_bold_and_named_when_names_are_off() {
         bold.map(|cell| format!("{:?}", cell.fgcolor()))
             .collect::<Vec<_>>()
     };
-    let lit = colours(&session);
-    assert!(lit.len() > 20, "{}\n{screen}", lit.len());
-    assert!(lit.iter().all(|colour| colour == "Default"), "{lit:?}");
+    let highlighted = colours(&session);
+    assert!(highlighted.len() > 20, "{}\n{screen}", highlighted.len());
+    assert!(
+        highlighted.iter().all(|colour| colour == "Default"),
+        "{highlighted:?}"
+    );
 }
 
 /// The cursor of the tables highlights its row's part; the motion view highlights nothing.
 #[test]
 fn table_and_plot_rows_highlight_their_parts() {
     let mut session = four_bar(120, 40);
-    let bare = lit(&session.look());
-    assert_eq!(bare, 0);
+    let plain = lit(&session.painted_text());
+    assert_eq!(plain, 0);
     session.press("2");
-    let screen = session.look();
+    let screen = session.painted_text();
     assert!(screen.contains("[r2]") && lit(&screen) > 3, "{screen}");
     // After r3 and r4 comes r1, which is not a link but the line between two ground pins.
-    let screen = session.press("j j j").look();
+    let screen = session.press("j j j").painted_text();
     assert!(screen.contains("[r1]") && lit(&screen) > 20, "{screen}");
     insta::assert_snapshot!("lit-vector-120x40", screen);
-    assert_eq!(lit(&session.press("1").look()), 0);
+    assert_eq!(lit(&session.press("1").painted_text()), 0);
     // The list of plots highlights parts as well.
-    let screen = session.press("3 x / r 3 . o m e g a Enter").look();
+    let screen = session.press("3 x / r 3 . o m e g a Enter").painted_text();
     assert!(screen.contains("[r3]") && lit(&screen) > 5, "{screen}");
 }
 
@@ -121,21 +124,21 @@ fn edit_shows_previous_position_as_ghost_until_next_key() {
     };
     let mut session = four_bar(80, 24);
     session.press("6").find("r2 length");
-    assert_eq!(ghost(&session.look()), 0);
-    let first = ghost(&session.press("> > >").look());
-    let later = ghost(&session.press(&"> ".repeat(20)).look());
+    assert_eq!(ghost(&session.painted_text()), 0);
+    let first = ghost(&session.press("> > >").painted_text());
+    let later = ghost(&session.press(&"> ".repeat(20)).painted_text());
     assert!(later > first && later > 5, "{first}, {later}");
-    insta::assert_snapshot!("ghost-of-an-edit-80x24", session.look());
-    assert_eq!(ghost(&session.press("j").look()), 0);
+    insta::assert_snapshot!("ghost-of-an-edit-80x24", session.painted_text());
+    assert_eq!(ghost(&session.press("j").painted_text()), 0);
     // After another key, the same edit starts a new ghost.
-    assert!(ghost(&session.press("k >").look()) < later);
+    assert!(ghost(&session.press("k >").painted_text()) < later);
     // Undo leaves a ghost too; an edit that moves nothing leaves none.
-    assert!(ghost(&session.press("u u").look()) > 3);
+    assert!(ghost(&session.press("u u").painted_text()) > 3);
     session.find("driver speed").press("> >");
-    assert_eq!(ghost(&session.look()), 0);
+    assert_eq!(ghost(&session.painted_text()), 0);
     // While the motion plays, the previous position would belong to another moment.
     session.find("r2 length").press(&"> ".repeat(20));
-    assert!(ghost(&session.look()) > 0);
+    assert!(ghost(&session.painted_text()) > 0);
     session.press("space").pass(0.1).press(">");
-    assert_eq!(ghost(&session.look()), 0);
+    assert_eq!(ghost(&session.painted_text()), 0);
 }

@@ -1,6 +1,6 @@
 //! Tests the motion view with its layers, zoomed and panned.
 
-use crate::claims::{assert_dotted, assert_told, cells, differences, drawing, pane, places};
+use crate::claims::{assert_dotted, assert_shown, cells, differences, drawing, pane, places};
 use crate::screen::{self, Session, emulator, preset};
 use krank::drawing::Glyphs;
 use krank::scene::presets;
@@ -34,14 +34,14 @@ fn arrows_are_shown_with_their_scale() {
     );
     assert!(above(&of_characters) >= 5, "{shown}");
     for screen in [&shown, &dotted] {
-        assert_told(screen, &["v 1000 mm/s ="]);
-        assert_told(screen, &["a 20000 mm/s^2 ="]);
+        assert_shown(screen, &["v 1000 mm/s ="]);
+        assert_shown(screen, &["a 20000 mm/s^2 ="]);
     }
     // On a small screen, arrows have a coarser scale and accelerations are not shown.
     let tiny = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 13)
         .press("v A")
         .body();
-    assert_told(
+    assert_shown(
         &tiny,
         &[
             "<_ __-<<",
@@ -61,9 +61,9 @@ fn coupler_curves_are_shown() {
         let shown = session.body();
         [session.press("T").body(), shown]
     };
-    let [bare, shown] = traced(Glyphs::Ascii);
+    let [plain, shown] = traced(Glyphs::Ascii);
     insta::assert_snapshot!("motion-trace-ascii-80x24", shown);
-    let curve = differences(&bare, &shown).into_iter();
+    let curve = differences(&plain, &shown).into_iter();
     let curve: Vec<_> = curve
         .filter(|c| ".:'".contains(c.3))
         .map(|c| (c.0, c.1))
@@ -73,9 +73,9 @@ fn coupler_curves_are_shown() {
     // On a small screen, a leg shows the curve of its foot in the space available.
     let mut leg = Session::new(preset("jansen-leg"), Glyphs::Ascii, 40, 13);
     let shown = leg.body();
-    let bare = leg.press("T").body();
-    assert_told(&shown, &["trace T", "m 15.0000 60.000"]);
-    let points = differences(&bare, &shown)
+    let plain = leg.press("T").body();
+    assert_shown(&shown, &["trace T", "m 15.0000 60.000"]);
+    let points = differences(&plain, &shown)
         .into_iter()
         .filter(|c| ".:'".contains(c.3));
     assert!(points.count() >= 4, "{shown}");
@@ -86,16 +86,16 @@ fn all_layers_are_shown_together() {
     let mut session = Session::new(preset("slider-crank"), Glyphs::Braille, 120, 40);
     let body = session.press("i v A T G c").body();
     insta::assert_snapshot!("motion-everything-braille-120x40", &body);
-    let bare = session.press("i v A T G c d").body();
+    let plain = session.press("i v A T G c d").body();
     // Only three joints and the lines between them remain: no arrows, traces, names or ground.
-    let drawn = drawing(&bare);
-    assert_eq!(places(&cells(&drawn), &['o', '@']).len(), 3, "{bare}");
+    let drawn = drawing(&plain);
+    assert_eq!(places(&cells(&drawn), &['o', '@']).len(), 3, "{plain}");
     let all = drawn.chars().filter(|c| c.is_ascii_graphic());
-    assert_eq!(all.collect::<String>(), "@o[o]", "{bare}");
+    assert_eq!(all.collect::<String>(), "@o[o]", "{plain}");
     // The tables next to the drawing are the same.
     let tables = |body: &str| pane(body, true);
-    assert!(tables(&bare).contains("r3.com"), "{bare}");
-    assert_eq!(tables(&bare), tables(&body));
+    assert!(tables(&plain).contains("r3.com"), "{plain}");
+    assert_eq!(tables(&plain), tables(&body));
 }
 
 /// Each key switches its layer on and off again with a message, and the view returns to its first
@@ -137,13 +137,13 @@ fn zoom_and_pan_persist_while_linkage_moves() {
         all
     };
     let (far, close) = (joints(&fitted), joints(&near));
-    let apart = |joints: &[(usize, usize)], down: usize| {
+    let distance = |joints: &[(usize, usize)], down: usize| {
         let (c, b) = (joints[0], joints[down]);
         (b.0 - c.0, c.1 - b.1)
     };
     assert_eq!((far.len(), close.len()), (4, 2), "{near}");
-    let (rows, cols) = apart(&far, 1);
-    let (more_rows, more_cols) = apart(&close, 1);
+    let (rows, cols) = distance(&far, 1);
+    let (more_rows, more_cols) = distance(&close, 1);
     assert!(more_rows.abs_diff(2 * rows) <= 2, "{near}");
     assert!(more_cols.abs_diff(2 * cols) <= 2, "{near}");
     assert!(!drawing(&near).contains('D'), "{near}");
@@ -204,8 +204,12 @@ fn median_frame_with_traces_costs_few_bytes() {
             costs.push(workbench.paint().len());
         }
         costs.sort_unstable();
-        let most = if colours == Colours::None { 700 } else { 900 };
-        assert!(costs[60] <= most, "{colours:?}: median {} bytes", costs[60]);
+        let maximum = if colours == Colours::None { 700 } else { 900 };
+        assert!(
+            costs[60] <= maximum,
+            "{colours:?}: median {} bytes",
+            costs[60]
+        );
     }
 }
 
@@ -217,17 +221,17 @@ fn median_frame_with_traces_costs_few_bytes() {
 fn measure_frame_with_every_layer() {
     for preset in presets::all() {
         let mut workbench = workbench(preset.name, Glyphs::Braille, Colours::Sixteen, 200, 60);
-        let begun = Instant::now();
+        let started = Instant::now();
         workbench.press("v A T G c i");
-        let found = begun.elapsed();
+        let found = started.elapsed();
         workbench.paint();
         workbench.press("space");
         let mut times: Vec<Duration> = (0..240)
             .map(|_| {
-                let begun = Instant::now();
+                let started = Instant::now();
                 workbench.pass(Duration::from_millis(34));
                 workbench.paint();
-                begun.elapsed()
+                started.elapsed()
             })
             .collect();
         times.sort_unstable();

@@ -1,6 +1,6 @@
 //! Tests the motor view.
 
-use crate::claims::{assert_told, figures, said};
+use crate::claims::{assert_shown, collapse_blanks, figures};
 use crate::screen::{Session, folder, open, preset, text};
 use krank::drawing::Glyphs;
 use krank::scene::presets;
@@ -43,7 +43,7 @@ fn scrolling_reaches_every_value_on_every_screen() {
         }
     }
     // Forty columns only fit the sum of the parts.
-    let told = [
+    let lines = [
         "over a turn at 15 rad/s (143.239",
         "torque [N m] all",
         "largest 28.7188",
@@ -56,13 +56,13 @@ fn scrolling_reaches_every_value_on_every_screen() {
         "flywheel",
         "on the frame, loads included",
     ];
-    assert_told(&scrolled("four-bar-load", 40, 12), &told);
+    assert_shown(&scrolled("four-bar-load", 40, 12), &lines);
 }
 
 #[test]
 fn press_shows_stroke_values_of_its_ram() {
     let mut session = Session::new(preset("press-ram"), Glyphs::Ascii, 120, 40);
-    let told = [
+    let lines = [
         "N m * driver.torque 44.1 over driver.angle over a turn at 10 rad/s (95.493 rpm), r2 needs 1133.76 N m at",
         "1133.8 at 353.04",
         "largest 1133.76 1188.18 35.4129 21.3254",
@@ -71,10 +71,10 @@ fn press_shows_stroke_values_of_its_ram() {
         "-36.3 at 337.08",
         "force 58374.8 N at 36.420 deg (192.3, 5.837e4);",
     ];
-    assert_told(&session.press("8 O").body(), &told);
+    assert_shown(&session.press("8 O").body(), &lines);
     let mut small = Session::new(preset("press-ram"), Glyphs::Ascii, 80, 24);
     small.press("8");
-    assert!(!small.look().contains("time ratio"));
+    assert!(!small.painted_text().contains("time ratio"));
     // Scrolling stops at the end.
     for _ in 0..20 {
         small.press("PgDn");
@@ -90,9 +90,9 @@ fn press_shows_stroke_values_of_its_ram() {
 
 #[test]
 fn scene_without_loads_is_reported_and_still_shows_stroke() {
-    let mut bare = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
+    let mut plain = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
     let nothing = "the scene has no load and no mass, so the driver does no work";
-    assert_eq!(said(&bare.press("8").body()), nothing);
+    assert_eq!(collapse_blanks(&plain.press("8").body()), nothing);
     let mut slider = Session::new(preset("offset-slider-crank"), Glyphs::Ascii, 80, 24);
     let shown = slider.press("8").body();
     assert!(
@@ -100,8 +100,8 @@ fn scene_without_loads_is_reported_and_still_shows_stroke() {
         "{shown}"
     );
     // Y reports that there is nothing to write.
-    let before = said(&bare.press("[").look());
-    let after = said(&bare.press("Y").look());
+    let before = collapse_blanks(&plain.press("[").painted_text());
+    let after = collapse_blanks(&plain.press("Y").painted_text());
     let count = |text: &str| text.matches("no load and no mass").count();
     assert_eq!(count(&after), count(&before) + 1, "{after}");
 }
@@ -183,7 +183,7 @@ fn every_preset_shows_text_without_nan_or_infinity() {
 fn manual_screen_of_motor_matches_program() {
     let views = include_str!("../../src/manual/english/views.md");
     let mut session = Session::new(preset("press-ram"), Glyphs::Ascii, 80, 18);
-    let screen = session.press("8").look();
+    let screen = session.press("8").painted_text();
     let block = format!("```txt\n{}\n```", screen.trim_end());
     assert!(views.contains(&block), "the manual should show\n{screen}");
 }

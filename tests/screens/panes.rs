@@ -1,7 +1,7 @@
 //! Tests the screen as a whole: tabs, panes, the dispatch of keys to panes, and the list of
 //! commands.
 
-use crate::claims::{assert_told, figures};
+use crate::claims::{assert_shown, figures};
 use crate::screen::{SIX, Session, four_bar, open, preset};
 use krank::drawing::Glyphs;
 use krank::scene::presets;
@@ -9,7 +9,7 @@ use krank::tui::{Colours, Config, Origin, Workbench};
 use std::time::Duration;
 
 fn tabs(session: &mut Session) -> String {
-    session.look().lines().next().unwrap().to_owned()
+    session.painted_text().lines().next().unwrap().to_owned()
 }
 
 /// Opens a workbench with a configuration.
@@ -53,7 +53,7 @@ fn tab_cycles_through_views_and_shift_tab_goes_back() {
 #[test]
 fn tab_of_empty_view_is_dim_and_view_explains_why() {
     let mut session = four_bar(80, 24);
-    session.look();
+    session.painted_text();
     let dims = |session: &Session| -> String {
         let cells = (0..80).map(|col| session.terminal.screen().cell(0, col).unwrap());
         // Dim blanks are invisible.
@@ -67,7 +67,7 @@ fn tab_of_empty_view_is_dim_and_view_explains_why() {
         assert!(session.press("Esc").last_line().contains("? help"));
     }
     let mut loaded = Session::new(preset("four-bar-load"), Glyphs::Ascii, 80, 24);
-    loaded.look();
+    loaded.painted_text();
     assert_eq!(dims(&loaded), "");
 }
 
@@ -82,7 +82,7 @@ fn pane_layout_follows_screen_size() {
                 Origin::Preset(name.into()),
             )
         };
-        let shown = |cols, rows| Session::new(opened(), Glyphs::Ascii, cols, rows).look();
+        let shown = |cols, rows| Session::new(opened(), Glyphs::Ascii, cols, rows).painted_text();
         let screen = shown(120, 40);
         let titles = screen.lines().nth(1).unwrap();
         assert!(titles.contains("+- tables --"), "{screen}");
@@ -123,7 +123,7 @@ fn larger_screens_show_no_fewer_values() {
     for name in SIX {
         let mut before = 0;
         for (cols, rows) in [(40, 12), (80, 24), (120, 40), (200, 60)] {
-            let screen = Session::new(preset(name), Glyphs::Ascii, cols, rows).look();
+            let screen = Session::new(preset(name), Glyphs::Ascii, cols, rows).painted_text();
             let count = figures(&screen).len();
             assert!(
                 count >= before,
@@ -137,41 +137,41 @@ fn larger_screens_show_no_fewer_values() {
 #[test]
 fn view_without_pane_opens_next_to_drawing() {
     let mut session = Session::new(preset("press-ram"), Glyphs::Ascii, 120, 40);
-    let screen = session.press("5").look();
+    let screen = session.press("5").painted_text();
     assert!(
         screen.contains("+-[forces]--") && screen.contains("- plots ---"),
         "{screen}"
     );
     assert!(screen.contains("force on"), "{screen}");
     // It stays while another pane is active, and its values follow.
-    let screen = session.press(";").look();
+    let screen = session.press(";").painted_text();
     assert!(
         screen.contains("+- forces --") && screen.contains("-[plots]--"),
         "{screen}"
     );
-    let moved = session.press(".").look();
+    let moved = session.press(".").painted_text();
     let torque = |screen: &str| -> String {
         let row = screen.lines().find(|line| line.contains("| r2  ")).unwrap();
         row.split('|').nth(1).unwrap().to_owned()
     };
     assert_ne!(torque(&moved), torque(&screen));
-    assert!(session.press("2").look().contains("+-[tables]--"));
+    assert!(session.press("2").painted_text().contains("+-[tables]--"));
     assert!(session.last_line().contains("; pane  O alone"));
     // The tables return to their place, and no forces remain.
-    assert!(!session.look().contains("force on"));
+    assert!(!session.painted_text().contains("force on"));
 }
 
 #[test]
 fn pane_can_be_maximized_and_restored() {
     let mut session = four_bar(120, 40);
-    let all = session.press("2").look();
-    let alone = session.press("O").look();
+    let all = session.press("2").painted_text();
+    let alone = session.press("O").painted_text();
     assert!(
         !alone.contains("plots ---") && alone.contains("15.0000                 0"),
         "{alone}"
     );
-    assert_eq!(session.press("O").look(), all);
-    assert_eq!(session.press("O Esc").look(), all);
+    assert_eq!(session.press("O").painted_text(), all);
+    assert_eq!(session.press("O Esc").painted_text(), all);
     let line = four_bar(80, 24).press("O").last_line();
     assert!(line.contains("there is no other pane"), "{line}");
     let line = four_bar(80, 24).press(";").last_line();
@@ -181,7 +181,7 @@ fn pane_can_be_maximized_and_restored() {
 #[test]
 fn split_between_panes_can_be_moved() {
     let bar = |session: &mut Session| {
-        let screen = session.look();
+        let screen = session.painted_text();
         screen.lines().nth(1).unwrap().find(['|', '+']).unwrap()
     };
     for (cols, rows) in [(80, 24), (120, 40), (200, 60)] {
@@ -198,7 +198,7 @@ fn split_between_panes_can_be_moved() {
 #[test]
 fn layouts_are_set_by_name_and_cycled_by_key() {
     let mut session = configured("layout = \"lecture\"", 120, 40);
-    let screen = session.look();
+    let screen = session.painted_text();
     assert!(
         screen.contains("+- working --") && screen.contains("\n- tables --"),
         "{screen}"
@@ -206,12 +206,16 @@ fn layouts_are_set_by_name_and_cycled_by_key() {
     assert!(screen.contains("Vector polygons"), "{screen}");
     let line = session.press("|").last_line();
     assert!(line.contains("layout: design"), "{line}");
-    assert!(session.look().contains("+- scene --"));
+    assert!(session.painted_text().contains("+- scene --"));
     assert!(session.press("|").last_line().contains("layout: auto"));
-    assert!(session.look().contains("+- tables --"));
-    let alone = configured("layout = \"one\"", 120, 40).press("2").look();
+    assert!(session.painted_text().contains("+- tables --"));
+    let alone = configured("layout = \"one\"", 120, 40)
+        .press("2")
+        .painted_text();
     assert!(!alone.contains("plots ---"), "{alone}");
-    let two = configured("layout = \"two\"", 80, 24).press("7").look();
+    let two = configured("layout = \"two\"", 80, 24)
+        .press("7")
+        .painted_text();
     assert!(
         two.contains("+-[working]--") && two.contains(" o "),
         "{two}"
@@ -286,18 +290,21 @@ fn commands_are_listed_and_fuzzily_searched() {
     for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
         let mut session = four_bar(cols, rows);
         let before = session.body();
-        assert_told(&session.press(":").look(), &["> play or pause space"]);
-        let screen = session.type_in("zmin").look();
-        assert_told(&screen, &["> zoom in z"]);
+        assert_shown(
+            &session.press(":").painted_text(),
+            &["> play or pause space"],
+        );
+        let screen = session.type_in("zmin").painted_text();
+        assert_shown(&screen, &["> zoom in z"]);
         assert_eq!(session.press("Esc").body(), before);
         session.press(":").type_in("velocit").press("Enter");
         let line = session.last_line();
         assert!(line.contains("velocity arrows on"), "{line}");
         // A command of another view opens that view.
         session.press(":").type_in("choose plots").press("Enter");
-        assert!(session.look().contains("plot what?"));
+        assert!(session.painted_text().contains("plot what?"));
         session.press("Esc :").type_in("zzzz");
-        assert!(session.look().contains("no such command"));
+        assert!(session.painted_text().contains("no such command"));
         assert!(
             !session
                 .press("Esc")
@@ -313,7 +320,7 @@ fn commands_are_listed_and_fuzzily_searched() {
 /// on larger screens.
 #[test]
 fn median_frame_with_panes_costs_few_bytes() {
-    for (cols, rows, most) in [(80, 24, 500), (120, 40, 2000), (200, 60, 4000)] {
+    for (cols, rows, maximum) in [(80, 24, 500), (120, 40, 2000), (200, 60, 4000)] {
         let opened = preset("four-bar");
         let mut workbench = Workbench::new(opened, Glyphs::Braille, Colours::True, cols, rows);
         workbench.paint();
@@ -326,7 +333,11 @@ fn median_frame_with_panes_costs_few_bytes() {
             })
             .collect();
         costs.sort_unstable();
-        assert!(costs[60] <= most, "{cols} x {rows}: median {}", costs[60]);
+        assert!(
+            costs[60] <= maximum,
+            "{cols} x {rows}: median {}",
+            costs[60]
+        );
     }
 }
 
@@ -386,9 +397,17 @@ fn sideways_key_without_columns_reports_it() {
 fn layout_change_keeps_the_active_view() {
     let mut session = four_bar(120, 40);
     session.press("5 | |").press(";");
-    assert!(session.look().contains("forces"), "{}", session.look());
+    assert!(
+        session.painted_text().contains("forces"),
+        "{}",
+        session.painted_text()
+    );
     session.press("; ;");
-    assert!(session.look().contains("forces"), "{}", session.look());
+    assert!(
+        session.painted_text().contains("forces"),
+        "{}",
+        session.painted_text()
+    );
 }
 
 /// Even on the smallest screen, a question about possible loss of edits is readable.
@@ -396,11 +415,15 @@ fn layout_change_keeps_the_active_view() {
 fn prompts_are_readable_on_tiny_screens() {
     let mut session = four_bar(80, 24);
     session.press("6 Down >").resize(30, 8).press("q");
-    let screen = session.look();
-    for told in ["unsaved edits", "w save", "Esc stay"] {
-        assert!(screen.contains(told), "{screen}");
+    let screen = session.painted_text();
+    for output in ["unsaved edits", "w save", "Esc stay"] {
+        assert!(screen.contains(output), "{screen}");
     }
     session.press("Esc g");
     session.type_in("75");
-    assert!(session.look().contains("75"), "{}", session.look());
+    assert!(
+        session.painted_text().contains("75"),
+        "{}",
+        session.painted_text()
+    );
 }

@@ -1,6 +1,6 @@
 //! Tests the scene picker, driven by keys: presets, files, and folders with arbitrary content.
 
-use crate::claims::{assert_told, pane, said};
+use crate::claims::{assert_shown, collapse_blanks, pane};
 use crate::screen::{SCREENS, Session, folder, open, text};
 use krank::drawing::Glyphs;
 use krank::scene::MAX_FILE_SIZE;
@@ -9,7 +9,7 @@ use std::fs;
 use std::time::Duration;
 
 /// Opens the four-bar as a file in a folder with some more scenes.
-fn among_files(name: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
+fn open_in_folder(name: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
     let folder = folder(name).join("scenes");
     fs::create_dir(&folder).unwrap();
     fs::create_dir(folder.join("old")).unwrap();
@@ -30,8 +30,8 @@ fn masked(screen: &str) -> String {
         // The text next to it keeps its columns.
         Some(at) => {
             let (path, rest) = line.split_at(at + END.len());
-            let room = path.chars().count().saturating_sub(2);
-            format!(" ~{END:room$}{rest}").trim_end().to_owned() + "\n"
+            let space = path.chars().count().saturating_sub(2);
+            format!(" ~{END:space$}{rest}").trim_end().to_owned() + "\n"
         }
         None => format!("{line}\n"),
     };
@@ -41,18 +41,18 @@ fn masked(screen: &str) -> String {
 #[test]
 fn picker_lists_presets_and_files_with_preview() {
     for (name, glyphs, cols, rows) in SCREENS {
-        let mut session = among_files(name, glyphs, cols, rows);
-        let screen = masked(&session.press("o").look());
+        let mut session = open_in_folder(name, glyphs, cols, rows);
+        let screen = masked(&session.press("o").painted_text());
         if ["ascii-80x24", "braille-120x40", "ascii-40x12"].contains(&name) {
             insta::assert_snapshot!(format!("picker-{name}"), screen);
         }
         // The list, and the text below the drawing, are the same in all glyphs.
-        let mut plain = among_files(&format!("{name}-plain"), Glyphs::Ascii, cols, rows);
-        let plain = masked(&plain.press("o").look());
+        let mut plain = open_in_folder(&format!("{name}-plain"), Glyphs::Ascii, cols, rows);
+        let plain = masked(&plain.press("o").painted_text());
         assert_eq!(pane(&screen, false), pane(&plain, false));
         let words = |screen: &str| {
-            let said = pane(screen, true);
-            said.lines()
+            let text = pane(screen, true);
+            text.lines()
                 .skip_while(|line| !line.contains("3 links"))
                 .map(str::to_owned)
                 .collect::<Vec<_>>()
@@ -66,16 +66,16 @@ fn picker_lists_presets_and_files_with_preview() {
 fn invalid_file_explains_its_error() {
     for (cols, rows) in [(80, 24), (40, 12)] {
         let name = format!("fault-{cols}x{rows}");
-        let mut session = among_files(&name, Glyphs::Ascii, cols, rows);
-        let screen = session.press("o Down").look();
-        assert_told(
+        let mut session = open_in_folder(&name, Glyphs::Ascii, cols, rows);
+        let screen = session.press("o Down").painted_text();
+        assert_shown(
             &screen,
             &["mine.toml", "> wrong.toml", "presets", "four-bar", "press"],
         );
         if cols == 80 {
             let why = "wrong.toml cannot be opened the scene has no links: nothing moves add, for example: \
                        [links] r2 = { from = \"A\", to = \"B\", length = 100 } 1 more below it";
-            assert_eq!(said(&pane(&screen, true)), why);
+            assert_eq!(collapse_blanks(&pane(&screen, true)), why);
             let line = " open  the scene has no links: nothing moves  Enter open  Esc back";
             assert_eq!(session.last_line(), line);
         } else {
@@ -93,26 +93,26 @@ fn invalid_file_explains_its_error() {
 
 #[test]
 fn typing_filters_the_list_immediately() {
-    let mut session = among_files("search", Glyphs::Ascii, 80, 24);
-    let screen = session.press("o").type_in("ram").look();
+    let mut session = open_in_folder("search", Glyphs::Ascii, 80, 24);
+    let screen = session.press("o").type_in("ram").painted_text();
     let found = "presets > press-ram parallelogram antiparallelogram triple-parallelogram";
     let list: Vec<&str> = screen.lines().skip(1).take(22).collect();
-    assert_eq!(said(&pane(&list.join("\n"), false)), found);
-    let told = [
+    assert_eq!(collapse_blanks(&pane(&list.join("\n"), false)), found);
+    let lines = [
         "Open a scene search: ram 4 of 40",
         "| Press with a ram",
         "| 5 links, 1 slide, unit mm; r2 turns fully",
         "| without turning, so the tool below its pin",
         "open Press with a ram Enter open Esc back",
     ];
-    assert_told(&screen, &told);
+    assert_shown(&screen, &lines);
     // The filter matches titles as well as names, word by word, and letters are never keys.
     let screen = session
         .press("Ctrl-U")
         .type_in("LEG")
         .press("space")
         .type_in("walk")
-        .look();
+        .painted_text();
     assert!(
         screen.contains("search: LEG walk") && screen.contains("2 of 40"),
         "{screen}"
@@ -121,65 +121,72 @@ fn typing_filters_the_list_immediately() {
     assert!(
         session
             .press("Backspace")
-            .look()
+            .painted_text()
             .contains("search: LEG wal ")
     );
-    let nothing = session.type_in("q?").look();
+    let nothing = session.type_in("q?").painted_text();
     assert!(nothing.contains("no match; Ctrl-U"), "{nothing}");
     assert!(nothing.contains("0 of 40"), "{nothing}");
     // The list is empty, and Enter does nothing.
-    assert_eq!(session.press("Enter Down Up PgDn Right").look(), nothing);
-    assert!(session.press("Ctrl-U").look().contains("40 of 40"));
+    assert_eq!(
+        session.press("Enter Down Up PgDn Right").painted_text(),
+        nothing
+    );
+    assert!(session.press("Ctrl-U").painted_text().contains("40 of 40"));
 }
 
 #[test]
 fn browsing_changes_nothing_until_enter_opens() {
-    let mut session = among_files("esc", Glyphs::Ascii, 80, 24);
-    let before = session.press("2 . . ]").look();
+    let mut session = open_in_folder("esc", Glyphs::Ascii, 80, 24);
+    let before = session.press("2 . . ]").painted_text();
     session
         .press("o Down Up PgDn End Home Left Left")
         .type_in("leg");
-    assert_eq!(session.press("Esc").look(), before);
-    let opened = session.press("o").type_in("jansen").press("Enter").look();
+    assert_eq!(session.press("Esc").painted_text(), before);
+    let opened = session
+        .press("o")
+        .type_in("jansen")
+        .press("Enter")
+        .painted_text();
     assert!(session.last_line().contains("jansen-leg"), "{opened}");
 }
 
 #[test]
 fn files_open_and_folders_can_be_entered_and_left() {
-    let mut session = among_files("walk", Glyphs::Ascii, 80, 24);
+    let mut session = open_in_folder("walk", Glyphs::Ascii, 80, 24);
     // The cursor starts at the open file.
-    assert!(session.press("o").look().contains("> mine.toml"));
-    let inside = session.press("Up Up Enter").look();
+    assert!(session.press("o").painted_text().contains("> mine.toml"));
+    let inside = session.press("Up Up Enter").painted_text();
     assert!(
         inside.contains("> lift.toml") && inside.contains("| Scissor lift"),
         "{inside}"
     );
     // After leaving a folder, the cursor is on it.
-    let outside = session.press("Left").look();
+    let outside = session.press("Left").painted_text();
     assert!(
         outside.contains("> old/") && outside.contains("| lift.toml"),
         "{outside}"
     );
-    let again = session.press("Right").look();
+    let again = session.press("Right").painted_text();
     assert_eq!(again, inside);
-    let outside = session.press("Home Enter").look();
+    let outside = session.press("Home Enter").painted_text();
     assert!(outside.contains("> old/"), "{outside}");
-    let opened = session.press("Right Enter").look();
+    let opened = session.press("Right Enter").painted_text();
     assert!(opened.contains("\n Scissor lift "), "{opened}");
     assert!(opened.contains("lift.toml"), "{opened}");
     // The picker now lists the file's own folder.
-    assert!(session.press("o").look().contains("> lift.toml"));
+    assert!(session.press("o").painted_text().contains("> lift.toml"));
 }
 
 #[test]
 fn playback_pauses_during_picker_and_resumes() {
-    let mut session = among_files("playing", Glyphs::Ascii, 80, 24);
+    let mut session = open_in_folder("playing", Glyphs::Ascii, 80, 24);
     session.press("space");
     session.workbench.pass(Duration::from_millis(500));
-    let before = session.look();
+    let before = session.painted_text();
     session.press("o");
     session.workbench.pass(Duration::from_secs(100));
-    assert_eq!(session.press("Esc").look(), before);
+    assert_eq!(session.press("Esc").painted_text(), before);
     session.workbench.pass(Duration::from_millis(500));
     assert!(
         session.last_line().contains("150.00 deg"),
@@ -235,9 +242,9 @@ fn hostile_folders_are_listed_without_harm() {
         ("tty", "it is a device, not a file"),
         ("zero", "it is a device, not a file"),
     ];
-    for (name, said) in cases {
-        let screen = session.press("Ctrl-U").type_in(name).look();
-        assert!(screen.contains(said), "{name}:\n{screen}");
+    for (name, message) in cases {
+        let screen = session.press("Ctrl-U").type_in(name).painted_text();
+        assert!(screen.contains(message), "{name}:\n{screen}");
         assert!(
             !screen
                 .chars()
@@ -260,7 +267,7 @@ fn hostile_folders_are_listed_without_harm() {
     // Scrolls through the whole list.
     session.press("Ctrl-U Home");
     for _ in 0..40 {
-        let screen = session.press("Down").look();
+        let screen = session.press("Down").painted_text();
         assert!(
             !screen
                 .chars()
@@ -277,14 +284,14 @@ fn unreadable_folder_is_reported_and_can_be_left() {
     fs::create_dir(&inner).unwrap();
     let origin = Origin::File(inner.join("mine.toml"));
     let mut session = Session::new(open(text("four-bar"), origin), Glyphs::Ascii, 80, 24);
-    let empty = session.press("o").look();
+    let empty = session.press("o").painted_text();
     assert!(empty.contains("no scene file here"), "{empty}");
     // The cursor is on the first preset, with its preview.
     assert!(empty.contains("> four-bar"), "{empty}");
     fs::remove_dir(&inner).unwrap();
-    let gone = session.press("Esc o").look();
+    let gone = session.press("Esc o").painted_text();
     assert!(gone.contains("cannot be read: No such"), "{gone}");
-    let left = session.press("Left").look();
+    let left = session.press("Left").painted_text();
     assert!(left.contains("/gone"), "{left}");
     assert!(!left.contains("cannot be read"), "{left}");
 }
@@ -297,15 +304,20 @@ fn ten_thousand_files_are_listed_and_searched() {
     }
     let origin = Origin::File(folder.join("scene-5000.toml"));
     let mut session = Session::new(open(text("four-bar"), origin), Glyphs::Ascii, 80, 24);
-    let screen = session.press("o").look();
+    let screen = session.press("o").painted_text();
     assert!(
         screen.contains("> scene-5000.toml") && screen.contains("10036 of 10036"),
         "{screen}"
     );
-    assert!(session.press("Down").look().contains("> scene-5001.toml"));
-    assert!(session.press("End").look().contains("> lift-table"));
-    assert!(session.press("Home").look().contains("> .."));
-    let screen = session.type_in("77").look();
+    assert!(
+        session
+            .press("Down")
+            .painted_text()
+            .contains("> scene-5001.toml")
+    );
+    assert!(session.press("End").painted_text().contains("> lift-table"));
+    assert!(session.press("Home").painted_text().contains("> .."));
+    let screen = session.type_in("77").painted_text();
     assert!(screen.contains("280 of 10036"), "{screen}");
     fs::remove_dir_all(&folder).unwrap();
 }
@@ -313,16 +325,16 @@ fn ten_thousand_files_are_listed_and_searched() {
 /// All printable characters extend the search.
 #[test]
 fn printable_keys_search_and_other_keys_do_no_harm() {
-    let mut session = among_files("keys", Glyphs::Ascii, 40, 12);
+    let mut session = open_in_folder("keys", Glyphs::Ascii, 40, 12);
     session.press("o");
     for c in ' '..='~' {
         session.press(&c.to_string());
     }
     session.press("F1 F2 Tab Shift-Tab Ctrl-L Ctrl-A Ctrl-R Ctrl-W");
-    assert!(session.look().starts_with(" Open a scene"));
+    assert!(session.painted_text().starts_with(" Open a scene"));
     session.workbench.resize(19, 5);
-    assert!(session.look().contains("krank needs"));
+    assert!(session.painted_text().contains("krank needs"));
     session.workbench.resize(40, 12);
-    assert!(session.press("Ctrl-U").look().contains("40 of 40"));
+    assert!(session.press("Ctrl-U").painted_text().contains("40 of 40"));
     assert!(!session.workbench.press("Ctrl-C"));
 }

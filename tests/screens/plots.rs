@@ -1,6 +1,6 @@
 //! Tests the plots view, its list, and its empty states.
 
-use crate::claims::assert_told;
+use crate::claims::assert_shown;
 use crate::screen::{Session, open, preset};
 use krank::drawing::Glyphs;
 use krank::quantity::Catalogue;
@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use std::time::{Duration, Instant};
 
 /// A driver without speed: no time passes, and every rate is 0.
-const STILL: &str = r#"
+const SPEEDLESS: &str = r#"
 name = "Still"
 unit = "mm"
 [ground]
@@ -50,23 +50,23 @@ fn list_selects_plotted_columns() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
     session.press("3 x c /").type_in("C. mm/s");
     session.press("Enter");
-    let listed = session.look();
+    let listed = session.painted_text();
     assert!(listed.contains("[ ] C.vx"), "{listed}");
     assert!(!listed.contains("[ ] B.vx"), "{listed}");
     session.press("Enter Down space");
-    insta::assert_snapshot!("plots-list-ascii-80x24", session.look());
+    insta::assert_snapshot!("plots-list-ascii-80x24", session.painted_text());
     // Esc closes the search, then the list; the selection stays.
     session.press("Esc");
-    assert!(session.look().contains("[ ] B.vx"));
+    assert!(session.painted_text().contains("[ ] B.vx"));
     session.press("Esc");
-    let plotted = session.look();
+    let plotted = session.painted_text();
     assert!(
         plotted.contains("* C.vx") && plotted.contains("x C.vy"),
         "{plotted}"
     );
     // On a small screen the list fills the screen.
     let mut small = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 13);
-    let told = [
+    let lines = [
         "plot what? 2 of 63",
         "[ ] r3.omega rad/s ^",
         "[x] r4.omega rad/s",
@@ -74,9 +74,9 @@ fn list_selects_plotted_columns() {
         "[ ] B.vy mm/s v",
         "choose 60.00 deg Enter plot Esc done",
     ];
-    assert_told(&small.press("3 Enter Down").look(), &told);
+    assert_shown(&small.press("3 Enter Down").painted_text(), &lines);
     small.press("/").type_in("nothing");
-    assert!(small.look().contains("no column matches"));
+    assert!(small.painted_text().contains("no column matches"));
 }
 
 /// A key in the list opens the analysis of the selected value over the whole motion, on a small
@@ -86,23 +86,23 @@ fn list_opens_cycle_analysis_of_a_column() {
     for (cols, rows) in [(80, 24), (40, 12)] {
         let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, cols, rows);
         session.press("3 x / r 4 . a n g l e Enter o");
-        let mut read = session.look();
+        let mut read = session.painted_text();
         assert!(read.contains("Esc back"), "{read}");
         for _ in 0..40 {
-            read.push_str(&session.press("Down").look());
+            read.push_str(&session.press("Down").painted_text());
         }
-        for told in [
+        for output in [
             "r4.angle [deg]",
             "swing",
             "47.64319",
             "1.06500633",
             "hardest",
         ] {
-            assert!(read.contains(told), "{told}: {read}");
+            assert!(read.contains(output), "{output}: {read}");
         }
-        let last = session.look();
+        let last = session.painted_text();
         assert!(last.contains("hardest"), "{last}");
-        let listed = session.press("Esc").look();
+        let listed = session.press("Esc").painted_text();
         assert!(listed.contains("] r4.angle"), "{listed}");
     }
 }
@@ -111,25 +111,25 @@ fn list_opens_cycle_analysis_of_a_column() {
 #[test]
 fn expressions_of_the_scene_are_plotted_first() {
     let mut session = Session::new(preset("ackermann"), Glyphs::Ascii, 80, 24);
-    let shown = session.press("3").look();
+    let shown = session.press("3").painted_text();
     assert!(shown.contains("* error"), "{shown}");
 }
 
 #[test]
 fn cursor_and_its_values_follow_driver() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 100, 24);
-    let before = session.press("3").look();
+    let before = session.press("3").painted_text();
     assert!(before.contains("over driver.angle  60.00 deg"), "{before}");
     assert!(
         before.contains("r4.omega  -3.09") || before.contains("r4.omega  3.09"),
         "{before}"
     );
-    let after = session.press(".").look();
+    let after = session.press(".").painted_text();
     assert!(after.contains("over driver.angle  65.00 deg"), "{after}");
     assert_ne!(before, after);
     // One turn later the cursor is at the same place.
     session.press("g").type_in("425");
-    let turned = session.press("Enter").look();
+    let turned = session.press("Enter").painted_text();
     assert!(turned.contains("over driver.angle  65.00 deg"), "{turned}");
 }
 
@@ -138,55 +138,65 @@ fn x_axis_key_cycles_driver_time_and_plotted_columns() {
     let mut session = Session::new(preset("hoecken"), Glyphs::Ascii, 80, 24);
     session.press("3 x c /").type_in("P.");
     session.press("Enter Enter Down Enter Esc Esc");
-    assert!(session.look().contains("over driver.angle"));
-    let time = session.press("X").look();
+    assert!(session.painted_text().contains("over driver.angle"));
+    let time = session.press("X").painted_text();
     assert!(
         time.contains("over time: 0 s is where the scene opens"),
         "{time}"
     );
-    assert!(session.press(".").look().contains("over time"));
-    let against = session.press("X").look();
+    assert!(session.press(".").painted_text().contains("over time"));
+    let against = session.press("X").painted_text();
     assert!(
         against.contains("over P.x") && against.contains("* P.y"),
         "{against}"
     );
     assert!(!against.contains("* P.x"), "{against}");
     insta::assert_snapshot!("plots-coupler-curve-ascii-80x24", session.press("m").body());
-    let other = session.press("X").look();
+    let other = session.press("X").painted_text();
     assert!(other.contains("over P.y"), "{other}");
-    assert!(session.press("X").look().contains("over driver.angle"));
+    assert!(
+        session
+            .press("X")
+            .painted_text()
+            .contains("over driver.angle")
+    );
     // Without a speed no time passes, so that the time axis is skipped.
-    let still = open(STILL, Origin::Stdin);
+    let still = open(SPEEDLESS, Origin::Stdin);
     let mut still = Session::new(still, Glyphs::Ascii, 80, 24);
-    assert!(still.press("3 X").look().contains("over r4.omega"));
+    assert!(still.press("3 X").painted_text().contains("over r4.omega"));
 }
 
 #[test]
 fn empty_plot_explains_how_to_add_columns() {
     for (cols, rows) in [(80, 24), (40, 12)] {
         let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, cols, rows);
-        let nothing = session.press("3 x c Esc").look();
+        let nothing = session.press("3 x c Esc").painted_text();
         assert!(nothing.contains("nothing is plotted yet"), "{nothing}");
         assert!(nothing.contains("x  choose what to plot"), "{nothing}");
         // The offered key works.
-        assert!(session.press("x Enter Esc").look().contains("* r2."));
+        assert!(
+            session
+                .press("x Enter Esc")
+                .painted_text()
+                .contains("* r2.")
+        );
     }
 }
 
 #[test]
 fn panels_that_do_not_fit_are_reached_by_scrolling() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 12);
-    let first = session.press("3").look();
+    let first = session.press("3").painted_text();
     assert!(
         first.contains("r4.omega") && !first.contains("r4.alpha"),
         "{first}"
     );
-    let second = session.press("Down").look();
+    let second = session.press("Down").painted_text();
     assert!(
         !second.contains("r4.omega") && second.contains("r4.alpha"),
         "{second}"
     );
-    assert_eq!(session.press("Down").look(), second);
+    assert_eq!(session.press("Down").painted_text(), second);
 }
 
 #[test]
@@ -194,11 +204,15 @@ fn selection_survives_assembly_change_but_not_scene_change() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
     session.press("3 x c /").type_in("C.x");
     session.press("Enter Enter Esc Esc");
-    assert!(session.look().contains("* C.x"));
+    assert!(session.painted_text().contains("* C.x"));
     session.press("a Down Enter 3");
-    assert!(session.look().contains("* C.x"), "{}", session.look());
+    assert!(
+        session.painted_text().contains("* C.x"),
+        "{}",
+        session.painted_text()
+    );
     // A change of assembly is an edit, so that leaving the scene asks.
-    assert!(!session.press("n d").look().contains("* C.x"));
+    assert!(!session.press("n d").painted_text().contains("* C.x"));
 }
 
 #[test]
@@ -231,20 +245,20 @@ fn curves_are_written_as_csv_and_as_svg() {
     }
     // Without a plot there is nothing to write.
     session.press("x c Esc Y");
-    assert!(session.look().contains("there is no plot to write"));
+    assert!(session.painted_text().contains("there is no plot to write"));
 }
 
 /// Plots each value of every preset.
 fn plot_every_value(glyphs: Glyphs, cols: u16, rows: u16) {
     for entry in presets::all() {
         let scene = Scene::parse(entry.text, entry.name).unwrap();
-        let figures = Catalogue::new(&scene).figures();
+        let quantities = Catalogue::new(&scene).figures();
         let mut bench = Workbench::new(preset(entry.name), glyphs, Colours::Sixteen, cols, rows);
         bench.press("3");
-        for (k, figure) in figures.iter().enumerate() {
+        for (k, quantity) in quantities.iter().enumerate() {
             // Alternates between a single curve and a second one, and sometimes changes the x axis.
             bench.press(if k % 2 == 0 { "x c /" } else { "x /" });
-            figure.name.chars().for_each(|c| {
+            quantity.name.chars().for_each(|c| {
                 bench.press(&c.to_string());
             });
             bench.press("Enter Enter Esc Esc");
@@ -253,8 +267,8 @@ fn plot_every_value(glyphs: Glyphs, cols: u16, rows: u16) {
             }
             let frame = String::from_utf8(bench.paint().to_vec()).unwrap();
             let bad = frame.contains("NaN") || frame.contains("inf");
-            assert!(!bad, "{}: {}", entry.name, figure.name);
-            assert!(k > 0 || frame.contains(&figure.name), "{frame}");
+            assert!(!bad, "{}: {}", entry.name, quantity.name);
+            assert!(k > 0 || frame.contains(&quantity.name), "{frame}");
         }
     }
 }
@@ -328,7 +342,7 @@ fn chain(dyads: usize) -> String {
 #[test]
 fn chain_of_dyads_is_plotted() {
     let mut session = Session::new(open(&chain(40), Origin::Stdin), Glyphs::Ascii, 80, 24);
-    let text = session.press("3").look();
+    let text = session.press("3").painted_text();
     assert!(text.contains("* s40.omega"), "{text}");
     assert!(text.contains("driver.angle"), "{text}");
 }
@@ -343,10 +357,10 @@ fn measure_plots_of_a_long_chain() {
     let mut bench = Workbench::new(opened, Glyphs::Braille, Colours::Sixteen, 200, 60);
     bench.paint();
     for key in ["3", ".", "X", "x"] {
-        let begun = Instant::now();
+        let started = Instant::now();
         bench.press(key);
         bench.paint();
-        println!("key {key}: {:?}", begun.elapsed());
+        println!("key {key}: {:?}", started.elapsed());
     }
 }
 
@@ -370,10 +384,10 @@ fn measure_frame_with_plots() {
         bench.paint();
         let mut times: Vec<Duration> = (0..1000)
             .map(|_| {
-                let begun = Instant::now();
+                let started = Instant::now();
                 bench.pass(Duration::from_millis(34));
                 bench.paint();
-                begun.elapsed()
+                started.elapsed()
             })
             .collect();
         times.sort();
@@ -390,7 +404,7 @@ fn curve_and_list_mark_have_hue_of_their_link() {
     let workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::Indexed, 120, 40);
     let mut session = Session::on(workbench, 120, 40);
     session.press("3 x / r 4 . o m e g a Enter");
-    let screen = session.look();
+    let screen = session.painted_text();
     let hues_of = |session: &Session, wanted: &dyn Fn(&str) -> bool| {
         let screen = session.terminal.screen();
         let cells = (0..40).flat_map(|row| (0..120).filter_map(move |col| screen.cell(row, col)));

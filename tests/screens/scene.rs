@@ -1,6 +1,6 @@
 //! Tests editing in the scene view, driven by key scripts.
 
-use crate::claims::{assert_told, pane};
+use crate::claims::{assert_shown, pane};
 use crate::screen::{self, Session, four_bar};
 use krank::drawing::Glyphs;
 use krank::scene::presets;
@@ -20,7 +20,7 @@ impl Values for Session {
     }
 
     fn row(&mut self) -> String {
-        let screen = self.look();
+        let screen = self.painted_text();
         let row = screen.lines().find(|line| line.starts_with(" >")).unwrap();
         let words = row.split(" | ").next().unwrap().split_whitespace();
         words.collect::<Vec<_>>().join(" ")
@@ -29,9 +29,9 @@ impl Values for Session {
 
 #[test]
 fn scene_view_lists_every_value() {
-    insta::assert_snapshot!("scene-120x40", four_bar(120, 40).press("6").look());
+    insta::assert_snapshot!("scene-120x40", four_bar(120, 40).press("6").painted_text());
     // On the smallest screen, the list fills the screen and can be scrolled.
-    let told = [
+    let lines = [
         "nudge by 2 mm",
         "> A x 0 mm",
         "D x 400 mm",
@@ -42,7 +42,7 @@ fn scene_view_lists_every_value() {
         "scene four-bar 60.00 deg ok ? help",
     ];
     let mut tiny = four_bar(40, 13);
-    assert_told(&tiny.press("6").look(), &told);
+    assert_shown(&tiny.press("6").painted_text(), &lines);
     assert_eq!(tiny.press("PgDn PgDn PgDn").row(), "> C start y 230 mm");
 }
 
@@ -55,22 +55,22 @@ fn typed_value_with_unit_updates_list_and_drawing() {
             .find("r2 len")
             .press("Enter")
             .type_in("4,5 in");
-        let typing = session.look();
+        let typing = session.painted_text();
         if cols == 80 {
             insta::assert_snapshot!("scene-typing-80x24", typing);
         }
-        let told = [
+        let lines = [
             "D y 0 mm",
             "> r2 length 4,5 in",
             "r2 com x 0 mm",
             "edit r2 length [mm, cm, m, in]",
         ];
-        assert_told(&typing, &told);
+        assert_shown(&typing, &lines);
         let drawn_before = pane(&session.body(), true);
         // The value is accepted and marked as changed, in its row with the previous value and in
         // the last line.
-        let changed = session.press("Enter").look();
-        let told = if cols == 80 {
+        let changed = session.press("Enter").painted_text();
+        let lines = if cols == 80 {
             [
                 "in the file",
                 ">*r2 length 114.3 mm 100 |",
@@ -83,7 +83,7 @@ fn typed_value_with_unit_updates_list_and_drawing() {
                 "scene four-bar* 60.00 deg",
             ]
         };
-        assert_told(&changed, &told);
+        assert_shown(&changed, &lines);
         // The other values are unchanged, and the drawing next to them shows the new crank.
         let values = |screen: &str| -> Vec<String> {
             let rows = screen.lines().skip(2).filter(|row| row.starts_with("   "));
@@ -102,8 +102,8 @@ fn typed_value_with_unit_updates_list_and_drawing() {
 fn invalid_edit_keeps_last_valid_state() {
     let mut session = four_bar(80, 24);
     session.press("6").find("r3 len");
-    let before = session.look();
-    for (typed, said) in [
+    let before = session.painted_text();
+    for (typed, text) in [
         ("0", "must be positive, not `0`"),
         ("-5", "must be positive, not `-5`"),
         ("1000", "r3 length 1000: C out of reach by"),
@@ -118,8 +118,8 @@ fn invalid_edit_keeps_last_valid_state() {
             .type_in(typed)
             .press("Enter")
             .last_line();
-        assert!(line.contains(said), "{line}");
-        assert_eq!(session.press("Esc").look(), before, "{typed}");
+        assert!(line.contains(text), "{line}");
+        assert_eq!(session.press("Esc").painted_text(), before, "{typed}");
     }
     // Nudging stops where the linkage would no longer open.
     session.find("r2 len");
@@ -139,7 +139,7 @@ fn nudges_use_increment_and_are_undone_together() {
     assert_eq!(session.row(), ">*r2 length 103 mm 100");
     session.press("{ >");
     assert_eq!(session.row(), ">*r2 length 103.5 mm 100");
-    assert!(session.look().contains("nudge by 0.5 mm"));
+    assert!(session.painted_text().contains("nudge by 0.5 mm"));
     let line = session.press("u").last_line();
     assert!(line.contains("r2 length undone"), "{line}");
     assert_eq!(session.row(), "> r2 length 100 mm");
@@ -148,7 +148,7 @@ fn nudges_use_increment_and_are_undone_together() {
     let line = session.press("Ctrl-R").last_line();
     assert!(line.contains("nothing to redo"), "{line}");
     // Other views show the linkage with its new crank.
-    let tables = session.press("2").look();
+    let tables = session.press("2").painted_text();
     assert!(tables.contains("103.5"), "{tables}");
 }
 
@@ -188,16 +188,16 @@ fn edit_keeps_assembly_unless_start_is_moved() {
     session.press("6").find("D y").press("Enter");
     let line = session.type_in("300").press("Enter").last_line();
     assert!(line.contains("[start] changed"), "{line}");
-    let screen = session.look();
+    let screen = session.painted_text();
     assert!(screen.contains("*C start x     158.9"), "{screen}");
     assert!(screen.contains("*C start y     366.1"), "{screen}");
     // One undo reverts both.
-    let screen = session.press("u").look();
+    let screen = session.press("u").painted_text();
     assert!(screen.contains(" C start x     310 "), "{screen}");
     assert!(!screen.contains("four-bar*"), "{screen}");
     // A start that is moved on purpose selects the other assembly.
     let mut session = four_bar(80, 24);
-    let before = session.look();
+    let before = session.painted_text();
     assert!(before.contains("29.379"), "{before}");
     session
         .press("6")
@@ -210,9 +210,9 @@ fn edit_keeps_assembly_unless_start_is_moved() {
         .press("Enter")
         .type_in("212")
         .press("Enter");
-    let crossed = session.press("1").look();
+    let crossed = session.press("1").painted_text();
     assert!(crossed.contains("302.825"), "{crossed}");
-    let again = session.press("u u").look();
+    let again = session.press("u u").painted_text();
     assert!(again.contains("29.379"), "{again}");
 }
 
@@ -220,24 +220,32 @@ fn edit_keeps_assembly_unless_start_is_moved() {
 fn switching_assembly_is_an_undoable_edit() {
     let mut session = four_bar(80, 24);
     session.press("a Enter");
-    assert!(session.look().contains("302.825"));
-    let screen = session.press("6").look();
+    assert!(session.painted_text().contains("302.825"));
+    let screen = session.press("6").painted_text();
     assert!(screen.contains("*C start x     212.622"), "{screen}");
     session.find("r2 len").press(">");
-    assert!(session.press("1").look().contains("C"));
+    assert!(session.press("1").painted_text().contains("C"));
     session.press("u");
-    assert!(session.look().contains("302.825"), "{}", session.look());
+    assert!(
+        session.painted_text().contains("302.825"),
+        "{}",
+        session.painted_text()
+    );
     session.press("u");
-    assert!(session.look().contains("29.379"), "{}", session.look());
+    assert!(
+        session.painted_text().contains("29.379"),
+        "{}",
+        session.painted_text()
+    );
 }
 
 #[derive(Clone, Debug)]
-enum Deed {
+enum TestAction {
     Press(&'static str),
     Type(String),
 }
 
-fn deeds() -> impl Strategy<Value = Vec<Deed>> {
+fn actions() -> impl Strategy<Value = Vec<TestAction>> {
     let keys = [
         "Up", "Down", "PgDn", "PgUp", "<", ">", "{", "}", "}", "u", "Ctrl-R", "Enter", "Esc", ".",
         "a", "1", "6", "6", "R",
@@ -247,11 +255,11 @@ fn deeds() -> impl Strategy<Value = Vec<Deed>> {
         "[-0-9.,e]{1,6}( (mm|in|deg|rad|rpm|kg))?",
         (1_u32..2000).prop_map(|n| (f64::from(n) / 10.0).to_string()),
     ];
-    let deed = prop_oneof![
-        6 => prop::sample::select(keys.to_vec()).prop_map(Deed::Press),
-        2 => text.prop_map(Deed::Type),
+    let action = prop_oneof![
+        6 => prop::sample::select(keys.to_vec()).prop_map(TestAction::Press),
+        2 => text.prop_map(TestAction::Type),
     ];
-    prop::collection::vec(deed, 1..40)
+    prop::collection::vec(action, 1..40)
 }
 
 proptest! {
@@ -259,16 +267,16 @@ proptest! {
 
     /// After any typing and nudging, undoing everything leaves the scene unchanged.
     #[test]
-    fn random_edits_can_all_be_undone(deeds in deeds(), preset in 0_usize..100) {
+    fn random_edits_can_all_be_undone(actions in actions(), preset in 0_usize..100) {
         let preset = &presets::all()[preset % presets::all().len()];
         let mut session = Session::new(screen::preset(preset.name), Glyphs::Ascii, 80, 24);
         session.press("6");
-        for deed in deeds {
-            match deed {
-                Deed::Press(key) => {
+        for action in actions {
+            match action {
+                TestAction::Press(key) => {
                     session.press(key);
                 }
-                Deed::Type(text) => {
+                TestAction::Type(text) => {
                     session.press("Enter").type_in(&text).press("Enter Esc 6");
                 }
             }
@@ -280,7 +288,7 @@ proptest! {
         let line = session.last_line();
         prop_assert!(line.contains("nothing to undo"), "{}", line);
         let changed = format!("{}*", preset.name);
-        let screen = session.press("1").look();
+        let screen = session.press("1").painted_text();
         prop_assert!(!screen.contains(&changed), "{}", screen);
     }
 }

@@ -1,14 +1,14 @@
 //! Tests scenes and their files: saving, reloading after changes by other programs, and recovery
 //! after a crash.
 
-use crate::claims::{assert_told, said};
+use crate::claims::{assert_shown, collapse_blanks};
 use crate::scene::Values;
 use crate::screen::{Session, folder, four_bar, open, preset, text};
 use krank::drawing::Glyphs;
-use krank::tui::{Colours, Opened, Origin, Workbench};
+use krank::tui::{Colours, OpenedScene, Origin, Workbench};
 use std::time::Duration;
 
-fn file(folder: &std::path::Path, text: &str) -> (std::path::PathBuf, Opened) {
+fn file(folder: &std::path::Path, text: &str) -> (std::path::PathBuf, OpenedScene) {
     let file = folder.join("mine.toml");
     std::fs::write(&file, text).unwrap();
     let opened = open(text, Origin::File(file.clone()));
@@ -35,7 +35,7 @@ fn saving_changes_only_edited_values() {
     assert!(line.contains("written to "), "{line}");
     let expected = text.replace("length = 100,", "length = 101.5,");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), expected);
-    let screen = session.press("1").look();
+    let screen = session.press("1").painted_text();
     assert!(
         !screen.contains("mine.toml*") && !screen.contains("rocker *"),
         "{screen}"
@@ -63,10 +63,10 @@ fn failed_save_keeps_unsaved_edits() {
 fn reload_adopts_step_of_another_kind_of_driver() {
     let (file, opened) = file(&folder("scene-driver"), text("four-bar"));
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
-    assert!(session.look().contains("step 5 deg"));
+    assert!(session.painted_text().contains("step 5 deg"));
     std::fs::write(&file, text("scissor-lift")).unwrap();
     session.workbench.pass(Duration::from_secs(2));
-    let screen = session.press("z").look();
+    let screen = session.press("z").painted_text();
     let step = screen.lines().nth(1).unwrap();
     assert!(step.contains("step ") && !step.contains("deg"), "{screen}");
 }
@@ -89,9 +89,9 @@ fn external_changes_are_reloaded_but_never_over_edits() {
     // While the file is invalid, the last valid state stays.
     std::fs::write(&file, "[ground]\nA = [0").unwrap();
     wait(&mut session);
-    let screen = said(&session.press("[").look());
-    let told = "mine.toml invalid, not shown: ";
-    assert!(screen.contains(told), "{screen}");
+    let screen = collapse_blanks(&session.press("[").painted_text());
+    let output = "mine.toml invalid, not shown: ";
+    assert!(screen.contains(output), "{screen}");
     assert_eq!(session.row(), "> r2 length 120.25 mm");
     std::fs::write(
         &file,
@@ -113,13 +113,13 @@ fn external_changes_are_reloaded_but_never_over_edits() {
     let line = session.press("[").last_line();
     assert!(line.contains("has changed on disk: R reloads"), "{line}");
     assert_eq!(session.row(), edited);
-    let asked = [
+    let requested = [
         "mine.toml has changed on disk: overwrite it?",
         "Enter write Esc cancel",
     ];
-    assert_told(&session.press("w").look(), &asked);
-    let asked = ["reload over unsaved edits?", "Enter load Esc keep"];
-    assert_told(&session.press("Esc R").look(), &asked);
+    assert_shown(&session.press("w").painted_text(), &requested);
+    let requested = ["reload over unsaved edits?", "Enter load Esc keep"];
+    assert_shown(&session.press("Esc R").painted_text(), &requested);
     session.press("Esc");
     assert_eq!(session.row(), edited);
     session.press("R Enter");
@@ -137,12 +137,12 @@ fn leaving_with_unsaved_edits_asks_first() {
     let (file, opened) = file(&folder("scene-asked"), text("four-bar"));
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     session.press("6").find("r2 len").press(">");
-    let asked = ["unsaved edits", "w save q drop, quit Esc stay"];
-    assert_told(&session.press("q").look(), &asked);
+    let requested = ["unsaved edits", "w save q drop, quit Esc stay"];
+    assert_shown(&session.press("q").painted_text(), &requested);
     session.press("Esc");
     assert_eq!(session.row(), ">*r2 length 101 mm 100");
-    let asked = ["unsaved edits", "w save d drop, open Esc stay"];
-    assert_told(&session.press("Esc n").look(), &asked);
+    let requested = ["unsaved edits", "w save d drop, open Esc stay"];
+    assert_shown(&session.press("Esc n").painted_text(), &requested);
     session.press("Esc n w");
     assert!(
         std::fs::read_to_string(&file)
@@ -150,13 +150,13 @@ fn leaving_with_unsaved_edits_asks_first() {
             .contains("length = 101")
     );
     assert!(
-        !session.look().contains("r2 length     101"),
+        !session.painted_text().contains("r2 length     101"),
         "the other scene is shown"
     );
     let mut other = four_bar(40, 12);
     other.press("6").find("r2 len").press(">");
-    let asked = ["w save q drop, quit Esc stay"];
-    assert_told(&other.press("q").look(), &asked);
+    let requested = ["w save q drop, quit Esc stay"];
+    assert_shown(&other.press("q").painted_text(), &requested);
     assert!(!other.workbench.press("q"), "left");
     let mut quick = four_bar(40, 12);
     quick.press("6 >");
@@ -166,7 +166,7 @@ fn leaving_with_unsaved_edits_asks_first() {
 #[test]
 fn unsaved_edits_of_earlier_session_are_offered() {
     let folder = folder("scene-recovery");
-    let begin = || {
+    let start = || {
         let opened = preset("four-bar");
         let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
         session.workbench = std::mem::replace(
@@ -177,22 +177,22 @@ fn unsaved_edits_of_earlier_session_are_offered() {
         session
     };
     let kept = || std::fs::read_dir(&folder).unwrap().count();
-    let mut session = begin();
+    let mut session = start();
     session.press("6").find("r2 len").press("> >");
     assert_eq!(kept(), 1);
     drop(session);
-    let mut session = begin();
+    let mut session = start();
     // Keys typed before the offer was readable are ignored.
     session.press("t d d Enter Esc");
-    let screen = session.look();
+    let screen = session.painted_text();
     for part in ["Unsaved edits of this scene", "> 20", "c compare  t take"] {
         assert!(screen.contains(part), "{screen}");
     }
     assert_eq!(kept(), 1);
     session.pass(1.0);
-    let screen = session.press("c").look();
+    let screen = session.press("c").painted_text();
     assert!(screen.contains("length = 102"), "{screen}");
-    let screen = session.press("Enter Esc Enter").look();
+    let screen = session.press("Enter Esc Enter").painted_text();
     assert!(screen.contains("The edited text"), "{screen}");
     session.press("t 6").find("r2 len");
     assert_eq!(session.row(), ">*r2 length 102 mm 100");
@@ -201,16 +201,16 @@ fn unsaved_edits_of_earlier_session_are_offered() {
     assert_eq!(session.row(), "> r2 length 100 mm");
     assert_eq!(kept(), 1);
     drop(session);
-    let mut session = begin();
+    let mut session = start();
     session.paint();
     session.pass(1.0).press("t q q");
     assert_eq!(kept(), 0, "dropped");
-    let mut session = begin();
+    let mut session = start();
     session.press("6 >");
     drop(session);
-    let mut session = begin();
+    let mut session = start();
     session.paint();
-    let screen = session.pass(1.0).press("d").look();
+    let screen = session.pass(1.0).press("d").painted_text();
     assert!(screen.contains("d again deletes for good"), "{screen}");
     assert_eq!(kept(), 1, "not at once");
     session.press("d");
@@ -222,7 +222,7 @@ fn unsaved_edits_of_earlier_session_are_offered() {
 #[test]
 fn staged_edits_of_earlier_session_are_offered() {
     let folder = folder("scene-waiting");
-    let begin = || {
+    let start = || {
         let workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, 80, 24);
         let mut session = Session::on(workbench.recovering_in(&folder), 80, 24);
         session.paint();
@@ -230,15 +230,15 @@ fn staged_edits_of_earlier_session_are_offered() {
         session
     };
     let kept = || std::fs::read_dir(&folder).unwrap().count();
-    let mut session = begin();
+    let mut session = start();
     session.press("6").find("r3 len").press("b Enter");
     session.type_in("1000").press("Enter");
     assert_eq!(kept(), 1);
     session.find("D x").press(">");
     assert!(!session.workbench.press("Ctrl-C"), "ended");
     drop(session);
-    let mut session = begin();
-    let screen = session.press("c").look();
+    let mut session = start();
+    let screen = session.press("c").painted_text();
     for part in ["staged: r3 length = 1000", "staged: D x = 402"] {
         assert!(screen.contains(part), "{screen}");
     }
@@ -258,12 +258,12 @@ fn staged_edits_of_earlier_session_are_offered() {
     assert_eq!(kept(), 2);
     drop(session);
     assert_eq!(kept(), 2);
-    let mut session = begin();
+    let mut session = start();
     session.press("t").find("r3 len").press("Enter");
     session.type_in("302").press("Enter b");
     assert!(session.last_line().contains("2 edits applied"));
     drop(session);
-    let screen = begin().press("c").look();
+    let screen = start().press("c").painted_text();
     assert!(
         screen.contains("length = 302") && !screen.contains("waits:"),
         "{screen}"
@@ -274,7 +274,7 @@ fn staged_edits_of_earlier_session_are_offered() {
 #[test]
 fn three_recovered_generations_fit_every_screen() {
     let folder = folder("scene-generations");
-    let begin = |cols: u16, rows: u16| {
+    let start = |cols: u16, rows: u16| {
         let workbench =
             Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, cols, rows);
         let mut session = Session::on(workbench.recovering_in(&folder), cols, rows);
@@ -283,18 +283,18 @@ fn three_recovered_generations_fit_every_screen() {
         session
     };
     for n in 1..=3 {
-        let mut session = begin(80, 24);
+        let mut session = start(80, 24);
         session.press("Esc 6").find("r2 len");
         session.press(&"> ".repeat(n));
     }
     for (cols, rows) in [(80, 24), (40, 12), (200, 60)] {
-        let mut session = begin(cols, rows);
-        let screen = session.look();
+        let mut session = start(cols, rows);
+        let screen = session.painted_text();
         assert_eq!(screen.matches("UTC").count(), 3, "{screen}");
         for part in ["Enter look", "c compare", "t take", "d drop", "Esc later"] {
             assert!(screen.contains(part), "{screen}");
         }
-        let screen = session.press("Down c").look();
+        let screen = session.press("Down c").painted_text();
         assert!(screen.contains("+ r2 = {"), "{screen}");
     }
     assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 3);
@@ -304,7 +304,7 @@ fn three_recovered_generations_fit_every_screen() {
 #[test]
 fn recovered_edits_overwrite_newer_file_only_after_confirmation() {
     let folder = folder("scene-older");
-    let begin = || {
+    let start = || {
         let (_, opened) = {
             let file = folder.join("mine.toml");
             let text = std::fs::read_to_string(&file).unwrap();
@@ -318,16 +318,16 @@ fn recovered_edits_overwrite_newer_file_only_after_confirmation() {
     };
     let file = folder.join("mine.toml");
     std::fs::write(&file, text("four-bar")).unwrap();
-    let mut session = begin();
+    let mut session = start();
     session.press("6").find("r2 len").press(">");
     drop(session);
     let newer = text("four-bar").replace("length = 250", "length = 251");
     std::fs::write(&file, &newer).unwrap();
-    let mut session = begin();
-    let screen = session.look();
+    let mut session = start();
+    let screen = session.painted_text();
     assert!(screen.contains("file has changed"), "{screen}");
-    let asked = ["mine.toml is newer than these edits: overwrite", "it?"];
-    assert_told(&session.press("t w").look(), &asked);
+    let requested = ["mine.toml is newer than these edits: overwrite", "it?"];
+    assert_shown(&session.press("t w").painted_text(), &requested);
     session.press("Esc");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), newer);
     // Keys typed before the question was readable do not answer it.
@@ -346,8 +346,12 @@ fn read_only_file_is_overwritten_after_confirmation() {
     let (file, opened) = file(&folder("scene-read-only"), text("four-bar"));
     std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0o444)).unwrap();
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
-    let screen = session.press("6").find("r2 len").press("> w").look();
-    assert_told(&screen, &["mine.toml is read-only: overwrite?"]);
+    let screen = session
+        .press("6")
+        .find("r2 len")
+        .press("> w")
+        .painted_text();
+    assert_shown(&screen, &["mine.toml is read-only: overwrite?"]);
     session.press("Esc");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), text("four-bar"));
     session.press("w").pass(1.0).press("Enter");
@@ -382,5 +386,5 @@ fn removed_point_is_no_longer_followed() {
     let line = session.press("s").last_line();
     assert!(line.contains("the view follows P"), "{line}");
     session.press("Ctrl-R u u");
-    session.look();
+    session.painted_text();
 }

@@ -3,7 +3,7 @@
 use krank::drawing::Glyphs;
 use krank::scene::{Scene, presets};
 use krank::solver::Solver;
-use krank::tui::{Colours, Opened, Origin, Workbench};
+use krank::tui::{Colours, OpenedScene, Origin, Workbench};
 use std::cell::Cell;
 use std::fs;
 use std::num::NonZeroU16;
@@ -75,10 +75,10 @@ pub(crate) fn made_up() -> Duration {
 }
 
 /// Opens a scene from its text.
-pub(crate) fn open(text: &str, origin: Origin) -> Opened {
+pub(crate) fn open(text: &str, origin: Origin) -> OpenedScene {
     let scene = Scene::parse(text, "test").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
-    Opened {
+    OpenedScene {
         scene,
         solver,
         origin,
@@ -91,7 +91,7 @@ pub(crate) fn text(preset: &str) -> &'static str {
 }
 
 /// Opens a preset.
-pub(crate) fn preset(name: &str) -> Opened {
+pub(crate) fn preset(name: &str) -> OpenedScene {
     open(text(name), Origin::Preset(name.into()))
 }
 
@@ -128,7 +128,7 @@ pub(crate) fn krank(args: &[&str]) -> (String, Option<i32>) {
 }
 
 /// Opens a session whose studies use the simulated clock.
-pub(crate) fn timed(opened: Opened, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
+pub(crate) fn timed(opened: OpenedScene, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
     let workbench = Workbench::new(opened, glyphs, Colours::Sixteen, cols, rows);
     Session::on(workbench.timed_by(made_up), cols, rows)
 }
@@ -140,7 +140,7 @@ pub(crate) struct Session {
 }
 
 impl Session {
-    pub(crate) fn new(opened: Opened, glyphs: Glyphs, cols: u16, rows: u16) -> Self {
+    pub(crate) fn new(opened: OpenedScene, glyphs: Glyphs, cols: u16, rows: u16) -> Self {
         Session::on(
             Workbench::new(opened, glyphs, Colours::Sixteen, cols, rows),
             cols,
@@ -197,7 +197,7 @@ impl Session {
     }
 
     /// Paints, and returns the screen as text.
-    pub(crate) fn look(&mut self) -> String {
+    pub(crate) fn painted_text(&mut self) -> String {
         self.paint();
         let width = self.terminal.screen().size().1.get();
         let rows = self.terminal.screen().rows(0, width);
@@ -206,13 +206,13 @@ impl Session {
 
     /// Returns the screen without the title, the verdict and the last line.
     pub(crate) fn body(&mut self) -> String {
-        let text = self.look();
+        let text = self.painted_text();
         let inner = text.lines().count().saturating_sub(3);
         let lines = text.lines().skip(1).take(inner);
         lines.map(|line| line.to_owned() + "\n").collect()
     }
 
     pub(crate) fn last_line(&mut self) -> String {
-        self.look().lines().last().unwrap().to_owned()
+        self.painted_text().lines().last().unwrap().to_owned()
     }
 }

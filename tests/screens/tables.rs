@@ -5,7 +5,7 @@ use krank::drawing::Glyphs;
 
 /// Returns the row under the cursor.
 pub(crate) fn under_cursor(session: &mut Session) -> String {
-    let screen = session.look();
+    let screen = session.painted_text();
     let mut marked = screen.lines().filter(|line| line.starts_with('>'));
     let line = marked.next().unwrap_or_else(|| panic!("{screen}"));
     assert_eq!(marked.next(), None, "{screen}");
@@ -15,7 +15,7 @@ pub(crate) fn under_cursor(session: &mut Session) -> String {
 
 /// Returns the text of the reversed cells, without tabs and the last line.
 fn reversed(session: &mut Session) -> String {
-    let screen = session.look();
+    let screen = session.painted_text();
     let cell = |row: usize, col: usize| {
         let [row, col] = [row, col].map(|n| u16::try_from(n).unwrap());
         let cell = session.terminal.screen().cell(row, col).unwrap();
@@ -65,7 +65,7 @@ fn view_scrolls_with_cursor_and_keeps_column_names() {
     let mut last = String::new();
     for _ in 0..200 {
         let row = under_cursor(session.press("Down"));
-        let screen = session.look();
+        let screen = session.painted_text();
         let heading = screen.lines().nth(1).unwrap();
         assert!(!row.is_empty() && !heading.is_empty(), "{screen}");
         let above = screen.lines().take_while(|line| !line.starts_with('>'));
@@ -75,12 +75,18 @@ fn view_scrolls_with_cursor_and_keeps_column_names() {
     }
     // The cursor stops at the end, and moves back the same way.
     assert_eq!(under_cursor(session.press("Down")), last);
-    insta::assert_snapshot!("tables-end-ascii-40x12", session.look());
+    insta::assert_snapshot!("tables-end-ascii-40x12", session.painted_text());
     for _ in 0..200 {
         session.press("Up");
     }
     assert_eq!(
-        session.look().lines().nth(2).unwrap().chars().next(),
+        session
+            .painted_text()
+            .lines()
+            .nth(2)
+            .unwrap()
+            .chars()
+            .next(),
         Some('>')
     );
     // A screen that is too small loses nothing, and another width keeps the value under the cursor.
@@ -127,7 +133,7 @@ fn rows_are_found_by_name() {
     assert!(line.starts_with(" tables "), "{line}");
     assert!(under_cursor(&mut session).starts_with("> r4 "));
     let mut tiny = four_bar(40, 12);
-    let screen = tiny.press("2 /").type_in("nothing").look();
+    let screen = tiny.press("2 /").type_in("nothing").painted_text();
     assert!(screen.contains(" no row is named nothing"), "{screen}");
     let line = tiny.last_line();
     assert!(line.starts_with(" search  name: nothing "), "{line}");
@@ -148,15 +154,15 @@ fn points_are_selected_for_the_motion_view() {
         "{line}"
     );
     let marked = |screen: &str| screen.lines().filter(|line| line.starts_with(" +")).count();
-    assert_eq!(marked(&session.look()), 4, "B and C, each twice");
+    assert_eq!(marked(&session.painted_text()), 4, "B and C, each twice");
     let line = session.press("x").last_line();
     assert!(line.ends_with("B and C no longer chosen"), "{line}");
-    assert_eq!(marked(&session.look()), 0);
+    assert_eq!(marked(&session.painted_text()), 0);
     for name in ["A", "r 1"] {
         let line = session.press(&format!("/ {name} Enter x")).last_line();
         assert!(line.contains("never moves: nothing to follow"), "{line}");
     }
     // A scene change clears the selection.
     session.press("/ C Enter x Esc n p");
-    assert_eq!(marked(&session.look()), 0);
+    assert_eq!(marked(&session.painted_text()), 0);
 }

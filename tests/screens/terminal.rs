@@ -36,7 +36,7 @@ fn median(glyphs: Glyphs, colours: Colours, theme: Theme) -> usize {
 #[test]
 #[allow(clippy::print_stdout, reason = "the figures are to be read")]
 fn median_frame_size_stays_small_in_every_glyph_and_colour() {
-    for (colours, most) in [
+    for (colours, maximum) in [
         (Colours::None, 700),
         (Colours::Sixteen, 900),
         (Colours::Indexed, 900),
@@ -50,7 +50,7 @@ fn median_frame_size_stays_small_in_every_glyph_and_colour() {
                     colours.name(),
                     theme.name()
                 );
-                assert!(bytes <= most, "{glyphs:?} {colours:?}: {bytes}");
+                assert!(bytes <= maximum, "{glyphs:?} {colours:?}: {bytes}");
             }
         }
     }

@@ -58,7 +58,7 @@ fn playback_follows_motion_law_and_dwells() {
     // Reversed playback runs backwards from the beginning of the period.
     let back = scene("r space", 0.2 * 4.0 / 1.1, 80, 24).last_line();
     assert!(back.contains("   60.00 deg  t 0.900 s  ok"), "{back}");
-    let heading = scene("", 0.0, 120, 40).look();
+    let heading = scene("", 0.0, 120, 40).painted_text();
     assert!(
         heading.contains("the motion in 4 s   1/3.6 of real time"),
         "{heading}"
@@ -69,13 +69,13 @@ fn playback_follows_motion_law_and_dwells() {
 #[test]
 fn rates_and_forces_follow_motion_law_at_that_time() {
     let mut session = scene("space", 0.275 * 4.0 / 1.1, 80, 24);
-    let tables = session.press("space 2").look();
+    let tables = session.press("space 2").painted_text();
     // 120 deg in 0.5 s: (120 deg / 0.5 s) (1 - cos 198 deg) and 2 pi (120 deg / 0.25 s^2) sin 198 deg.
     assert!(
         tables.contains("t 0.275 s") && tables.contains("8.17257") && tables.contains("-16.2660"),
         "{tables}"
     );
-    let forces = session.press("5").look();
+    let forces = session.press("5").painted_text();
     let file = crate::screen::folder("timed").join("indexed.toml");
     std::fs::write(&file, INDEXED).unwrap();
     let args = [
@@ -86,13 +86,13 @@ fn rates_and_forces_follow_motion_law_at_that_time() {
         "--columns",
         "driver.torque",
     ];
-    let (told, _) = krank(&args);
-    let torque = told.split_whitespace().next_back();
+    let (output, _) = krank(&args);
+    let torque = output.split_whitespace().next_back();
     assert!(
         torque.is_some_and(|torque| forces.contains(&torque[..7])),
-        "{told}{forces}"
+        "{output}{forces}"
     );
-    let working = session.press("7").look();
+    let working = session.press("7").painted_text();
     assert!(
         working.contains("with 8.17257 rad/s\n and -16.2660 rad/s^2"),
         "{working}"
@@ -115,8 +115,8 @@ fn steps_follow_the_timed_motion() {
     assert!(back.contains("t 0.8") || back.contains("t 0.7"), "{back}");
     let beyond = session.press("g 1 5 0 Enter").last_line();
     assert!(beyond.contains("  150.00 deg  at 1 rad/s  ok"), "{beyond}");
-    let begins = session.press("Home").last_line();
-    assert!(begins.contains("    0.00 deg  t 0.000 s  ok"), "{begins}");
+    let starts = session.press("Home").last_line();
+    assert!(starts.contains("    0.00 deg  t 0.000 s  ok"), "{starts}");
     // The lengths view has no time: it evaluates at a coordinate.
     assert!(session.press("e").last_line().contains("at 1 rad/s"));
 }
@@ -126,24 +126,24 @@ fn steps_follow_the_timed_motion() {
 #[test]
 fn plots_use_time_as_default_x_axis() {
     let mut session = scene("3 space", 0.25 * 4.0 / 1.1, 80, 24);
-    let plot = session.press("space").look();
+    let plot = session.press("space").painted_text();
     assert!(
         plot.contains("over time 0.2500 s") && plot.contains("r4.rate -851.82"),
         "{plot}"
     );
-    let plot = session.press("X X X").look();
+    let plot = session.press("X X X").painted_text();
     assert!(
         plot.contains("over driver.angle  60.00 deg") && plot.contains("r4.rate -101."),
         "{plot}"
     );
     assert!(plot.contains("at 1 rad/s") || session.press("Esc").last_line().contains("at 1 rad/s"));
-    let motor = session.press("8").look();
+    let motor = session.press("8").painted_text();
     assert!(motor.contains("over time 0.2500 s"), "{motor}");
 }
 
 #[test]
 fn timed_motion_fits_small_screens() {
     let mut session = scene("space", 0.275 * 4.0 / 1.1, 40, 12);
-    insta::assert_snapshot!("timed-40x12", session.look());
-    insta::assert_snapshot!("timed-plot-40x12", session.press("3").look());
+    insta::assert_snapshot!("timed-40x12", session.painted_text());
+    insta::assert_snapshot!("timed-plot-40x12", session.press("3").painted_text());
 }

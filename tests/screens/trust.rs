@@ -1,6 +1,6 @@
 //! Tests missing and unproved values: dead points, dim digits, and the largest error bound.
 
-use crate::claims::{assert_told, said};
+use crate::claims::{assert_shown, collapse_blanks};
 use crate::screen::{SWINGING, Session, emulator, open, preset};
 use krank::drawing::Glyphs;
 use krank::tui::{Colours, Origin, Workbench};
@@ -14,9 +14,9 @@ fn dead_point_shows_missing_rates_as_dashes() {
     let opened = open(SWINGING, Origin::File("bench/swinging.toml".into()));
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     session.press("] ] ] ] ] .");
-    let screen = session.look();
+    let screen = session.painted_text();
     // Positions are shown, but only the driver has rates.
-    let told = [
+    let lines = [
         "| r3 50.0000 327.236*",
         "| r4 60.0000 327.236*",
         "| vector r' omega",
@@ -29,20 +29,23 @@ fn dead_point_shows_missing_rates_as_dashes() {
         "| r4 0 -",
         "motion 82.81924422 deg dead point: no rates the motion ends here",
     ];
-    assert_told(&screen, &told);
+    assert_shown(&screen, &lines);
     let line = session.press(".").last_line();
     assert!(line.contains("the motion ends here"), "{line}");
     assert!(line.contains("dead point: no rates"), "{line}");
     session.workbench.resize(40, 12);
     session.terminal = emulator(40, 12);
-    let screen = session.press(".").look();
-    assert!(said(&screen).contains("the motion ends here"), "{screen}");
+    let screen = session.press(".").painted_text();
+    assert!(
+        collapse_blanks(&screen).contains("the motion ends here"),
+        "{screen}"
+    );
     let line = session.last_line();
     assert!(line.contains("82.81924422 deg dead point"), "{line}");
 }
 
 /// Within 5e-13 deg of the dead point of [`SWINGING`], where rates have at most four proved digits.
-const ALMOST_DEAD: &str = "g 8 2 . 8 1 9 2 4 4 2 1 8 5 4 1 Enter";
+const NEAR_DEAD_POINT: &str = "g 8 2 . 8 1 9 2 4 4 2 1 8 5 4 1 Enter";
 
 /// Unproved digits are dim, or dots without colours.
 #[test]
@@ -50,9 +53,11 @@ fn unproved_digits_are_dim_or_dotted() {
     let plain = |cols, rows| {
         let opened = open(SWINGING, Origin::Stdin);
         let workbench = Workbench::new(opened, Glyphs::Ascii, Colours::None, cols, rows);
-        Session::on(workbench, cols, rows).press(ALMOST_DEAD).look()
+        Session::on(workbench, cols, rows)
+            .press(NEAR_DEAD_POINT)
+            .painted_text()
     };
-    let told = [
+    let lines = [
         "| r3 50.0000 327.236*",
         "| r2 0 1.00000",
         "| r3 0 -4.8...e6*",
@@ -62,17 +67,17 @@ fn unproved_digits_are_dim_or_dotted() {
         "| r4 0 1.6...e20*",
         "82.81924422 deg dead point within 0.1 deg ? help",
     ];
-    assert_told(&plain(80, 24), &told);
+    assert_shown(&plain(80, 24), &lines);
     // Positions keep their digits, and a short line shows the position in full in preference to
     // what lies ahead.
-    let told = ["r3 50.0000 327.236*", "motion 82.81924422 deg ok ? help"];
-    assert_told(&plain(40, 12), &told);
+    let lines = ["r3 50.0000 327.236*", "motion 82.81924422 deg ok ? help"];
+    assert_shown(&plain(40, 12), &lines);
     let mut session = Session::new(open(SWINGING, Origin::Stdin), Glyphs::Ascii, 80, 24);
-    let screen = session.press(ALMOST_DEAD).look();
+    let screen = session.press(NEAR_DEAD_POINT).painted_text();
     // Marks the dim characters of a rate of r4.
     let row = screen
         .lines()
-        .position(|line| said(line).contains("| r4 0 4."))
+        .position(|line| collapse_blanks(line).contains("| r4 0 4."))
         .unwrap();
     let line = screen.lines().nth(row).unwrap();
     let from = line.find("  4.").unwrap() + 2;

@@ -8,24 +8,29 @@ use std::collections::{BTreeSet, HashSet};
 #[test]
 fn help_search_matches_all_words() {
     let mut session = four_bar(80, 24);
-    let screen = session.press("? /").type_in("arrow vel").look();
+    let screen = session.press("? /").type_in("arrow vel").painted_text();
     assert!(screen.contains("Help /arrow vel"), "{screen}");
     assert!(screen.contains("velocity arrows"), "{screen}");
     assert!(!screen.contains("acceleration   "), "{screen}");
     let line = session.last_line();
     assert!(line.ends_with("Esc all keys  Enter keep"), "{line}");
     // Typed characters are not interpreted as keys.
-    assert!(session.type_in("q?").look().contains("no key does that"));
-    assert!(session.look().contains("Esc shows all keys"));
+    assert!(
+        session
+            .type_in("q?")
+            .painted_text()
+            .contains("no key does that")
+    );
+    assert!(session.painted_text().contains("Esc shows all keys"));
     // Enter keeps the filter, and keys work again.
     session.press("Ctrl-U").type_in("quit from").press("Enter");
-    let screen = session.look();
+    let screen = session.painted_text();
     assert!(screen.contains("quit from anywhere"), "{screen}");
     assert!(session.last_line().contains("/ search"));
     // Esc first shows all keys again, then closes the help.
-    let screen = session.press("Esc").look();
+    let screen = session.press("Esc").painted_text();
     assert!(screen.contains("play or pause"), "{screen}");
-    assert!(!session.press("Esc").look().contains("Help"));
+    assert!(!session.press("Esc").painted_text().contains("Help"));
 }
 
 /// Returns the names and texts of the topics of `krank help`, for a terminal of 80 columns.
@@ -45,13 +50,13 @@ fn topics() -> Vec<(String, String)> {
 #[test]
 fn help_contains_all_manual_topics_after_the_keys() {
     let mut session = four_bar(80, 24);
-    let keys = session.press("?").look();
+    let keys = session.press("?").painted_text();
     assert!(session.last_line().contains("Tab manual"), "{keys}");
     for (name, text) in topics() {
-        let mut seen = session.press("Tab").look();
+        let mut seen = session.press("Tab").painted_text();
         assert!(seen.contains(&format!(" Help: {name} ")), "{seen}");
         for _ in 0..80 {
-            seen += &session.press("PgDn").look();
+            seen += &session.press("PgDn").painted_text();
         }
         let words: HashSet<&str> = seen.split_whitespace().collect();
         let seen: HashSet<&str> = seen.lines().collect();
@@ -64,16 +69,19 @@ fn help_contains_all_manual_topics_after_the_keys() {
             assert!(is_there, "{name}: {line}");
         }
     }
-    assert_eq!(session.press("Tab").look(), keys);
-    let screen = session.press("Left").look();
+    assert_eq!(session.press("Tab").painted_text(), keys);
+    let screen = session.press("Left").painted_text();
     assert!(screen.contains("Help: glossary"), "{screen}");
-    assert!(!session.press("Esc").look().contains("Help"));
+    assert!(!session.press("Esc").painted_text().contains("Help"));
 }
 
 #[test]
 fn manual_search_covers_all_topics() {
     let mut session = four_bar(80, 24);
-    let screen = session.press("? Tab /").type_in("SECOND dyad").look();
+    let screen = session
+        .press("? Tab /")
+        .type_in("SECOND dyad")
+        .painted_text();
     assert!(
         screen.contains("Help: tutorial  1/17 /SECOND dyad"),
         "{screen}"
@@ -85,13 +93,16 @@ fn manual_search_covers_all_topics() {
     let line = session.last_line();
     assert!(line.ends_with("Esc back  Enter next"), "{line}");
     // The word is only in other topics: Enter visits all of its hits and wraps around.
-    let screen = session.press("Ctrl-U").type_in("fluctuation").look();
+    let screen = session
+        .press("Ctrl-U")
+        .type_in("fluctuation")
+        .painted_text();
     assert!(screen.contains("Help: scene"), "{screen}");
     let first = screen;
     let mut places = 0;
     let mut topics = BTreeSet::new();
     loop {
-        let screen = session.press("Enter").look();
+        let screen = session.press("Enter").painted_text();
         assert!(
             screen
                 .lines()
@@ -106,15 +117,15 @@ fn manual_search_covers_all_topics() {
     }
     assert!(places > 1 && topics.len() > 1, "{topics:?}");
     // Typed characters are not interpreted as keys, and a search without hits reports that.
-    let screen = session.type_in("q?").look();
+    let screen = session.type_in("q?").painted_text();
     assert!(
         screen.lines().nth(1).unwrap().contains(" no hits "),
         "{screen}"
     );
     // Esc ends the search at its place, then closes the help.
-    let screen = session.press("Esc").look();
+    let screen = session.press("Esc").painted_text();
     assert!(screen.contains("Help: scene"), "{screen}");
-    assert!(!session.press("Esc").look().contains("Help"));
+    assert!(!session.press("Esc").painted_text().contains("Help"));
 }
 
 /// Regression test: the search looked at single lines and missed these words at 80 columns.
@@ -123,7 +134,7 @@ fn search_finds_phrases_across_line_breaks() {
     for cols in [40, 60, 80, 120] {
         let mut session = four_bar(cols, 24);
         session.press("? Tab /").type_in("structure alone decides");
-        let screen = session.look();
+        let screen = session.painted_text();
         assert!(screen.contains("Help: limits"), "{screen}");
     }
 }
@@ -143,27 +154,29 @@ fn marked(session: &Session) -> usize {
 #[test]
 fn search_starts_at_reading_position_and_esc_restores_it() {
     let mut session = four_bar(80, 24);
-    let place = session.press("? Tab PgDn PgDn").look();
+    let place = session.press("? Tab PgDn PgDn").painted_text();
     let before = |screen: &str, line: &str| screen.lines().any(|seen| seen == line);
     let last = place.lines().nth(20).unwrap().to_owned();
     // The topic begins with this word, and contains it again further on.
-    let found = session.press("/").type_in("crank").look();
+    let found = session.press("/").type_in("crank").painted_text();
     assert!(found.contains("Help: tutorial"), "{found}");
     assert!(before(&place, found.lines().nth(2).unwrap()), "{found}");
     assert_eq!(marked(&session), 2, "the caret and the line: {found}");
     // Without hits, and after deleting characters, the position is restored.
-    let nowhere = session.type_in("zzz").look();
+    let nowhere = session.type_in("zzz").painted_text();
     assert!(nowhere.contains(" no hits "), "{nowhere}");
     assert!(before(&nowhere, &last), "{nowhere}");
-    let again = session.press("Backspace Backspace Backspace").look();
+    let again = session
+        .press("Backspace Backspace Backspace")
+        .painted_text();
     assert_eq!(again, found);
-    assert_eq!(session.press("Ctrl-U Enter").look(), place);
+    assert_eq!(session.press("Ctrl-U Enter").painted_text(), place);
     assert_eq!(
         session
             .press("/")
             .type_in("fluctuation")
             .press("Esc")
-            .look(),
+            .painted_text(),
         place
     );
     assert_eq!(marked(&session), 0);
@@ -172,8 +185,8 @@ fn search_starts_at_reading_position_and_esc_restores_it() {
         .press("/")
         .type_in("fluctuation")
         .press("Enter Down")
-        .look();
-    let stayed = session.press("Esc").look();
+        .painted_text();
+    let stayed = session.press("Esc").painted_text();
     let text = |screen: &str| -> Vec<String> {
         let lines = screen.lines().skip(2).take(21);
         lines.map(str::to_owned).collect()
@@ -187,16 +200,16 @@ fn search_starts_at_reading_position_and_esc_restores_it() {
 #[test]
 fn topics_are_complete_on_the_smallest_screen() {
     let mut session = four_bar(40, 12);
-    let keys = session.press("?").look();
+    let keys = session.press("?").painted_text();
     assert!(keys.contains(" Tab manual "), "{keys}");
-    let mut seen = session.press("Tab").look();
+    let mut seen = session.press("Tab").painted_text();
     let heading = |screen: &str| screen.lines().nth(1).unwrap().to_owned();
     assert!(heading(&seen).ends_with("  v"), "{seen}");
-    assert!(heading(&session.press("Down").look()).ends_with(" ^v"));
+    assert!(heading(&session.press("Down").painted_text()).ends_with(" ^v"));
     for _ in 0..80 {
-        seen += &session.press("PgDn").look();
+        seen += &session.press("PgDn").painted_text();
     }
-    assert!(heading(&session.look()).ends_with(" ^"));
+    assert!(heading(&session.painted_text()).ends_with(" ^"));
     assert!(seen.contains("-o output.csv"), "{seen}");
 }
 
@@ -208,9 +221,9 @@ fn search_hits_stay_visible_after_resize() {
         session.press("? Tab Tab /").type_in("stiffness");
         session.workbench.resize(cols, rows);
         session.terminal = emulator(cols, rows);
-        let screen = session.look();
+        let screen = session.painted_text();
         assert!(screen.contains("Help: scene"), "{screen}");
-        let screen = session.press("Enter").look();
+        let screen = session.press("Enter").painted_text();
         assert!(
             screen
                 .lines()
@@ -231,7 +244,7 @@ fn help_lists_keys_of_current_view_first() {
         ("6", "In the scene view", "larger increment"),
         ("7", "The motion", "play or pause"),
     ] {
-        let screen = four_bar(40, 12).press(view).press("?").look();
+        let screen = four_bar(40, 12).press(view).press("?").painted_text();
         let first = screen.lines().nth(2).unwrap();
         assert!(first.starts_with(&format!("| {title} ")), "{screen}");
         assert!(screen.contains(&help[..12]), "{screen}");
@@ -243,9 +256,9 @@ fn help_lists_keys_of_current_view_first() {
 fn scrolling_reaches_every_key_of_the_help() {
     for (cols, rows) in [(40, 12), (80, 24), (120, 40), (200, 60)] {
         let mut session = four_bar(cols, rows);
-        let mut seen = session.press("?").look();
+        let mut seen = session.press("?").painted_text();
         for _ in 0..80 {
-            seen += &session.press("PgDn").look();
+            seen += &session.press("PgDn").painted_text();
         }
         for (title, _, help) in krank::tui::key_list() {
             assert!(seen.contains(title), "{cols} x {rows}: {title}");
@@ -274,18 +287,18 @@ fn configured_keys_appear_in_help_hints_and_messages() {
     );
     let line = session.press("a Enter").last_line();
     assert!(line.contains("C=- now; F6 saves it"), "{line}");
-    let help = session.press("F9 /").type_in("preset").look();
+    let help = session.press("F9 /").type_in("preset").painted_text();
     assert!(!help.contains("the next preset"), "{help}");
     let topic = session
         .press("Tab Tab Tab Tab Tab /")
         .type_in("pause")
-        .look();
+        .painted_text();
     assert!(topic.contains("Help: keys"), "{topic}");
     assert!(
         topic.contains("`F5`") && !topic.contains("`space`"),
         "{topic}"
     );
-    let tour = session.press("Esc Esc I Enter").look();
+    let tour = session.press("Esc Esc I Enter").painted_text();
     assert!(tour.contains("(no key) step"), "{tour}");
 }
 

@@ -1,6 +1,6 @@
 //! Tests the workbench as a whole: opening, moving, help, the lengths view, and every size.
 
-use crate::claims::assert_told;
+use crate::claims::assert_shown;
 use crate::screen::{SWINGING, Session, emulator, krank, made_up, masked, open, preset, timed};
 use krank::drawing::Glyphs;
 use krank::scene::presets;
@@ -42,16 +42,16 @@ fn four_bar(glyphs: Glyphs, cols: u16, rows: u16) -> Session {
 
 #[test]
 fn opening_screen_shows_lecture_four_bar() {
-    let screen = four_bar(Glyphs::Braille, 80, 24).look();
+    let screen = four_bar(Glyphs::Braille, 80, 24).painted_text();
     insta::assert_snapshot!("four-bar-braille-80x24", masked(&screen));
-    let screen = four_bar(Glyphs::Ascii, 40, 12).look();
+    let screen = four_bar(Glyphs::Ascii, 40, 12).painted_text();
     insta::assert_snapshot!("four-bar-ascii-40x12", masked(&screen));
 }
 
 #[test]
 fn slider_crank_is_shown_next_to_its_tables() {
     let mut session = timed(preset("slider-crank"), Glyphs::Line, 80, 24);
-    insta::assert_snapshot!("slider-crank-line-80x24", masked(&session.look()));
+    insta::assert_snapshot!("slider-crank-line-80x24", masked(&session.painted_text()));
 }
 
 /// On a small screen, a table is shown from its heading on, and continues in a second one below.
@@ -59,7 +59,7 @@ fn slider_crank_is_shown_next_to_its_tables() {
 fn scrolling_shows_all_tables_on_small_screens() {
     let mut tiny = four_bar(Glyphs::Ascii, 40, 13);
     let scrolled = tiny.press("Tab Down Down").body();
-    let told = [
+    let lines = [
         "vector r [mm] theta [deg]",
         "r2 100.000 60.000",
         "r3 300.000 29.379*",
@@ -70,15 +70,15 @@ fn scrolling_shows_all_tables_on_small_screens() {
         "r3 0 -3.9164*",
         "r4 0 3.0911* v",
     ];
-    assert_told(&scrolled, &told);
+    assert_shown(&scrolled, &lines);
 }
 
 /// The lengths view shows how errors of lengths change the values, and follows the driver.
 #[test]
 fn lengths_view_shows_sensitivities_and_follows_driver() {
     let mut session = four_bar(Glyphs::Ascii, 80, 25);
-    let screen = session.press("e").look();
-    let told = [
+    let screen = session.press("e").painted_text();
+    let lines = [
         "change for 1 mm in every length in one in which",
         "r3.angle [deg] 0.843 0.193 r4.length",
         "r4.omega [rad/s] 0.116 0.0427 r2.length",
@@ -88,18 +88,21 @@ fn lengths_view_shows_sensitivities_and_follows_driver() {
         "r2.com.x [mm] 2.37 1.00 A.x v",
         "lengths four-bar 60.00 deg ok ? help",
     ];
-    assert_told(&screen, &told);
-    let elsewhere = session.press(".").look();
+    assert_shown(&screen, &lines);
+    let elsewhere = session.press(".").painted_text();
     assert!(elsewhere.contains("65.00 deg"), "{elsewhere}");
-    assert_ne!(elsewhere, session.press(".").look());
+    assert_ne!(elsewhere, session.press(".").painted_text());
     let mut tiny = four_bar(Glyphs::Ascii, 40, 12);
-    insta::assert_snapshot!("lengths-ascii-40x12", masked(&tiny.press("e PgDn").look()));
+    insta::assert_snapshot!(
+        "lengths-ascii-40x12",
+        masked(&tiny.press("e PgDn").painted_text())
+    );
     // A redundant linkage jams if a length is wrong, and the view says so.
     let mut jammed = timed(preset("triple-parallelogram"), Glyphs::Ascii, 80, 24);
-    let screen = jammed.press("e").look();
+    let screen = jammed.press("e").painted_text();
     assert!(screen.contains("no derivatives by the lengths"), "{screen}");
     // The view stays open for the next scene.
-    let screen = jammed.press("n").look();
+    let screen = jammed.press("n").painted_text();
     let is_asked = screen.contains("in every length") && !screen.contains("no derivatives");
     assert!(is_asked, "{screen}");
 }
@@ -107,10 +110,16 @@ fn lengths_view_shows_sensitivities_and_follows_driver() {
 #[test]
 fn help_shows_the_keys() {
     let mut session = four_bar(Glyphs::Braille, 80, 24);
-    insta::assert_snapshot!("help-braille-80x24", masked(&session.press("?").look()));
+    insta::assert_snapshot!(
+        "help-braille-80x24",
+        masked(&session.press("?").painted_text())
+    );
     let mut tiny = four_bar(Glyphs::Ascii, 40, 12);
-    insta::assert_snapshot!("help-ascii-40x12", masked(&tiny.press("F1 PgDn").look()));
-    assert!(!tiny.press("Esc").look().contains("Help"));
+    insta::assert_snapshot!(
+        "help-ascii-40x12",
+        masked(&tiny.press("F1 PgDn").painted_text())
+    );
+    assert!(!tiny.press("Esc").painted_text().contains("Help"));
 }
 
 /// Every screen names the key of the help.
@@ -134,7 +143,7 @@ fn help_key_is_named_in_every_view_and_size() {
 #[test]
 fn truncated_text_ends_with_dots() {
     let mut session = timed(preset("stephenson-six-bar"), Glyphs::Ascii, 80, 24);
-    let screen = session.look();
+    let screen = session.painted_text();
     let title = screen.lines().nth(1).unwrap();
     assert!(
         title.starts_with(" Stephenson's six-bar, driven across its lo.. "),
@@ -163,11 +172,11 @@ fn tables_are_next_to_drawing_and_taller_screens_show_no_less() {
             (200, 60),
         ] {
             let opened = open(preset.text, Origin::Preset(preset.name.into()));
-            let screen = timed(opened, Glyphs::Ascii, cols, rows).look();
-            let beside = screen.lines().nth(3).unwrap();
-            let tables = beside.rsplit('|').next().unwrap();
+            let screen = timed(opened, Glyphs::Ascii, cols, rows).painted_text();
+            let nearby = screen.lines().nth(3).unwrap();
+            let tables = nearby.rsplit('|').next().unwrap();
             assert!(
-                beside.contains('|') && !tables.trim().is_empty(),
+                nearby.contains('|') && !tables.trim().is_empty(),
                 "{screen}"
             );
             let now = crate::claims::figures(&screen).len();
@@ -227,17 +236,17 @@ fn presets_play_at_every_size_and_ascii_stays_seven_bit() {
 fn tiny_screens_state_the_required_size() {
     for (cols, rows) in [(20, 6), (39, 12), (80, 11)] {
         let mut session = four_bar(Glyphs::Ascii, cols, rows);
-        assert_told(
-            &session.look(),
+        assert_shown(
+            &session.painted_text(),
             &["four-bar", "60.00 deg", "ok", "40 x 12 shows more"],
         );
-        assert_told(&session.press(".").look(), &["65.00 deg"]);
+        assert_shown(&session.press(".").painted_text(), &["65.00 deg"]);
     }
     for (cols, rows) in [(19, 6), (20, 5)] {
         let mut session = four_bar(Glyphs::Ascii, cols, rows);
-        assert_eq!(session.look().trim(), "krank needs 20 x 6");
+        assert_eq!(session.painted_text().trim(), "krank needs 20 x 6");
     }
-    four_bar(Glyphs::Ascii, 1, 1).look();
+    four_bar(Glyphs::Ascii, 1, 1).painted_text();
 }
 
 #[test]
@@ -245,7 +254,7 @@ fn control_characters_in_titles_are_replaced() {
     let hostile = SWINGING.replace("Swinging crank", "A\\u001B[2J\\u202Eb\\u4E2D\\u00E9");
     let title = |glyphs| {
         let opened = open(&hostile, Origin::File("\u{1b}[2J.toml".into()));
-        let screen = timed(opened, glyphs, 80, 24).look();
+        let screen = timed(opened, glyphs, 80, 24).painted_text();
         let line = screen.lines().nth(1).unwrap().to_owned();
         line.split_whitespace().next().unwrap().to_owned()
     };
@@ -256,7 +265,7 @@ fn control_characters_in_titles_are_replaced() {
 
 #[test]
 fn frames_are_small_and_empty_without_changes() {
-    for (colours, most) in [(Colours::Sixteen, 900), (Colours::None, 700)] {
+    for (colours, maximum) in [(Colours::Sixteen, 900), (Colours::None, 700)] {
         let mut workbench = Workbench::new(preset("four-bar"), Glyphs::Braille, colours, 80, 24);
         workbench.paint();
         assert!(workbench.paint().is_empty());
@@ -267,19 +276,23 @@ fn frames_are_small_and_empty_without_changes() {
             costs.push(workbench.paint().len());
         }
         costs.sort_unstable();
-        assert!(costs[60] <= most, "{colours:?}: median {} bytes", costs[60]);
+        assert!(
+            costs[60] <= maximum,
+            "{colours:?}: median {} bytes",
+            costs[60]
+        );
     }
 }
 
 /// An action on the workbench.
 #[derive(Clone, Debug)]
-enum Deed {
+enum TestAction {
     Press(&'static str),
     Pass(u16),
     Resize(u16, u16),
 }
 
-fn deeds() -> impl Strategy<Value = Vec<Deed>> {
+fn actions() -> impl Strategy<Value = Vec<TestAction>> {
     let keys = [
         "space",
         ",",
@@ -314,12 +327,12 @@ fn deeds() -> impl Strategy<Value = Vec<Deed>> {
         "Backspace",
         "Ctrl-U",
     ];
-    let deed = prop_oneof![
-        8 => prop::sample::select(keys.to_vec()).prop_map(Deed::Press),
-        2 => (0_u16..9000).prop_map(Deed::Pass),
-        1 => (1_u16..140, 1_u16..50).prop_map(|(cols, rows)| Deed::Resize(cols, rows)),
+    let action = prop_oneof![
+        8 => prop::sample::select(keys.to_vec()).prop_map(TestAction::Press),
+        2 => (0_u16..9000).prop_map(TestAction::Pass),
+        1 => (1_u16..140, 1_u16..50).prop_map(|(cols, rows)| TestAction::Resize(cols, rows)),
     ];
-    prop::collection::vec(deed, 1..60)
+    prop::collection::vec(action, 1..60)
 }
 
 proptest! {
@@ -327,28 +340,28 @@ proptest! {
 
     /// After any actions, the incremental frames add up to a full repaint.
     #[test]
-    fn random_actions_leave_screen_equal_to_full_repaint(deeds in deeds(), preset in 0_usize..19) {
+    fn random_actions_leave_screen_equal_to_full_repaint(actions in actions(), preset in 0_usize..19) {
         let preset = &presets::all()[preset % presets::all().len()];
         let opened = open(preset.text, Origin::Preset(preset.name.into()));
         let mut session = timed(opened, Glyphs::Ascii, 80, 24);
-        for deed in deeds {
-            match deed {
-                Deed::Press(key) => {
+        for action in actions {
+            match action {
+                TestAction::Press(key) => {
                     session.workbench.press(key);
                 }
-                Deed::Pass(ms) => session.workbench.pass(Duration::from_millis(ms.into())),
-                Deed::Resize(cols, rows) => {
+                TestAction::Pass(ms) => session.workbench.pass(Duration::from_millis(ms.into())),
+                TestAction::Resize(cols, rows) => {
                     session.workbench.resize(cols, rows);
                     session.terminal = emulator(cols, rows);
                 }
             }
             session.paint();
         }
-        let shown = session.look();
+        let shown = session.painted_text();
         session.workbench.forget();
         let size = session.terminal.screen().size();
         session.terminal = emulator(size.1.get(), size.0.get());
-        prop_assert_eq!(shown, session.look());
+        prop_assert_eq!(shown, session.painted_text());
     }
 }
 
@@ -358,9 +371,9 @@ proptest! {
 fn resize_to_same_size_repaints_everything() {
     for (cols, rows) in [(80, 24), (11, 1)] {
         let mut session = four_bar(Glyphs::Ascii, cols, rows);
-        let shown = session.look();
+        let shown = session.painted_text();
         session.workbench.resize(cols, rows);
         session.terminal = emulator(cols, rows);
-        assert_eq!(session.look(), shown);
+        assert_eq!(session.painted_text(), shown);
     }
 }

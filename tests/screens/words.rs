@@ -37,16 +37,19 @@ fn long_messages_are_shown_in_full() {
         session.press("6").find("r3 len").press("@");
         let typed = "nowhere.at.all.is.this = 12";
         session.type_in(typed).press("Enter");
-        let screen = session.look();
+        let screen = session.painted_text();
         let words: Vec<&str> = screen.split_whitespace().collect();
-        let told = words.join(" ");
+        let output = words.join(" ");
         assert!(session.last_line().contains(typed), "{screen}");
-        assert!(told.contains("nowhere") && !told.contains(".."), "{screen}");
+        assert!(
+            output.contains("nowhere") && !output.contains(".."),
+            "{screen}"
+        );
         // The next key clears it.
         session.press("Backspace");
-        assert_ne!(session.look(), screen);
+        assert_ne!(session.painted_text(), screen);
         let verdict = screen.lines().nth(rows as usize - 2).unwrap().to_owned();
-        let after = session.look();
+        let after = session.painted_text();
         let after = after.lines().nth(rows as usize - 2).unwrap();
         if cols < 120 {
             assert_ne!(after, verdict);
@@ -67,7 +70,12 @@ fn search_has_same_label_in_every_view() {
         let line = four_bar(80, 24).press(view).press("/ r 4").last_line();
         assert_eq!(line, " search  name: r4    Enter keep  Esc back");
     }
-    assert!(four_bar(80, 24).press("o").look().contains("search: "));
+    assert!(
+        four_bar(80, 24)
+            .press("o")
+            .painted_text()
+            .contains("search: ")
+    );
 }
 
 #[test]
@@ -84,7 +92,7 @@ fn axis_numbers_are_below_their_ticks() {
     for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
         for keys in ["3", "3 X", "3 X X"] {
             let mut session = Session::new(preset("jansen-leg"), Glyphs::Ascii, cols, rows);
-            let screen = session.press(keys).look();
+            let screen = session.press(keys).painted_text();
             let lines: Vec<&str> = screen.lines().collect();
             let [ticks, labels] = [lines[lines.len() - 4], lines[lines.len() - 3]];
             let ticks = format!("{ticks:121}");
@@ -106,8 +114,8 @@ fn missing_folder_is_named_and_can_be_corrected() {
     let mut session = four_bar(120, 40);
     session.press("W Ctrl-U").type_in("/nowhere/a.toml");
     let line = session.press("Enter").last_line();
-    let said = " save  write to: /nowhere/a.toml    not written, no such folder: /nowhere";
-    assert_eq!(line, said);
+    let text = " save  write to: /nowhere/a.toml    not written, no such folder: /nowhere";
+    assert_eq!(line, text);
     let file = folder("mended").join("a.toml");
     session.press("Ctrl-U").type_in(file.to_str().unwrap());
     let line = session.press("Enter").last_line();
@@ -127,7 +135,7 @@ fn deleted_file_is_not_offered_for_reload() {
         80,
         24,
     );
-    let screen = session.press("6 > R").look();
+    let screen = session.press("6 > R").painted_text();
     assert!(screen.contains("reload over unsaved edits?"), "{screen}");
     session.press("Esc");
     std::fs::remove_dir_all(file.parent().unwrap()).unwrap();

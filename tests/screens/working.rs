@@ -1,6 +1,6 @@
 //! Tests the working view.
 
-use crate::claims::assert_told;
+use crate::claims::assert_shown;
 use crate::screen::{Session, preset};
 use krank::drawing::Glyphs;
 use krank::scene::presets;
@@ -32,19 +32,19 @@ fn all(session: &mut Session) -> Vec<String> {
 #[test]
 fn keys_open_the_working_and_return() {
     let mut session = session("four-bar", Glyphs::Ascii, 80, 25);
-    let screen = session.look();
+    let screen = session.painted_text();
     assert!(
         session.last_line().starts_with(" working  four-bar"),
         "{screen}"
     );
     // The rows above these are in the manual.
-    let told = [
+    let lines = [
         "r1 + r2 + r3 + r4 = 0",
         "With the unit vectors u(theta) along an angle and n(theta) perpendicular to",
         "dn/dt = -omega u(theta)",
         "u(a)*u(b) = n(a)*n(b) = cos(a - b)",
     ];
-    assert_told(&screen, &told);
+    assert_shown(&screen, &lines);
     assert!(session.press("1").last_line().starts_with(" motion"));
 }
 
@@ -111,10 +111,10 @@ fn scrolling_reaches_every_part() {
 #[test]
 fn working_follows_the_driver() {
     let mut session = session("four-bar", Glyphs::Ascii, 80, 41);
-    assert!(session.look().contains("at 60 deg"));
-    assert!(session.press(".").look().contains("at 65 deg"));
+    assert!(session.painted_text().contains("at 60 deg"));
+    assert!(session.press(".").painted_text().contains("at 65 deg"));
     session.press("space").pass(1.0);
-    let playing = session.look();
+    let playing = session.painted_text();
     assert!(!playing.contains("at 65 deg"), "{playing}");
     // The scroll position is kept.
     let before = session.press("space J J J").body();
@@ -152,7 +152,7 @@ fn dead_point_is_reported() {
         .press("g")
         .type_in("101.53695903281549")
         .press("Enter");
-    let screen = session.look();
+    let screen = session.painted_text();
     assert!(screen.contains("State: dead-point."), "{screen}");
     assert!(
         screen.contains("A dead point: the motion ends here."),
@@ -166,7 +166,7 @@ fn every_preset_is_shown_at_every_size() {
         for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
             let mut session = session(found.name, Glyphs::Ascii, cols, rows);
             for keys in ["", "PgDn", "PgDn", "PgUp", ". . ."] {
-                let screen = session.press(keys).look();
+                let screen = session.press(keys).painted_text();
                 assert!(screen.is_ascii() && !screen.contains("NaN"), "{screen}");
             }
         }

@@ -3,7 +3,7 @@
 #![allow(clippy::excessive_precision, reason = "the digits of the hard cases")]
 
 use krank::scene::{Scene, presets};
-use krank::solver::{Condition, Fault, GroupId, Order, Pick, Range, Solver, State};
+use krank::solver::{AssemblyChoice, Condition, Fault, GroupId, Order, Range, Solver, State};
 use krank::{ElementId, PointId, Vec2};
 
 fn scene(text: &str) -> Scene {
@@ -29,9 +29,9 @@ fn point(scene: &Scene, name: &str) -> PointId {
     ids.find(|&p| scene.point_name(p) == Some(name)).unwrap()
 }
 
-fn picked(scene: &Scene, name: &str, pick: Pick) -> Result<Solver, Fault> {
+fn picked(scene: &Scene, name: &str, choice: AssemblyChoice) -> Result<Solver, Fault> {
     let element = ElementId::Point(point(scene, name));
-    Solver::with_assembly(&scene.mechanism, &[(element, pick)])
+    Solver::with_assembly(&scene.mechanism, &[(element, choice)])
 }
 
 fn at(solver: &Solver, angle: f64) -> State {
@@ -57,28 +57,30 @@ fn near(seen: Vec2, expected: [f64; 2]) {
 fn h29_both_assemblies_have_exact_values() {
     let scene = preset("four-bar");
     let c = point(&scene, "C");
-    let plus = picked(&scene, "C", Pick::Plus).unwrap();
+    let plus = picked(&scene, "C", AssemblyChoice::Plus).unwrap();
     near(
         at(&plus, 240.0).position(c).unwrap(),
         [175.8975078189799874691, 110.8064664099341458066],
     );
-    let minus = picked(&scene, "C", Pick::Minus).unwrap();
+    let minus = picked(&scene, "C", AssemblyChoice::Minus).unwrap();
     near(
         at(&minus, 240.0).position(c).unwrap(),
         [233.0310636095914411023, -186.0681979292960758229],
     );
     // Full turns later, and after switching at any angle, the values agree bit for bit.
-    let place = at(&minus, 240.0).position(c).unwrap();
-    assert_eq!(at(&minus, 240.0 + 360.0).position(c).unwrap(), place);
+    let position = at(&minus, 240.0).position(c).unwrap();
+    assert_eq!(at(&minus, 240.0 + 360.0).position(c).unwrap(), position);
     for from in [0.0, 60.0, 240.0, 301.5] {
-        let switched = plus.switched(from, second(&plus), Pick::Minus).unwrap();
+        let switched = plus
+            .switched(from, second(&plus), AssemblyChoice::Minus)
+            .unwrap();
         assert_eq!(
             at(&switched, 240.0).position(c).unwrap(),
-            place,
+            position,
             "from {from}"
         );
         let back = switched
-            .switched(from, second(&switched), Pick::Plus)
+            .switched(from, second(&switched), AssemblyChoice::Plus)
             .unwrap();
         assert_eq!(
             at(&back, 240.0).position(c).unwrap(),
@@ -91,19 +93,19 @@ fn h29_both_assemblies_have_exact_values() {
 fn h21_both_sides_of_near_miss_can_be_picked() {
     let scene = four_bar([1.0, 3.0, 1.0 + 1e-9, 3.0], 60.0, "");
     let c = point(&scene, "C");
-    for (pick, at_60, at_350) in [
+    for (choice, at_60, at_350) in [
         (
-            Pick::Plus,
+            AssemblyChoice::Plus,
             [3.499999999999999999778, 0.8660254049391392806192],
             [3.940584982472821363256, 0.3395583789963111709332],
         ),
         (
-            Pick::Minus,
+            AssemblyChoice::Minus,
             [2.857142856428571369336, -0.9897433195180518084789],
             [3.98480775301220805384, -0.1736481834257012472138],
         ),
     ] {
-        let solver = picked(&scene, "C", pick).unwrap();
+        let solver = picked(&scene, "C", choice).unwrap();
         near(at(&solver, 60.0).position(c).unwrap(), at_60);
         // In typed lengths, the sides of the near miss are 1e-5 apart.
         near(at(&solver, -10.0).position(c).unwrap(), at_350);
@@ -128,17 +130,17 @@ fn coupled_group_modes_are_separate_motions() {
         assert!(choices.len() >= 2);
         for choice in &choices {
             let solver = picked(&scene, "E", choice.pick).unwrap();
-            let place = at(&solver, 60.0).position(e).unwrap();
-            assert!((place - choice.state.position(e).unwrap()).norm() < 1e-9);
+            let position = at(&solver, 60.0).position(e).unwrap();
+            assert!((position - choice.state.position(e).unwrap()).norm() < 1e-9);
             let range = match solver.motion().range {
                 Range::Full { period } => {
-                    assert_eq!(at(&solver, 60.0 + period).position(e).unwrap(), place);
+                    assert_eq!(at(&solver, 60.0 + period).position(e).unwrap(), position);
                     (0.0, period)
                 }
                 Range::Limited { low, high } => (low, high),
             };
             // In steps or directly, the motion is the same.
-            let mut before = place;
+            let mut before = position;
             for k in 0..=400 {
                 let angle = 60.0 + (range.1 - 60.0) * f64::from(k) / 400.0;
                 let now = at(&solver, angle).position(e).unwrap();
@@ -154,7 +156,7 @@ fn coupled_group_modes_are_separate_motions() {
                 let seen = at(&switched, angle).position(e).unwrap();
                 assert!((seen - other.state.position(e).unwrap()).norm() < 1e-9);
                 let back = switched.switched(angle, second(&switched), own).unwrap();
-                assert!((at(&back, 60.0).position(e).unwrap() - place).norm() < 1e-9);
+                assert!((at(&back, 60.0).position(e).unwrap() - position).norm() < 1e-9);
             }
         }
     }
@@ -171,7 +173,10 @@ fn choices_mark_current_assembly() {
             .iter()
             .map(|c| (c.pick, c.is_current, c.closes))
             .collect();
-        let both = [(Pick::Plus, true, true), (Pick::Minus, false, true)];
+        let both = [
+            (AssemblyChoice::Plus, true, true),
+            (AssemblyChoice::Minus, false, true),
+        ];
         assert_eq!(seen, both);
         for choice in &choices {
             let solver = picked(&scene, "C", choice.pick).unwrap();
@@ -187,7 +192,11 @@ fn choices_mark_current_assembly() {
     let longer = Solver::new(&preset("jansen-leg").mechanism).unwrap();
     let (foreign, _) = longer.plan().numbered().last().unwrap();
     assert!(solver.choices(60.0, foreign).is_empty());
-    assert!(solver.switched(60.0, foreign, Pick::Plus).is_err());
+    assert!(
+        solver
+            .switched(60.0, foreign, AssemblyChoice::Plus)
+            .is_err()
+    );
     let part = solver.only(&krank::solver::Demand::default());
     assert!(part.choices(60.0, second(&part)).is_empty());
 }
@@ -207,20 +216,25 @@ fn listed_assemblies_match_those_that_open() {
         for combination in 0..1 << groups.len() {
             let sides = groups.iter().enumerate().map(|(i, group)| {
                 let minus = combination >> (groups.len() - 1 - i) & 1 == 1;
-                let side = if minus { Pick::Minus } else { Pick::Plus };
+                let side = if minus {
+                    AssemblyChoice::Minus
+                } else {
+                    AssemblyChoice::Plus
+                };
                 (group.name().unwrap(), side)
             });
-            let picks: Vec<_> = sides.collect();
-            if let Ok(other) = Solver::with_assembly(&scene.mechanism, &picks) {
-                let sides: Vec<_> = picks.iter().map(|p| p.1).collect();
+            let choices: Vec<_> = sides.collect();
+            if let Ok(other) = Solver::with_assembly(&scene.mechanism, &choices) {
+                let sides: Vec<_> = choices.iter().map(|p| p.1).collect();
                 opened.push((sides, other));
             }
         }
-        let sides =
-            |picks: &[(GroupId, Pick)]| -> Vec<Pick> { picks.iter().map(|p| p.1).collect() };
+        let sides = |choices: &[(GroupId, AssemblyChoice)]| -> Vec<AssemblyChoice> {
+            choices.iter().map(|p| p.1).collect()
+        };
         let all = solver.assemblies(start);
         assert!(all.is_complete);
-        let listed: Vec<_> = all.list.iter().map(|picks| sides(picks)).collect();
+        let listed: Vec<_> = all.list.iter().map(|choices| sides(choices)).collect();
         let tried: Vec<_> = opened.iter().map(|(sides, _)| sides.clone()).collect();
         assert_eq!(listed, tried, "{name}");
         for (i, (_, other)) in opened.iter().enumerate() {
@@ -272,8 +286,8 @@ fn scene_can_open_at_dead_point() {
     };
     let scene = four_bar([60.0, 50.0, 60.0, 100.0], limit, "");
     let c = point(&scene, "C");
-    for pick in [Pick::Plus, Pick::Minus] {
-        let solver = picked(&scene, "C", pick).unwrap();
+    for choice in [AssemblyChoice::Plus, AssemblyChoice::Minus] {
+        let solver = picked(&scene, "C", choice).unwrap();
         assert_eq!(solver.motion().dead_points.len(), 2);
         assert!(solver.motion().dead_points.contains(&limit));
         let mut state = solver.state();
@@ -287,7 +301,7 @@ fn scene_can_open_at_dead_point() {
             .filter(|c| c.is_current)
             .map(|c| c.pick)
             .collect();
-        assert_eq!(current, [pick]);
+        assert_eq!(current, [choice]);
         assert!(
             (choices[0].state.position(c).unwrap() - choices[1].state.position(c).unwrap()).norm()
                 < 1e-6
@@ -309,9 +323,9 @@ fn h01_h02_scene_opened_at_change_point_follows_pick() {
             Fault::ChangePoint { group }
         );
         let follower = scene.mechanism.link_ids().nth(2).unwrap();
-        let mut rates: Vec<f64> = [Pick::Plus, Pick::Minus]
-            .map(|pick| {
-                let solver = picked(&scene, "C", pick).unwrap();
+        let mut rates: Vec<f64> = [AssemblyChoice::Plus, AssemblyChoice::Minus]
+            .map(|choice| {
+                let solver = picked(&scene, "C", choice).unwrap();
                 let state = at(&solver, opening);
                 let range = Range::Full { period: 360.0 };
                 assert_eq!(solver.motion().range, range);
@@ -320,12 +334,12 @@ fn h01_h02_scene_opened_at_change_point_follows_pick() {
                 assert_eq!(points, [0.0, 180.0]);
                 assert_eq!(state.condition(), Condition::ChangePoint);
                 let choices = solver.choices(opening, second(&solver));
-                assert!(choices.iter().all(|c| c.is_current == (c.pick == pick)));
+                assert!(choices.iter().all(|c| c.is_current == (c.pick == choice)));
                 // The other continuation, switched at the change point itself.
-                let other = if pick == Pick::Plus {
-                    Pick::Minus
+                let other = if choice == AssemblyChoice::Plus {
+                    AssemblyChoice::Minus
                 } else {
-                    Pick::Plus
+                    AssemblyChoice::Plus
                 };
                 let switched = solver.switched(opening, second(&solver), other).unwrap();
                 let there = at(&switched, opening);
@@ -345,14 +359,14 @@ fn h01_h02_scene_opened_at_change_point_follows_pick() {
 fn invalid_pick_is_rejected_with_number_of_choices() {
     let scene = preset("four-bar");
     let group = ElementId::Point(point(&scene, "C"));
-    let refused = |name, pick| picked(&scene, name, pick).unwrap_err();
+    let refused = |name, choice| picked(&scene, name, choice).unwrap_err();
     assert_eq!(
-        refused("C", Pick::Number(2)),
+        refused("C", AssemblyChoice::Number(2)),
         Fault::NoChoice { group, found: 2 }
     );
     let group = ElementId::Point(point(&scene, "B"));
     assert_eq!(
-        refused("B", Pick::Plus),
+        refused("B", AssemblyChoice::Plus),
         Fault::NoChoice { group, found: 0 }
     );
 }

@@ -38,9 +38,9 @@ impl Tally {
     fn report(&mut self, name: &str) -> [f64; 3] {
         let medians = self.medians();
         let [x, v, a] = medians;
-        let figures: usize = self.over.iter().map(Vec::len).sum();
+        let count: usize = self.over.iter().map(Vec::len).sum();
         println!(
-            "{name:24} {:7} states, {figures:8} figures, unproved {:?}; bound over error, median: {x:.1} {v:.1} {a:.1}",
+            "{name:24} {:7} states, {count:8} figures, unproved {:?}; bound over error, median: {x:.1} {v:.1} {a:.1}",
             self.states, self.unproved
         );
         medians
@@ -60,12 +60,12 @@ const LINK: [Aspect; 3] = [Aspect::Angle, Aspect::Omega, Aspect::Alpha];
 impl Trial {
     fn of_scene(scene: &Scene) -> Trial {
         let catalogue = Catalogue::new(scene);
-        let figures = catalogue
+        let quantities = catalogue
             .all()
             .iter()
             .filter_map(|q| Some((q.subject()?, q.aspect()?)));
         let solver = Solver::new(&scene.mechanism).unwrap();
-        Trial::new(solver, figures.collect())
+        Trial::new(solver, quantities.collect())
     }
 
     fn of_mechanism(mechanism: &Mechanism) -> Option<Trial> {
@@ -255,8 +255,11 @@ fn value_just_beyond_limit_means_limit() {
     for (limit, outwards) in [(low, -5e-13), (high, 5e-13)] {
         let beyond = solver.solve(limit + outwards, Order::Position, &mut state);
         assert_eq!(beyond, Condition::NoAssembly, "{limit}");
-        let meant = solver.motion().range.meant(limit + outwards, true);
-        assert_eq!(meant, Some(limit));
+        let intended = solver
+            .motion()
+            .range
+            .equivalent_in_range(limit + outwards, true);
+        assert_eq!(intended, Some(limit));
         let condition = solver.solve(limit, Order::Position, &mut state);
         assert_eq!(condition, Condition::DeadPoint, "{limit}");
         solver.enclose(&mut state, Order::Position, &mut balls);
@@ -269,11 +272,11 @@ fn value_just_beyond_limit_means_limit() {
 }
 
 /// Pseudo-random numbers, equal in every run (splitmix64).
-pub(crate) struct Dice(u64);
+pub(crate) struct SplitMix(u64);
 
-impl Dice {
-    pub(crate) fn new(seed: u64) -> Dice {
-        Dice(seed)
+impl SplitMix {
+    pub(crate) fn new(seed: u64) -> SplitMix {
+        SplitMix(seed)
     }
 
     pub(crate) fn unit(&mut self) -> f64 {
@@ -351,40 +354,37 @@ impl Maker {
     }
 }
 
-fn four_bar(dice: &mut Dice) -> Option<Mechanism> {
+fn four_bar(rng: &mut SplitMix) -> Option<Mechanism> {
     let mut maker = Maker::new();
-    let size = 10_f64.powf(dice.within(-1.0, 1.0));
+    let size = 10_f64.powf(rng.within(-1.0, 1.0));
     let a = maker.ground(Vec2::ZERO);
     let d = maker.ground(Vec2::new(size, 0.0));
     let (at_b, at_c) = (
-        dice.around(Vec2::ZERO, 1.0),
-        dice.around(Vec2::new(size, 0.0), 1.5),
+        rng.around(Vec2::ZERO, 1.0),
+        rng.around(Vec2::new(size, 0.0), 1.5),
     );
     let (b, c) = (maker.joint(at_b), maker.joint(at_c));
     let crank = maker.link(a, b);
     let coupler = maker.link(b, c);
     maker.link(d, c);
-    let e = maker.joint(dice.around(Vec2::ZERO, 1.0));
+    let e = maker.joint(rng.around(Vec2::ZERO, 1.0));
     maker.carry(coupler, [b, c], e);
     maker.driven(crank, [a, b])
 }
 
 /// The frame is chosen such that the arms come within 10^-1 to 10^-13 of being collinear.
-fn near_change_point(dice: &mut Dice) -> Option<Mechanism> {
+fn near_change_point(rng: &mut SplitMix) -> Option<Mechanism> {
     let mut builder = Mechanism::builder();
-    let [crank, coupler, rocker] = [0; 3].map(|_| short(dice.within(0.5, 2.0)));
-    let off = 10_f64.powf(dice.within(-13.0, -1.0));
-    let frame = coupler + rocker - crank + if dice.unit() < 0.5 { off } else { -off };
+    let [crank, coupler, rocker] = [0; 3].map(|_| short(rng.within(0.5, 2.0)));
+    let off = 10_f64.powf(rng.within(-13.0, -1.0));
+    let frame = coupler + rocker - crank + if rng.unit() < 0.5 { off } else { -off };
     let a = builder.ground_point(0.0, 0.0);
     let d = builder.ground_point(frame, 0.0);
     let (b, c) = (builder.moving_point(), builder.moving_point());
     let link = builder.link(a, b, crank);
     builder.link(b, c, coupler);
     builder.link(d, c, rocker);
-    builder.start(
-        c,
-        Vec2::new(dice.within(0.0, frame), dice.within(-1.0, 1.0)),
-    );
+    builder.start(c, Vec2::new(rng.within(0.0, frame), rng.within(-1.0, 1.0)));
     builder.driver(Driver {
         input: Input::Turn(link),
         start: 7.0,
@@ -394,28 +394,28 @@ fn near_change_point(dice: &mut Dice) -> Option<Mechanism> {
     builder.build().ok()
 }
 
-fn slider_crank(dice: &mut Dice) -> Option<Mechanism> {
+fn slider_crank(rng: &mut SplitMix) -> Option<Mechanism> {
     let mut maker = Maker::new();
     let a = maker.ground(Vec2::ZERO);
-    let at_b = dice.around(Vec2::ZERO, 1.0);
-    let at_c = dice.around(Vec2::new(2.0, 0.0), 1.5);
+    let at_b = rng.around(Vec2::ZERO, 1.0);
+    let at_c = rng.around(Vec2::new(2.0, 0.0), 1.5);
     let (b, c) = (maker.joint(at_b), maker.joint(at_c));
     let crank = maker.link(a, b);
     maker.link(b, c);
-    let angle = short(dice.within(-180.0, 180.0));
+    let angle = short(rng.within(-180.0, 180.0));
     let through = at_c.map(short);
     maker.builder.pin_in_slot(c, Body::Ground, through, angle);
     maker.driven(crank, [a, b])
 }
 
 /// A four-bar and a dyad on its coupler.
-fn watt(dice: &mut Dice) -> Option<Mechanism> {
+fn watt(rng: &mut SplitMix) -> Option<Mechanism> {
     let mut maker = Maker::new();
     let [a, d, g] = [(0.0, 0.0), (2.0, 0.0), (1.0, 2.0)]
-        .map(|(x, y)| dice.around(Vec2::new(x, y), 0.5))
+        .map(|(x, y)| rng.around(Vec2::new(x, y), 0.5))
         .map(|at| maker.ground(at));
     let [b, c, e, f] = [(0.3, 0.5), (1.8, 1.2), (1.0, 1.2), (1.6, 2.0)]
-        .map(|(x, y)| dice.around(Vec2::new(x, y), 0.4))
+        .map(|(x, y)| rng.around(Vec2::new(x, y), 0.4))
         .map(|at| maker.joint(at));
     let crank = maker.link(a, b);
     let coupler = maker.link(b, c);
@@ -427,13 +427,13 @@ fn watt(dice: &mut Dice) -> Option<Mechanism> {
 }
 
 /// Watt's six-bar driven from the other side, so that the loops are coupled.
-fn stephenson(dice: &mut Dice) -> Option<Mechanism> {
+fn stephenson(rng: &mut SplitMix) -> Option<Mechanism> {
     let mut maker = Maker::new();
     let [a, d, g] = [(0.0, 0.0), (2.0, 0.0), (1.0, 2.0)]
-        .map(|(x, y)| dice.around(Vec2::new(x, y), 0.5))
+        .map(|(x, y)| rng.around(Vec2::new(x, y), 0.5))
         .map(|at| maker.ground(at));
     let [b, c, e, f] = [(0.3, 0.9), (1.8, 1.2), (1.0, 1.2), (1.3, 1.7)]
-        .map(|(x, y)| dice.around(Vec2::new(x, y), 0.3))
+        .map(|(x, y)| rng.around(Vec2::new(x, y), 0.3))
         .map(|at| maker.joint(at));
     maker.link(a, b);
     let coupler = maker.link(b, c);
@@ -446,14 +446,14 @@ fn stephenson(dice: &mut Dice) -> Option<Mechanism> {
 
 /// Checks states of one mechanism: half of them at random, half close to an end of the motion or,
 /// for full turns, close to the first state of a turn.
-fn visit(trial: &mut Trial, states: usize, dice: &mut Dice, tally: &mut Tally) {
+fn visit(trial: &mut Trial, states: usize, rng: &mut SplitMix, tally: &mut Tally) {
     let (low, high) = trial.ends();
     for k in 0..states {
-        let close = (high - low) * 10_f64.powf(dice.within(-14.0, -1.0));
+        let close = (high - low) * 10_f64.powf(rng.within(-14.0, -1.0));
         let at = match k % 4 {
             0 => low + close,
             1 => high - close,
-            _ => dice.within(low, high),
+            _ => rng.within(low, high),
         };
         trial.check(at, tally);
     }
@@ -461,30 +461,30 @@ fn visit(trial: &mut Trial, states: usize, dice: &mut Dice, tally: &mut Tally) {
 
 fn visit_many(
     name: &str,
-    make: fn(&mut Dice) -> Option<Mechanism>,
+    make: fn(&mut SplitMix) -> Option<Mechanism>,
     states: usize,
-    most: [f64; 3],
+    maximum: [f64; 3],
 ) -> usize {
-    const EACH: usize = 500;
-    let (mut dice, mut tally) = (Dice(name.len() as u64), Tally::default());
+    const REPEATS: usize = 500;
+    let (mut rng, mut tally) = (SplitMix(name.len() as u64), Tally::default());
     while tally.states < states {
-        let Some(mechanism) = make(&mut dice) else {
+        let Some(mechanism) = make(&mut rng) else {
             continue;
         };
         if let Some(mut trial) = Trial::of_mechanism(&mechanism) {
-            visit(&mut trial, EACH, &mut dice, &mut tally);
+            visit(&mut trial, REPEATS, &mut rng, &mut tally);
         }
     }
     let medians = tally.report(name);
     let is_near = medians
         .iter()
-        .zip(most)
-        .all(|(median, most)| *median <= most);
+        .zip(maximum)
+        .all(|(median, maximum)| *median <= maximum);
     assert!(is_near, "{name}: {medians:?}");
     // Bounds may be missing only within about 1e-13 of a dead point.
-    let figures: usize = tally.over.iter().map(Vec::len).sum();
+    let count: usize = tally.over.iter().map(Vec::len).sum();
     let unproved: usize = tally.unproved.iter().sum();
-    assert!(unproved * 50 < figures, "{name}: {unproved} of {figures}");
+    assert!(unproved * 50 < count, "{name}: {unproved} of {count}");
     tally.states
 }
 
@@ -525,7 +525,7 @@ fn chain(dyads: usize, length: f64) -> Mechanism {
 fn chain_of(
     dyads: usize,
     length: f64,
-    mut stand: impl FnMut(&mut Builder, LinkId, PointId),
+    mut driver_state: impl FnMut(&mut Builder, LinkId, PointId),
 ) -> Mechanism {
     let mut builder = Mechanism::builder();
     let pivot = builder.ground_point(-length, length);
@@ -544,7 +544,7 @@ fn chain_of(
         builder.link(pin, joint, length);
         let rocker = builder.link(foot, joint, length);
         builder.start(joint, Vec2::new(x, length));
-        stand(&mut builder, rocker, joint);
+        driver_state(&mut builder, rocker, joint);
         pin = joint;
     }
     builder.build().unwrap()

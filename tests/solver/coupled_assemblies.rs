@@ -75,8 +75,8 @@ impl Triad {
                     for side in 0..2 {
                         count += usize::from(now[side] * next[side] < 0.0);
                         let after = at(k + 2).map_or(next[side], |a| a[side]);
-                        let turns = (next[side] - now[side]) * (after - next[side]) < 0.0;
-                        if turns && now[side] * after > 0.0 && next[side].abs() < 1e-4 {
+                        let is_rotary = (next[side] - now[side]) * (after - next[side]) < 0.0;
+                        if is_rotary && now[side] * after > 0.0 && next[side].abs() < 1e-4 {
                             return None;
                         }
                     }
@@ -148,8 +148,11 @@ fn search_finds_as_many_assemblies_as_fine_scan() {
             Ok(solver) => solver,
             Err(krank::solver::Fault::Vague { .. }) => {
                 let first = krank::ElementId::Point(tops[0]);
-                Solver::with_assembly(&mechanism, &[(first, krank::solver::Pick::Number(1))])
-                    .unwrap()
+                Solver::with_assembly(
+                    &mechanism,
+                    &[(first, krank::solver::AssemblyChoice::Number(1))],
+                )
+                .unwrap()
             }
             Err(fault) => panic!("{fault:?}: {triad:?}"),
         };
@@ -204,9 +207,9 @@ fn rough_start_opens_nearest_assembly() {
             (0..3).map(|i| (place[i] - rough[i]).norm2()).sum()
         };
         let current = choices.iter().find(|c| c.is_current).map(miss);
-        let least = choices.iter().map(miss).fold(f64::INFINITY, f64::min);
+        let minimum = choices.iter().map(miss).fold(f64::INFINITY, f64::min);
         assert!(
-            current.is_some_and(|c| c <= least * (1.0 + 1e-9)),
+            current.is_some_and(|c| c <= minimum * (1.0 + 1e-9)),
             "{triad:?} {rough:?}"
         );
     }
@@ -249,8 +252,8 @@ fn choices(solver: &Solver, at: f64, point: PointId) -> Vec<(bool, Vec2)> {
     let coupled = groups.find(|(_, group)| group.kind.unknowns().is_some());
     let choices = solver.choices(at, coupled.unwrap().0);
     let listed = choices.iter().map(|choice| {
-        let place = choice.state.position(point).unwrap();
-        (choice.is_current, place)
+        let position = choice.state.position(point).unwrap();
+        (choice.is_current, position)
     });
     listed.collect()
 }

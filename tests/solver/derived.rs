@@ -69,23 +69,24 @@ impl Bench {
         let mut counts = [0; 2];
         let rates = ["swing.rate", "swing.accel", "wave.rate", "wave.accel"];
         let rates = rates.iter().filter_map(|name| self.catalogue.find(name));
-        for figure in self.catalogue.unlisted().into_iter().chain(rates) {
-            let (Some(value), Some(truth)) = (figure.value(&state), figure.value(&twice)) else {
+        for quantity in self.catalogue.unlisted().into_iter().chain(rates) {
+            let (Some(value), Some(truth)) = (quantity.value(&state), quantity.value(&twice))
+            else {
                 continue;
             };
-            let Some(bound) = figure.bound(&state, &enclosure) else {
+            let Some(bound) = quantity.bound(&state, &enclosure) else {
                 counts[1] += 1;
                 continue;
             };
             counts[0] += 1;
             let off = (truth - Double::exactly(value)).abs();
-            let is_turn = figure.is_direction() && off.hi > 180.0;
+            let is_turn = quantity.is_direction() && off.hi > 180.0;
             let turn = Double::exactly(if is_turn { 360.0 } else { 0.0 });
             let error = (off - turn).hi.abs();
             assert!(
                 error <= bound,
                 "{} at {at}: {value:?} is {truth:?}, bound {bound:e}",
-                figure.name
+                quantity.name
             );
         }
         counts
@@ -225,12 +226,12 @@ fn rates_of_formulas_are_exact() {
     }
     // Accelerations have no rate in any state.
     assert!(bench.catalogue.find("share.rate").is_none());
-    let told = bench
+    let output = bench
         .catalogue
         .select(&["share.rate"])
         .unwrap_err()
         .to_string();
-    assert!(told.contains("the rate of C.ax is not known"), "{told}");
+    assert!(output.contains("the rate of C.ax is not known"), "{output}");
 }
 
 #[test]
@@ -287,29 +288,35 @@ fn length_derivatives_of_magnitudes_follow_from_components() {
     let mut checked = 0;
     for name in names {
         let of = |end: &str| bench.named(&format!("{name}.{end}"));
-        let mut figures = ["vx", "vy", "v", "v.angle"].map(of).to_vec();
+        let mut quantities = ["vx", "vy", "v", "v.angle"].map(of).to_vec();
         bench.catalogue = Catalogue::new(&scene);
         let double = format!("twice = 2 * {name}.v");
-        figures.push(bench.catalogue.define(&double).unwrap());
+        quantities.push(bench.catalogue.define(&double).unwrap());
         let at = scene.mechanism.driver().start;
-        let mut sensitivity = Sensitivity::new(&scene, &bench.solver, &figures);
+        let mut sensitivity = Sensitivity::new(&scene, &bench.solver, &quantities);
         let found = sensitivity.at(at).unwrap();
         let mut state = bench.solver.state();
         let _ = bench.solver.solve(at, Order::Velocity, &mut state);
-        let [x, y, size] = [0, 1, 2].map(|i: usize| figures[i].value(&state).unwrap());
+        let [x, y, size] = [0, 1, 2].map(|i: usize| quantities[i].value(&state).unwrap());
         if size == 0.0 {
             assert_eq!(found.of(2), None, "{name} stands still");
             continue;
         }
         let [dx, dy, dv, da, twice] = [0, 1, 2, 3, 4].map(|i| found.of(i).unwrap());
-        let most = |all: &[f64]| all.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
+        let maximum = |all: &[f64]| all.iter().fold(0.0_f64, |maximum, d| maximum.max(d.abs()));
         for i in 0..dx.len() {
             let along = (x * dx[i] + y * dy[i]) / size;
             let turned = ((x * dy[i] - y * dx[i]) / size / size).to_degrees();
-            assert!((dv[i] - along).abs() <= 1e-11 * most(dv), "{name} by {i}");
-            assert!((da[i] - turned).abs() <= 1e-11 * most(da), "{name} by {i}");
             assert!(
-                (twice[i] - 2.0 * dv[i]).abs() <= 1e-11 * most(twice),
+                (dv[i] - along).abs() <= 1e-11 * maximum(dv),
+                "{name} by {i}"
+            );
+            assert!(
+                (da[i] - turned).abs() <= 1e-11 * maximum(da),
+                "{name} by {i}"
+            );
+            assert!(
+                (twice[i] - 2.0 * dv[i]).abs() <= 1e-11 * maximum(twice),
                 "{name} by {i}"
             );
             checked += 1;
@@ -330,12 +337,12 @@ proptest! {
     #[test]
     fn random_four_bar_quantities_are_within_their_bound(
         sizes in [20.0..120.0_f64, 150.0..400.0, 150.0..400.0, 150.0..400.0],
-        places in prop::collection::vec(-400.0..400.0_f64, 8),
+        coordinates in prop::collection::vec(-400.0..400.0_f64, 8),
     ) {
         let scene = Scene::parse(&four_bar(sizes), "random").unwrap();
         if Solver::new(&scene.mechanism).is_ok() {
             let bench = Bench::of(&scene).with_formulas();
-            for at in places {
+            for at in coordinates {
                 bench.check(at);
             }
         }

@@ -26,10 +26,10 @@ fn without(text: &str, sections: &[&str]) -> String {
 /// Returns the angle from one link to another in degrees, its speed and its acceleration.
 fn between(state: &State, link: LinkId, from: LinkId) -> [f64; 3] {
     let [there, here] = [link, from].map(|l| state.direction(l).unwrap());
-    let apart = there.turned(here.conj());
+    let distance = there.turned(here.conj());
     let omega = state.omega(link).unwrap() - state.omega(from).unwrap();
     let alpha = state.alpha(link).unwrap() - state.alpha(from).unwrap();
-    [angle::degrees(apart), omega, alpha]
+    [angle::degrees(distance), omega, alpha]
 }
 
 /// Returns a scene driven by the angle between two links, with the starts taken from a state.
@@ -49,9 +49,9 @@ fn driven_by_elbow(scene: &Scene, state: &State, [link, from]: [LinkId; 2]) -> S
         point.ground.is_none() && scene.point_name(p).is_some_and(|name| !name.contains('.'))
     });
     for point in moving {
-        let place = state.position(point).unwrap();
+        let position = state.position(point).unwrap();
         let name = scene.point_name(point).unwrap();
-        writeln!(text, "{name} = [{:?}, {:?}]", place.x, place.y).unwrap();
+        writeln!(text, "{name} = [{:?}, {:?}]", position.x, position.y).unwrap();
     }
     text
 }
@@ -127,9 +127,9 @@ fn check(scene: &Scene, tally: &mut Tally) {
 fn places(crank: &Solver, start: f64, [link, from]: [LinkId; 2]) -> Vec<(f64, f64)> {
     let mut places = Vec::new();
     let opened = solved(crank, start).unwrap();
-    let [begin, forth, _] = between(&opened, link, from);
+    let [first, forth, _] = between(&opened, link, from);
     for way in [1.0, -1.0] {
-        let mut last = begin;
+        let mut last = first;
         for k in 1..=12 {
             let q = start + way * 4.5 * f64::from(k);
             let Some(state) = solved(crank, q) else { break };
@@ -176,8 +176,8 @@ fn same(
         let second = (by_crank.acceleration(point).unwrap() - first * alpha) / (omega * omega);
         let found = by_elbow.position(point).unwrap();
         let slack = 1e-12 * (reach + first.norm());
-        let apart = (found - place).norm();
-        assert!(apart < 1e3 * slack, "{}: {apart:e}", what());
+        let distance = (found - place).norm();
+        assert!(distance < 1e3 * slack, "{}: {distance:e}", what());
         let bound = enclosure.position(point).unwrap();
         let bounds = [(bound.x, found.x, place.x), (bound.y, found.y, place.y)];
         for (ball, found, place) in bounds {
@@ -233,9 +233,9 @@ fn same_power(opened: &State, driven: &Solver, title: &str) -> usize {
             .iter()
             .map(|p| p.abs())
             .sum::<f64>();
-    let apart = (by_crank - by_elbow).abs();
+    let distance = (by_crank - by_elbow).abs();
     assert!(
-        apart < 1e-8 * (1.0 + size),
+        distance < 1e-8 * (1.0 + size),
         "{title}: {by_crank} {by_elbow}"
     );
     1
@@ -313,8 +313,8 @@ fn two_motor_arm_matches_closed_form() {
         let (one, two) = (q.to_radians(), (4.0 * q - 20.0).to_radians());
         let unit = |angle: f64| Vec2::new(angle.cos(), angle.sin());
         let elbow = unit(one) * 2.0;
-        let place = elbow + unit(two) * 1.5;
-        assert!((state.position(tip).unwrap() - place).norm() < 1e-13);
+        let position = elbow + unit(two) * 1.5;
+        assert!((state.position(tip).unwrap() - position).norm() < 1e-13);
         let rates = [(one, 2.0, 2.0, 1.0), (two, 1.5, 8.0, 4.0)];
         let mut acceleration = [Vec2::ZERO; 2];
         for (number, (angle, length, omega, alpha)) in rates.into_iter().enumerate() {
@@ -327,8 +327,8 @@ fn two_motor_arm_matches_closed_form() {
         let weight = Vec2::new(0.0, 9.81);
         let at_tip = (of_tip + weight) * 2.0;
         let at_middle = (acceleration[0] * 0.5 + weight) * 3.0;
-        let bent = (place - elbow).cross(at_tip);
-        let shoulder = place.cross(at_tip) + (elbow * 0.5).cross(at_middle);
+        let bent = (position - elbow).cross(at_tip);
+        let shoulder = position.cross(at_tip) + (elbow * 0.5).cross(at_middle);
         let efforts = [
             state.effort(Input::Turn(upper)),
             state.effort(Input::Turn(fore)),
@@ -365,8 +365,8 @@ fn elbow_at_crank_turns_fully_and_wrist_is_limited() {
     states.sort_by(|a, b| a.at().total_cmp(&b.at()));
     let points: Vec<_> = round.mechanism.point_ids().collect();
     for point in points {
-        let places = states.each_ref().map(|s| s.position(point).unwrap());
-        assert!(places[1] == places[0] && places[2] == places[0]);
+        let positions = states.each_ref().map(|s| s.position(point).unwrap());
+        assert!(positions[1] == positions[0] && positions[2] == positions[0]);
     }
 
     let wrist = four_bar("link = \"r4\"\nfrom = \"r3\"\nangle = 270");

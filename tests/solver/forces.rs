@@ -560,12 +560,12 @@ fn change_point_has_torque_but_no_reactions() {
     let pin = scene.mechanism.pins(link).next().unwrap();
     assert_eq!(state.joint_force(link, pin), None);
     assert_eq!(state.frame_force(), None);
-    for beside in [at - 1.0, at + 1.0] {
-        let _ = solver.solve(beside, Order::Force, &mut state);
-        let beside = state.drive().unwrap();
+    for nearby in [at - 1.0, at + 1.0] {
+        let _ = solver.solve(nearby, Order::Force, &mut state);
+        let nearby = state.drive().unwrap();
         assert!(
-            (beside - there).abs() < 0.2 * there.abs().max(1.0),
-            "{beside} {there}"
+            (nearby - there).abs() < 0.2 * there.abs().max(1.0),
+            "{nearby} {there}"
         );
     }
 }
@@ -594,10 +594,10 @@ fn loads_turn_with_their_frame_and_follow_their_table() {
     let all = fixed("[[loads]]\nlink = \"r4\"\ntorque = 10\n");
     for (degrees, part) in [(45.0, 0.5), (90.0, 1.0), (360.0 + 45.0, 0.5), (250.0, 0.0)] {
         let [got] = over.at(degrees, ["driver.torque"]);
-        let [whole] = all.at(degrees, ["driver.torque"]);
+        let [complete] = all.at(degrees, ["driver.torque"]);
         assert!(
-            (got - part * whole).abs() < 1e-12,
-            "{degrees}: {got} {whole}"
+            (got - part * complete).abs() < 1e-12,
+            "{degrees}: {got} {complete}"
         );
     }
 }

@@ -25,14 +25,14 @@ impl Curve {
         let d = |k: usize| (knots[k + 1][1] - knots[k][1]) / h(k);
         let mut rows = vec![vec![0.0; n + 1]; n];
         for (k, row) in rows.iter_mut().enumerate() {
-            let (before, behind) = match (k, closes) {
+            let (before, after) = match (k, closes) {
                 (0, false) => (None, None),
                 (k, false) if k == n - 1 => (None, None),
                 (0, true) => (Some((n - 2, n - 2)), Some((0, 1))),
                 (k, true) if k == n - 1 => (None, None),
                 (k, _) => (Some((k - 1, k - 1)), Some((k, k + 1))),
             };
-            let (Some((cell0, left)), Some((cell1, right))) = (before, behind) else {
+            let (Some((cell0, left)), Some((cell1, right))) = (before, after) else {
                 row[k] = 1.0;
                 if closes {
                     row[0] -= 1.0;
@@ -90,9 +90,9 @@ fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
 }
 
 /// Pseudo-random numbers from 0 to 1.
-struct Dice(u64);
+struct SplitMix(u64);
 
-impl Dice {
+impl SplitMix {
     fn next(&mut self) -> f64 {
         self.0 = self
             .0
@@ -104,7 +104,7 @@ impl Dice {
 
 /// Returns knots around a line, over a part of its motion, rounded to five decimals in the driver's
 /// coordinate.
-fn about_line(build: Build, [ratio, phase]: [f64; 2], dice: &mut Dice) -> Vec<[f64; 2]> {
+fn about_line(build: Build, [ratio, phase]: [f64; 2], rng: &mut SplitMix) -> Vec<[f64; 2]> {
     let (m, line) = solver(build(InputLaw::Ratio { ratio, phase }).0);
     let start = m.driver().start;
     let (low, high) = match line.motion().range {
@@ -114,7 +114,7 @@ fn about_line(build: Build, [ratio, phase]: [f64; 2], dice: &mut Dice) -> Vec<[f
             start + (high - start).min(90.0) * 0.6,
         ),
     };
-    let count = 4 + (dice.next() * 5.0) as usize;
+    let count = 4 + (rng.next() * 5.0) as usize;
     let round = |x: f64| (x * 1e5).round() / 1e5;
     let step = (high - low) / (count - 1) as f64;
     (0..count)
@@ -125,12 +125,12 @@ fn about_line(build: Build, [ratio, phase]: [f64; 2], dice: &mut Dice) -> Vec<[f
                         + if k == 0 || k == count - 1 {
                             0.0
                         } else {
-                            0.4 * dice.next() - 0.2
+                            0.4 * rng.next() - 0.2
                         }),
             );
             [
                 q,
-                round(ratio * q + phase + 0.02 * ratio * (high - low) * (dice.next() - 0.5)),
+                round(ratio * q + phase + 0.02 * ratio * (high - low) * (rng.next() - 0.5)),
             ]
         })
         .collect()
@@ -138,9 +138,9 @@ fn about_line(build: Build, [ratio, phase]: [f64; 2], dice: &mut Dice) -> Vec<[f
 
 /// Returns every machine with a table around its line.
 fn machines() -> Vec<(Build, Vec<[f64; 2]>)> {
-    let mut dice = Dice(7);
+    let mut rng = SplitMix(7);
     let with = |(build, ratio, phase, _): (Build, f64, f64, _)| {
-        (build, about_line(build, [ratio, phase], &mut dice))
+        (build, about_line(build, [ratio, phase], &mut rng))
     };
     MACHINES.into_iter().map(with).collect()
 }
@@ -155,10 +155,10 @@ fn closed(knots: &[[f64; 2]]) -> InputLaw {
 
 /// Returns coordinates in a table, including knots and ends.
 fn places(knots: &[[f64; 2]]) -> Vec<f64> {
-    let mut places: Vec<f64> = knots.iter().map(|knot| knot[0]).collect();
-    let [low, high] = [places[0], places[places.len() - 1]];
-    places.extend((0..20).map(|k| low + (high - low) * (f64::from(k) + 0.31) / 20.0));
-    places
+    let mut coordinates: Vec<f64> = knots.iter().map(|knot| knot[0]).collect();
+    let [low, high] = [coordinates[0], coordinates[coordinates.len() - 1]];
+    coordinates.extend((0..20).map(|k| low + (high - low) * (f64::from(k) + 0.31) / 20.0));
+    coordinates
 }
 
 /// Returns the size of a radian, or of a length, in the unit of a coordinate.
@@ -220,11 +220,11 @@ fn input_follows_its_table_with_exact_derivatives() {
                     "{seen} {expected} at {q}: {knots:?}"
                 );
             }
-            let told = m.timed()[0].rates(q, driver.input);
-            for (told, expected) in told.into_iter().zip([first, second]) {
+            let output = m.timed()[0].rates(q, driver.input);
+            for (output, expected) in output.into_iter().zip([first, second]) {
                 assert!(
-                    (told - expected).abs() < 1e-11 * steep,
-                    "{told} {expected} at {q}"
+                    (output - expected).abs() < 1e-11 * steep,
+                    "{output} {expected} at {q}"
                 );
             }
         }
@@ -303,10 +303,10 @@ fn five_bar_with_closed_table_repeats_smoothly() {
         assert!(off < 1e-12, "{off:e} at {q}");
         // From both sides: the curve is smooth where the table repeats.
         let h = 1e-3;
-        let [before, here, behind] = [-h, 0.0, h].map(|by| place(q + by));
+        let [before, here, after] = [-h, 0.0, h].map(|by| place(q + by));
         let (w, alpha) = (3.0, 7.0);
-        let v = (behind - before) * (w / (2.0 * h.to_radians()));
-        let bend = (behind + before - here * 2.0) / (h.to_radians() * h.to_radians());
+        let v = (after - before) * (w / (2.0 * h.to_radians()));
+        let bend = (after + before - here * 2.0) / (h.to_radians() * h.to_radians());
         let a = bend * (w * w) + v * (alpha / w);
         let slack = 3e-4 * (1.0 + a.norm());
         assert!((state.velocity(c).unwrap() - v).norm() < slack, "at {q}");
@@ -337,10 +337,10 @@ fn motion_ends_where_open_table_ends() {
         assert!(state.omega(other).unwrap().abs() < 1e-14);
         assert!(state.alpha(other).unwrap().abs() > 0.1);
     }
-    let mut work = s.state();
+    let mut workspace = s.state();
     for q in [19.999, 150.501] {
         assert_eq!(
-            s.solve(q, Order::Position, &mut work),
+            s.solve(q, Order::Position, &mut workspace),
             Condition::NoAssembly
         );
     }
@@ -357,35 +357,38 @@ fn motion_ends_where_open_table_ends() {
         );
     }
     // A closed table whose end values differ is rejected.
-    let apart = [[0.0, 100.0], [360.0, 80.0]];
-    assert!(five_bar(closed(&apart)).0.build().is_err());
+    let distance = [[0.0, 100.0], [360.0, 80.0]];
+    assert!(five_bar(closed(&distance)).0.build().is_err());
 }
 
 #[test]
 fn bounds_contain_double_double_values_of_tables() {
     for (build, knots) in machines() {
         let (m, s) = solver(build(open(&knots)).0);
-        let (mut work, mut balls, mut truth) = (s.state(), s.enclosure(), s.twice());
+        let (mut workspace, mut balls, mut truth) = (s.state(), s.enclosure(), s.twice());
         for q in places(&knots) {
-            assert_eq!(s.solve(q, Order::Acceleration, &mut work), Condition::Ok);
-            s.enclose(&mut work, Order::Acceleration, &mut balls);
-            assert!(s.solve_twice(&work, Order::Acceleration, &mut truth));
+            assert_eq!(
+                s.solve(q, Order::Acceleration, &mut workspace),
+                Condition::Ok
+            );
+            s.enclose(&mut workspace, Order::Acceleration, &mut balls);
+            assert!(s.solve_twice(&workspace, Order::Acceleration, &mut truth));
             for p in m.point_ids() {
                 let figures = [
                     (
                         balls.position(p).unwrap().x,
                         truth.position(p).unwrap().x,
-                        work.position(p).unwrap().x,
+                        workspace.position(p).unwrap().x,
                     ),
                     (
                         balls.velocity(p).unwrap().y,
                         truth.velocity(p).unwrap().y,
-                        work.velocity(p).unwrap().y,
+                        workspace.velocity(p).unwrap().y,
                     ),
                     (
                         balls.acceleration(p).unwrap().x,
                         truth.acceleration(p).unwrap().x,
-                        work.acceleration(p).unwrap().x,
+                        workspace.acceleration(p).unwrap().x,
                     ),
                 ];
                 for (ball, truth, seen) in figures {
@@ -422,21 +425,21 @@ fn table_input_efforts_match_virtual_work() {
                 .position(point)
                 .unwrap()
         };
-        let mut work = s.state();
+        let mut workspace = s.state();
         let [low, high] = [knots[0][0], knots[knots.len() - 1][0]];
         for k in [0.31, 0.52, 0.77] {
             let q = low + (high - low) * k;
-            assert_eq!(s.solve(q, Order::Force, &mut work), Condition::Ok);
-            assert_eq!(work.withheld(), None);
+            assert_eq!(s.solve(q, Order::Force, &mut workspace), Condition::Ok);
+            assert_eq!(workspace.withheld(), None);
             let (dq, dp) = (1e-5 * unit(driver), 1e-5 * unit(input));
-            let whole = -FORCE.dot(place(0.0, q + dq) - place(0.0, q - dq)) / 2e-5;
+            let complete = -FORCE.dot(place(0.0, q + dq) - place(0.0, q - dq)) / 2e-5;
             let own = -FORCE.dot(place(dp, q) - place(-dp, q)) / 2e-5;
             let rate = curve.at(q)[1] * unit(driver) / unit(input);
-            let slack = 1e-5 * (whole.abs() + own.abs() + 10.0);
+            let slack = 1e-5 * (complete.abs() + own.abs() + 10.0);
             for (seen, expected) in [
-                (work.drive(), whole),
-                (work.effort(input), own),
-                (work.effort(driver), whole - rate * own),
+                (workspace.drive(), complete),
+                (workspace.effort(input), own),
+                (workspace.effort(driver), complete - rate * own),
             ] {
                 let seen = seen.unwrap();
                 assert!((seen - expected).abs() < slack, "{seen} {expected} at {q}");
@@ -458,11 +461,11 @@ fn table_driven_machines_balance_frame_forces() {
             b.mass(link, 2.0, 0.03);
         }
         let (_, s) = solver(b);
-        let mut work = s.state();
+        let mut workspace = s.state();
         for q in places(&knots) {
-            assert_eq!(s.solve(q, Order::Force, &mut work), Condition::Ok);
-            assert_eq!(work.withheld(), None, "at {q}");
-            assert!(work.drive().is_some());
+            assert_eq!(s.solve(q, Order::Force, &mut workspace), Condition::Ok);
+            assert_eq!(workspace.withheld(), None, "at {q}");
+            assert!(workspace.drive().is_some());
         }
     }
 }

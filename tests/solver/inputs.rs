@@ -213,8 +213,8 @@ fn timed_input_follows_ratio_and_phase() {
         for q in places(&s) {
             let state = at(&s, q);
             let p = ratio * q + phase;
-            let turns = matches!(driver.input, Input::Turn(_));
-            let per = |own: bool| match (turns, own) {
+            let is_rotary = matches!(driver.input, Input::Turn(_));
+            let per = |own: bool| match (is_rotary, own) {
                 (true, false) => 180.0 / std::f64::consts::PI,
                 (false, true) => std::f64::consts::PI / 180.0,
                 _ => 1.0,
@@ -294,14 +294,14 @@ fn period_is_common_period_of_all_cranks() {
 fn states_do_not_depend_on_history_and_match_lanes() {
     for (build, ratio, phase, _) in MACHINES {
         let (m, s) = solver(build(line(ratio, phase)).0);
-        let places = places(&s);
+        let coordinates = places(&s);
         let points = || m.point_ids();
         let mut shuffled = s.state();
-        for &q in places
+        for &q in coordinates
             .iter()
             .rev()
             .step_by(7)
-            .chain(places.iter().step_by(3))
+            .chain(coordinates.iter().step_by(3))
         {
             assert_eq!(
                 s.solve(q, Order::Acceleration, &mut shuffled),
@@ -318,7 +318,7 @@ fn states_do_not_depend_on_history_and_match_lanes() {
             }
         }
         let mut lanes = s.lanes();
-        for at_once in places.as_chunks::<LANES>().0 {
+        for at_once in coordinates.as_chunks::<LANES>().0 {
             if !s.solve_lanes(*at_once, Order::Acceleration, &mut lanes) {
                 continue;
             }
@@ -342,11 +342,14 @@ fn states_do_not_depend_on_history_and_match_lanes() {
 fn bounds_contain_double_double_values() {
     for (build, ratio, phase, _) in MACHINES {
         let (m, s) = solver(build(line(ratio, phase)).0);
-        let (mut work, mut balls, mut truth) = (s.state(), s.enclosure(), s.twice());
+        let (mut workspace, mut balls, mut truth) = (s.state(), s.enclosure(), s.twice());
         for q in places(&s) {
-            assert_eq!(s.solve(q, Order::Acceleration, &mut work), Condition::Ok);
-            s.enclose(&mut work, Order::Acceleration, &mut balls);
-            assert!(s.solve_twice(&work, Order::Acceleration, &mut truth));
+            assert_eq!(
+                s.solve(q, Order::Acceleration, &mut workspace),
+                Condition::Ok
+            );
+            s.enclose(&mut workspace, Order::Acceleration, &mut balls);
+            assert!(s.solve_twice(&workspace, Order::Acceleration, &mut truth));
             for p in m.point_ids() {
                 let figures = [
                     (balls.position(p).unwrap().x, truth.position(p).unwrap().x),
@@ -381,10 +384,10 @@ fn length_derivatives_match_difference_quotients() {
         let q = places(&s)[11];
         for length in m.lengths().into_iter().step_by(3) {
             let by_length = s.by_length(length, &demand).unwrap();
-            let (mut work, mut dual) = (s.state(), by_length.state());
-            assert_eq!(s.solve(q, Order::Velocity, &mut work), Condition::Ok);
+            let (mut workspace, mut dual) = (s.state(), by_length.state());
+            assert_eq!(s.solve(q, Order::Velocity, &mut workspace), Condition::Ok);
             assert!(
-                by_length.solve(&work, Order::Velocity, &mut dual),
+                by_length.solve(&workspace, Order::Velocity, &mut dual),
                 "{length:?}"
             );
             let [more, less] = [BY, -BY].map(|by| {
@@ -435,28 +438,28 @@ fn input_efforts_match_virtual_work() {
             Input::Turn(_) => 180.0 / std::f64::consts::PI,
             _ => 1.0,
         };
-        let mut work = s.state();
+        let mut workspace = s.state();
         let (low, high) = range(&s);
         for k in [0.31, 0.52, 0.77] {
             let q = low + (high - low) * k;
-            assert_eq!(s.solve(q, Order::Force, &mut work), Condition::Ok);
-            assert_eq!(work.withheld(), None);
+            assert_eq!(s.solve(q, Order::Force, &mut workspace), Condition::Ok);
+            assert_eq!(workspace.withheld(), None);
             // An equally small step of each coordinate.
             let (dq, dp) = (1e-5 * unit(driver.input), 1e-5 * unit(timed.input));
             let along = |by: f64, dq: f64| place(build, (ratio, phase), by, q + dq);
-            let whole = -FORCE.dot(along(0.0, dq) - along(0.0, -dq)) / 2e-5;
+            let complete = -FORCE.dot(along(0.0, dq) - along(0.0, -dq)) / 2e-5;
             let own = -FORCE.dot(along(dp, 0.0) - along(-dp, 0.0)) / 2e-5;
             let rate = ratio * unit(driver.input) / unit(timed.input);
-            let slack = 1e-5 * (whole.abs() + own.abs() + 10.0);
+            let slack = 1e-5 * (complete.abs() + own.abs() + 10.0);
             let near = |seen: Option<f64>, expected: f64, what: &str| {
                 let seen = seen.unwrap();
                 assert!((seen - expected).abs() < slack, "{what}: {seen} {expected}");
             };
-            near(work.drive(), whole, "all");
-            near(work.effort(timed.input), own, "its own");
+            near(workspace.drive(), complete, "all");
+            near(workspace.effort(timed.input), own, "its own");
             near(
-                work.effort(driver.input),
-                whole - rate * own,
+                workspace.effort(driver.input),
+                complete - rate * own,
                 "the driver's",
             );
         }
@@ -482,12 +485,12 @@ fn timed_input_machines_balance_frame_forces() {
             over: Profile::default(),
         });
         let (_, s) = solver(b);
-        let (mut work, mut balls) = (s.state(), s.enclosure());
+        let (mut workspace, mut balls) = (s.state(), s.enclosure());
         for q in places(&s) {
-            assert_eq!(s.solve(q, Order::Force, &mut work), Condition::Ok);
-            s.enclose(&mut work, Order::Force, &mut balls);
-            assert_eq!(work.withheld(), None, "at {q}");
-            assert!(work.drive().is_some());
+            assert_eq!(s.solve(q, Order::Force, &mut workspace), Condition::Ok);
+            s.enclose(&mut workspace, Order::Force, &mut balls);
+            assert_eq!(workspace.withheld(), None, "at {q}");
+            assert!(workspace.drive().is_some());
         }
     }
 }

@@ -99,21 +99,21 @@ fn coupler(scene: &Scene) -> LinkId {
 fn polar_points_are_within_bounds_of_typed_values() {
     let scene = Scene::parse(SIGHTED, "sighted").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
-    let (mut work, mut enclosure) = (solver.state(), solver.enclosure());
+    let (mut workspace, mut enclosure) = (solver.state(), solver.enclosure());
     for (at, name, places) in PLACES {
-        let solved = solver.solve(at, Order::Acceleration, &mut work);
+        let solved = solver.solve(at, Order::Acceleration, &mut workspace);
         assert_eq!(solved, Condition::Ok);
-        solver.enclose(&mut work, Order::Acceleration, &mut enclosure);
+        solver.enclose(&mut workspace, Order::Acceleration, &mut enclosure);
         let point = Subject::Point(named(&scene, name));
         for (aspect, place) in [Aspect::X, Aspect::Y].into_iter().zip(places) {
-            let found = value(point, aspect, &work).unwrap();
-            let most = bound(point, aspect, &work, &enclosure).unwrap();
+            let found = value(point, aspect, &workspace).unwrap();
+            let maximum = bound(point, aspect, &workspace, &enclosure).unwrap();
             let off = DoubleDouble::parse(place).unwrap().minus(found).abs();
             assert!(
-                off <= most,
-                "{name} {aspect:?} at {at}: {off:e} of {most:e}"
+                off <= maximum,
+                "{name} {aspect:?} at {at}: {off:e} of {maximum:e}"
             );
-            assert!(most < 5e-13, "{name} {aspect:?} at {at}: {most:e}");
+            assert!(maximum < 5e-13, "{name} {aspect:?} at {at}: {maximum:e}");
         }
     }
 }

@@ -17,10 +17,10 @@ impl Probe {
         let scene = Scene::parse(text, "test").unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
         let catalogue = Catalogue::new(&scene);
-        let figures = catalogue.select(&["*"]).unwrap();
+        let quantities = catalogue.select(&["*"]).unwrap();
         Probe {
-            sensitivity: Sensitivity::new(&scene, &solver, &figures),
-            names: figures.iter().map(|f| f.name.clone()).collect(),
+            sensitivity: Sensitivity::new(&scene, &solver, &quantities),
+            names: quantities.iter().map(|f| f.name.clone()).collect(),
         }
     }
 
@@ -279,9 +279,9 @@ fn against_secants(scene: &Scene, solver: &Solver, at: f64) -> f64 {
     let mut worst = f64::INFINITY;
     for part in [1024.0, 4096.0] {
         if worst > 2e-8 {
-            let figures = Catalogue::new(scene).select(&["*"]).unwrap();
+            let quantities = Catalogue::new(scene).select(&["*"]).unwrap();
             worst = worst.min(figures_against_secants(
-                figures,
+                quantities,
                 scene,
                 solver,
                 at,
@@ -293,35 +293,35 @@ fn against_secants(scene: &Scene, solver: &Solver, at: f64) -> f64 {
 }
 
 fn figures_against_secants(
-    mut figures: Vec<Quantity>,
+    mut quantities: Vec<Quantity>,
     scene: &Scene,
     solver: &Solver,
     at: f64,
     (part, share): (f64, f64),
 ) -> f64 {
     // A residual is a rounding error and does not depend on lengths.
-    figures.retain(|figure| !figure.name.contains("residual"));
-    let mut sensitivity = Sensitivity::new(scene, solver, &figures);
+    quantities.retain(|quantity| !quantity.name.contains("residual"));
+    let mut sensitivity = Sensitivity::new(scene, solver, &quantities);
     let found = sensitivity.at(at).unwrap();
     let h = solver.scale() / part;
-    let mut misses = vec![0.0_f64; figures.len()];
+    let mut misses = vec![0.0_f64; quantities.len()];
     for (number, &length) in scene.mechanism.lengths().iter().enumerate() {
         let read = |by: f64| {
             let solver = Solver::new(&scene.mechanism.changed(length, by)).unwrap();
             let mut state = solver.state();
             let _ = solver.solve(at, Order::Force, &mut state);
-            let figures = figures.iter();
-            figures
+            let quantities = quantities.iter();
+            quantities
                 .map(|f| f.value(&state).unwrap_or(f64::NAN))
                 .collect::<Vec<_>>()
         };
         let [a, b, c, d] = [h, -h, h / 2.0, -h / 2.0].map(read);
-        for (k, figure) in figures.iter().enumerate() {
-            let apart = |over: f64, under: f64| match figure.is_direction() {
+        for (k, quantity) in quantities.iter().enumerate() {
+            let distance = |over: f64, under: f64| match quantity.is_direction() {
                 true => (over - under + 540.0).rem_euclid(360.0) - 180.0,
                 false => over - under,
             };
-            let (wide, narrow) = (apart(a[k], b[k]) / (2.0 * h), apart(c[k], d[k]) / h);
+            let (wide, narrow) = (distance(a[k], b[k]) / (2.0 * h), distance(c[k], d[k]) / h);
             let secant = narrow + (narrow - wide) / 3.0;
             // An element at rest has no direction, which other tests cover.
             let Some(slopes) = found.of(k) else { continue };
@@ -330,12 +330,14 @@ fn figures_against_secants(
     }
     let mut state = solver.state();
     let _ = solver.solve(at, Order::Force, &mut state);
-    let parts = figures.iter().zip(misses).enumerate();
-    let parts = parts.map(|(k, (figure, miss))| {
-        let value = figure.value(&state).unwrap_or(f64::NAN).abs();
+    let parts = quantities.iter().zip(misses).enumerate();
+    let parts = parts.map(|(k, (quantity, miss))| {
+        let value = quantity.value(&state).unwrap_or(f64::NAN).abs();
         // A quantity independent of all lengths may differ by the secant's rounding, and one that
         // results from cancellation by the rounding of others of its unit.
-        let alike = figures.iter().filter(|other| other.unit == figure.unit);
+        let alike = quantities
+            .iter()
+            .filter(|other| other.unit == quantity.unit);
         let sizes = alike.filter_map(|other| other.value(&state)).map(f64::abs);
         let floor = (share * sizes.fold(0.0, f64::max) / solver.scale()).max(1e-3);
         miss / (found.worst(k).unwrap_or(0.0) + value / solver.scale()).max(floor)
@@ -360,17 +362,19 @@ fn unlisted_derivatives_match_secants_of_reopened_scenes() {
             Range::Full { period } => 0.41 * period,
             Range::Limited { low, high } => low + 0.41 * (high - low),
         };
-        let figures = Catalogue::new(&scene).unlisted();
-        let found = Sensitivity::new(&scene, &solver, &figures).at(at).unwrap();
-        for (k, figure) in figures.iter().enumerate() {
+        let quantities = Catalogue::new(&scene).unlisted();
+        let found = Sensitivity::new(&scene, &solver, &quantities)
+            .at(at)
+            .unwrap();
+        for (k, quantity) in quantities.iter().enumerate() {
             let end = [
                 ".a.t", ".a.n", ".v.angle", ".a.angle", ".f.angle", ".v", ".a", ".f",
             ];
-            let end = end.into_iter().find(|end| figure.name.ends_with(end));
+            let end = end.into_iter().find(|end| quantity.name.ends_with(end));
             *ends.entry(end.unwrap_or("of its own")).or_default() +=
                 usize::from(found.of(k).is_some());
         }
-        let worst = figures_against_secants(figures, &scene, &solver, at, (8192.0, 1e-4));
+        let worst = figures_against_secants(quantities, &scene, &solver, at, (8192.0, 1e-4));
         note(&format!("{}: {worst:.1e} of the largest", preset.name));
         assert!(worst <= 1e-7, "{}: {worst:e}", preset.name);
     }
@@ -415,8 +419,8 @@ fn kinks_have_no_derivative() {
         (&format!("max({off}, 0 mm)"), false, false),
     ] {
         let mut catalogue = Catalogue::new(&scene);
-        let figure = catalogue.define(&format!("k = {formula}")).unwrap();
-        let mut sensitivity = Sensitivity::new(&scene, &solver, &[figure]);
+        let quantity = catalogue.define(&format!("k = {formula}")).unwrap();
+        let mut sensitivity = Sensitivity::new(&scene, &solver, &[quantity]);
         for (at, exists) in [(0.0, at_0), (60.0, at_60)] {
             let found = sensitivity.at(at).unwrap();
             assert_eq!(found.of(0).is_some(), exists, "{formula} at {at}");
@@ -429,8 +433,8 @@ fn kinks_have_no_derivative() {
 fn zero_on_both_sides_has_derivative() {
     let scene = Scene::parse(presets::find("slider-crank").unwrap().text, "test").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
-    let figures = Catalogue::new(&scene).select(&["C.a.n", "C.a.t"]).unwrap();
-    let found = Sensitivity::new(&scene, &solver, &figures)
+    let quantities = Catalogue::new(&scene).select(&["C.a.n", "C.a.t"]).unwrap();
+    let found = Sensitivity::new(&scene, &solver, &quantities)
         .at(30.0)
         .unwrap();
     assert!(found.of(0).unwrap().iter().all(|d| *d == 0.0));
@@ -439,9 +443,11 @@ fn zero_on_both_sides_has_derivative() {
     // bends its path either way.
     let scene = Scene::parse(presets::find("peaucellier").unwrap().text, "test").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
-    let figures = Catalogue::new(&scene).select(&["P.a.n", "P.a.t"]).unwrap();
+    let quantities = Catalogue::new(&scene).select(&["P.a.n", "P.a.t"]).unwrap();
     let at = scene.mechanism.driver().start;
-    let found = Sensitivity::new(&scene, &solver, &figures).at(at).unwrap();
+    let found = Sensitivity::new(&scene, &solver, &quantities)
+        .at(at)
+        .unwrap();
     assert!(found.of(0).is_none() && found.of(1).is_some());
 }
 
@@ -517,8 +523,8 @@ fn jamming_is_detected_for_any_columns() {
     let scene = Scene::parse(TWICE_GUIDED, "test").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
     for columns in [&["*"][..], &["C.x"], &["B.x"], &["r3.angle"]] {
-        let figures = Catalogue::new(&scene).select(columns).unwrap();
-        let mut sensitivity = Sensitivity::new(&scene, &solver, &figures);
+        let quantities = Catalogue::new(&scene).select(columns).unwrap();
+        let mut sensitivity = Sensitivity::new(&scene, &solver, &quantities);
         // r5 runs through its own point next to A: if that moves up, C cannot satisfy both guides.
         assert!(sensitivity.at(40.0).is_none(), "{columns:?}");
     }

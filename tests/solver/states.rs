@@ -622,28 +622,28 @@ fn chain_of_thousand_dyads_is_planned_and_solved() {
 #[test]
 fn only_demanded_elements_are_solved() {
     let mechanism = long_chain(3);
-    let whole = Solver::new(&mechanism).unwrap();
-    let first = whole.plan().groups[1].point.unwrap();
-    let some = whole.only(&Demand {
+    let complete = Solver::new(&mechanism).unwrap();
+    let first = complete.plan().groups[1].point.unwrap();
+    let some = complete.only(&Demand {
         points: vec![first],
         ..Demand::default()
     });
-    let (full, part) = (at(&whole, 77.0), at(&some, 77.0));
+    let (full, part) = (at(&complete, 77.0), at(&some, 77.0));
     assert_eq!(
         full.acceleration(first).unwrap(),
         part.acceleration(first).unwrap()
     );
     // The points of the last dyad are not solved and have no values.
-    let last = whole.plan().groups[3].point.unwrap();
+    let last = complete.plan().groups[3].point.unwrap();
     assert!(full.position(last).is_some() && full.velocity(last).is_some());
     assert_eq!((part.position(last), part.velocity(last)), (None, None));
-    let link = whole.plan().groups[3].links[0];
+    let link = complete.plan().groups[3].links[0];
     assert!(full.omega(link).is_some());
     assert_eq!((part.angle(link), part.omega(link)), (None, None));
     assert_ne!(full, part);
     // Elements excluded by either demand are excluded.
-    let other = whole.plan().groups[2].point.unwrap();
-    let less = whole
+    let other = complete.plan().groups[2].point.unwrap();
+    let less = complete
         .only(&Demand {
             points: vec![other],
             ..Demand::default()
@@ -663,7 +663,7 @@ fn unsolved_values_are_none() {
     let (builder, points) = stephenson(true);
     let (mechanism, solver) = solver(builder);
     let link = mechanism.link_ids().last().unwrap();
-    let mut work = solver.state();
+    let mut workspace = solver.state();
     let read = |state: &State| {
         let point = points[0];
         [
@@ -673,7 +673,7 @@ fn unsolved_values_are_none() {
             state.drive().is_some(),
         ]
     };
-    assert_eq!(read(&work), [false; 4], "before anything is solved");
+    assert_eq!(read(&workspace), [false; 4], "before anything is solved");
     // In descending order, so that values of higher order remain from before.
     for (order, there) in [
         (Order::Force, [true, true, true, false]),
@@ -681,12 +681,12 @@ fn unsolved_values_are_none() {
         (Order::Velocity, [true, true, false, false]),
         (Order::Position, [true, false, false, false]),
     ] {
-        assert_eq!(solver.solve(211.5, order, &mut work), Condition::Ok);
-        assert_eq!((work.order(), read(&work)), (order, there));
+        assert_eq!(solver.solve(211.5, order, &mut workspace), Condition::Ok);
+        assert_eq!((workspace.order(), read(&workspace)), (order, there));
         // Bounds and double-double states have no more than the state itself.
         let (mut balls, mut twice) = (solver.enclosure(), solver.twice());
-        solver.enclose(&mut work, Order::Force, &mut balls);
-        assert!(solver.solve_twice(&work, Order::Force, &mut twice));
+        solver.enclose(&mut workspace, Order::Force, &mut balls);
+        assert!(solver.solve_twice(&workspace, Order::Force, &mut twice));
         let velocity = balls.velocity(points[0]).is_some();
         assert_eq!(
             [velocity, twice.velocity(points[0]).is_some()],
@@ -694,10 +694,10 @@ fn unsolved_values_are_none() {
         );
     }
     assert_eq!(
-        solver.solve(f64::NAN, Order::Acceleration, &mut work),
+        solver.solve(f64::NAN, Order::Acceleration, &mut workspace),
         Condition::NoAssembly
     );
-    assert_eq!(read(&work), [false; 4], "without an assembly");
+    assert_eq!(read(&workspace), [false; 4], "without an assembly");
 }
 
 /// At a dead point there are positions but no rates, and no bounds of rates.
@@ -716,13 +716,19 @@ fn dead_point_has_no_rates() {
     builder.start(c, Vec2::new(3.0, 3.0));
     let (_, solver) = self::solver(builder);
     let dead = solver.motion().dead_points[0];
-    let (mut work, mut balls) = (solver.state(), solver.enclosure());
-    let condition = solver.solve(dead, Order::Acceleration, &mut work);
+    let (mut workspace, mut balls) = (solver.state(), solver.enclosure());
+    let condition = solver.solve(dead, Order::Acceleration, &mut workspace);
     assert_eq!(condition, Condition::DeadPoint);
-    solver.enclose(&mut work, Order::Acceleration, &mut balls);
-    assert!(work.position(c).is_some() && balls.position(c).is_some());
-    assert_eq!((work.velocity(c), work.acceleration(c)), (None, None));
-    assert_eq!((work.omega(crank), work.alpha(crank)), (None, None));
+    solver.enclose(&mut workspace, Order::Acceleration, &mut balls);
+    assert!(workspace.position(c).is_some() && balls.position(c).is_some());
+    assert_eq!(
+        (workspace.velocity(c), workspace.acceleration(c)),
+        (None, None)
+    );
+    assert_eq!(
+        (workspace.omega(crank), workspace.alpha(crank)),
+        (None, None)
+    );
     assert_eq!((balls.velocity(c), balls.omega(crank)), (None, None));
 }
 
@@ -731,10 +737,10 @@ fn dead_point_has_no_rates() {
 fn states_can_be_cloned_and_compared() {
     let (builder, _) = stephenson(true);
     let (_, solver) = solver(builder);
-    let mut work = solver.state();
+    let mut workspace = solver.state();
     let mut solved = |at: f64, order: Order| {
-        assert_eq!(solver.solve(at, order, &mut work), Condition::Ok);
-        work.state().clone()
+        assert_eq!(solver.solve(at, order, &mut workspace), Condition::Ok);
+        workspace.state().clone()
     };
     let here = solved(40.0, Order::Acceleration);
     let there = solved(41.0, Order::Acceleration);
@@ -988,7 +994,7 @@ fn coupled_group_needs_no_ground_point() {
 }
 
 /// Opens Stephenson III with a longer crank, which stops at two dead points.
-fn limited_triad(start: f64, places: [Vec2; 3]) -> (Mechanism, Solver, [PointId; 3]) {
+fn limited_triad(start: f64, positions: [Vec2; 3]) -> (Mechanism, Solver, [PointId; 3]) {
     let mut b = Builder::default();
     let (a, d, g) = (
         b.ground_point(0.0, 0.0),
@@ -1003,8 +1009,8 @@ fn limited_triad(start: f64, places: [Vec2; 3]) -> (Mechanism, Solver, [PointId;
     b.carry(ternary, e, Vec2::new(0.9, 1.0));
     b.link(a, bb, 1.5);
     b.link(d, c, 1.8);
-    for (point, place) in [bb, c, e].into_iter().zip(places) {
-        b.start(point, place);
+    for (point, position) in [bb, c, e].into_iter().zip(positions) {
+        b.start(point, position);
     }
     let (m, s) = solver(b);
     (m, s, [bb, c, e])
@@ -1055,12 +1061,12 @@ fn motion_opened_near_dead_point_does_not_cross_it() {
     };
     for start in (0..120).map(|k| low + 3.0 * 0.85_f64.powi(k)) {
         let state = at(&s, start);
-        let (_, beside, _) = limited_triad(start, points.map(|p| state.position(p).unwrap()));
+        let (_, nearby, _) = limited_triad(start, points.map(|p| state.position(p).unwrap()));
         for q in [low + 0.5, low + 1.0, 60.0, 200.0, high - 0.1] {
-            let (one, other) = (at(&s, q), at(&beside, q));
+            let (one, other) = (at(&s, q), at(&nearby, q));
             for p in points {
-                let apart = (one.position(p).unwrap() - other.position(p).unwrap()).norm();
-                assert!(apart < 1e-11, "{apart} at {q} from {start}");
+                let distance = (one.position(p).unwrap() - other.position(p).unwrap()).norm();
+                assert!(distance < 1e-11, "{distance} at {q} from {start}");
             }
         }
     }

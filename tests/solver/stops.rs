@@ -213,8 +213,8 @@ fn dead_point_before_stop_remains_end() {
         .replace("length = 300", "length = 50")
         .replace("length = 250", "length = 60")
         .replace("C = [310, 230]", "C = [75, 55]");
-    let whole = open(&text).unwrap();
-    let (low, high) = ends(&whole);
+    let complete = open(&text).unwrap();
+    let (low, high) = ends(&complete);
     let wider = text.replace("angle = 60", "angle = 60\nrange = [-100, 100]");
     let wider = open(&wider).unwrap();
     assert_eq!((ends(&wider), stops_at(&wider)), ((low, high), vec![]));
@@ -288,7 +288,7 @@ fn scene_beyond_its_stop_does_not_open() {
     let scene = Scene::parse(&format!("{FOUR_BAR}\n[limits]\nr4 = [230, 300]\n"), "test").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
     let group = solver.plan().numbered().map(|(id, _)| id).nth(1).unwrap();
-    let other = solver.switched(60.0, group, krank::solver::Pick::Minus);
+    let other = solver.switched(60.0, group, krank::solver::AssemblyChoice::Minus);
     assert!(matches!(other, Err(Fault::BeyondStop { .. })), "{other:?}");
 }
 
@@ -302,8 +302,8 @@ fn fully_turning_link_is_stopped_within_its_turn() {
         .replace("D = [400, 0]", "D = [100, 0]")
         .replace("length = 100", "length = 200")
         .replace("[310, 230]", "[-50, 150]");
-    let whole = open(&text).unwrap();
-    assert_eq!(whole.motion().range, Range::Full { period: 360.0 });
+    let complete = open(&text).unwrap();
+    assert_eq!(complete.motion().range, Range::Full { period: 360.0 });
     let solver = stopped(&text, "r4 = [190, 540]");
     let (low, high) = ends(&solver);
     assert!(high - low > 180.0 && high - low < 360.0, "{low} {high}");
@@ -314,7 +314,7 @@ fn fully_turning_link_is_stopped_within_its_turn() {
 #[test]
 fn range_of_kite_has_its_change_points() {
     let text = preset("kite");
-    let whole = open(text).unwrap();
+    let complete = open(text).unwrap();
     let with = |range: &str| {
         open(&text.replace("angle = 90", &format!("angle = 90\nrange = {range}"))).unwrap()
     };
@@ -326,14 +326,14 @@ fn range_of_kite_has_its_change_points() {
     );
     // On any turn, the states equal those without stops bit for bit.
     let solver = with("[-900, 500]");
-    let (mut own, mut other) = (solver.state(), whole.state());
+    let (mut own, mut other) = (solver.state(), complete.state());
     for at in [
         -900.0, -360.0, -359.9, 0.0, 1e-9, 123.4, 360.0, 371.0, 500.0,
     ] {
         let found = solver.solve(at, Order::Acceleration, &mut own);
         assert_eq!(
             found,
-            whole.solve(at, Order::Acceleration, &mut other),
+            complete.solve(at, Order::Acceleration, &mut other),
             "{at}"
         );
         assert_eq!(*own, *other, "{at}");
@@ -354,7 +354,7 @@ fn states_near_stops_do_not_depend_on_order() {
     ] {
         let solver = stopped(text, limits);
         let (low, high) = ends(&solver);
-        let places: Vec<f64> = (0..=60)
+        let coordinates: Vec<f64> = (0..=60)
             .map(|k| (low + (high - low) * f64::from(k) / 60.0).min(high))
             .collect();
         let fresh = |at: f64| {
@@ -363,8 +363,8 @@ fn states_near_stops_do_not_depend_on_order() {
             state.into_state()
         };
         let mut state = solver.state();
-        for k in 0..places.len() {
-            let at = places[(k * 37 + 11) % places.len()];
+        for k in 0..coordinates.len() {
+            let at = coordinates[(k * 37 + 11) % coordinates.len()];
             let _ = solver.solve(at, Order::Acceleration, &mut state);
             assert_eq!(*state, fresh(at), "{at}");
         }
@@ -431,11 +431,11 @@ fn stop_behind_coupled_group_is_nearest_double() {
                     ends[1]
                 }
             };
-            let [before, here, behind] = [stop.at.next_down(), stop.at, stop.at.next_up()].map(off);
-            assert!(before * behind < 0.0, "{before:e} {here:e} {behind:e}");
+            let [before, here, after] = [stop.at.next_down(), stop.at, stop.at.next_up()].map(off);
+            assert!(before * after < 0.0, "{before:e} {here:e} {after:e}");
             assert!(
-                here.abs() <= before.abs().min(behind.abs()),
-                "{before:e} {here:e} {behind:e}"
+                here.abs() <= before.abs().min(after.abs()),
+                "{before:e} {here:e} {after:e}"
             );
         }
     }
@@ -511,11 +511,11 @@ proptest! {
             .replace("length = 100 }", &format!("length = {crank} }}"))
             .replace("length = 300 }", &format!("length = {coupler} }}"))
             .replace("length = 250 }", &format!("length = {rocker} }}"));
-        let Ok(whole) = open(&text) else { return Ok(()) };
+        let Ok(complete) = open(&text) else { return Ok(()) };
         let scene = Scene::parse(&text, "test").unwrap();
         let link = scene.mechanism.link_ids().nth(if is_rocker { 2 } else { 1 }).unwrap();
-        let mut state = whole.state();
-        let _ = whole.solve(60.0, Order::Position, &mut state);
+        let mut state = complete.state();
+        let _ = complete.solve(60.0, Order::Position, &mut state);
         let angle = state.angle(link).unwrap();
         let name = if is_rocker { "r4" } else { "r3" };
         let limit = format!("{name} = [{}, {}]", angle - below, angle + above);
@@ -523,7 +523,7 @@ proptest! {
         if matches!(solver.motion().range, Range::Limited { .. }) {
             assert_holds(&solver, 1e-9);
         } else {
-            prop_assert_eq!(solver.motion().range, whole.motion().range);
+            prop_assert_eq!(solver.motion().range, complete.motion().range);
         }
         // The range between the stops is complete: beyond them the whole motion violates the limit.
         let (mut inside, mut k) = (true, 0);
@@ -531,7 +531,7 @@ proptest! {
         while inside && k < 3600 {
             k += 1;
             let at = 60.0 + 0.1 * f64::from(k);
-            if whole.solve(at, Order::Position, &mut state) == Condition::NoAssembly {
+            if complete.solve(at, Order::Position, &mut state) == Condition::NoAssembly {
                 break;
             }
             let value = values(solver.mechanism(), &state)[0];

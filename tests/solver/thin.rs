@@ -1,6 +1,6 @@
 //! Nearly folded triangles, away from the ends of the motion.
 
-use crate::bounds::Dice;
+use crate::bounds::SplitMix;
 use krank::quantity::{self, Aspect, Subject};
 use krank::solver::{Condition, Order, Solver};
 use krank::{Double, Driver, Input, Mechanism, PointId, Vec2};
@@ -47,11 +47,11 @@ fn apex(coupler: f64, rocker: f64) -> Vec2<Double> {
 /// of the height's digits.
 #[test]
 fn folded_triangles_are_accurate_to_16_u() {
-    let mut dice = Dice::new(31);
+    let mut rng = SplitMix::new(31);
     for power in 11..26 {
         for _ in 0..8 {
             let ulps = 10_f64.powf(0.3 * f64::from(power)).round();
-            let coupler = (dice.within(1.0, 2.0) * 1024.0).round() / 1024.0;
+            let coupler = (rng.within(1.0, 2.0) * 1024.0).round() / 1024.0;
             // The last bit of the rocker is one ulp of 5.
             let rocker = (5.0 - coupler) + ulps * 8.0 * U;
             let (mechanism, joint) = folded(coupler, rocker);

@@ -6,7 +6,7 @@
 //! as many values of each kind, the median ratio of bound to error.
 #![allow(clippy::print_stdout, reason = "the overestimates are to be read")]
 
-use crate::bounds::Dice;
+use crate::bounds::SplitMix;
 use crate::exact::{DoubleDouble, PI};
 use krank::quantity::{self, Aspect, Subject};
 use krank::scene::Scene;
@@ -32,8 +32,8 @@ impl Typed {
 
     /// Draws a number between two limits with `digits` digits, and appends a tail beyond the digits
     /// of a double.
-    fn within(dice: &mut Dice, low: f64, high: f64, digits: i32, tail: &str) -> Typed {
-        let value = dice.within(low, high);
+    fn within(rng: &mut SplitMix, low: f64, high: f64, digits: i32, tail: &str) -> Typed {
+        let value = rng.within(low, high);
         let places = digits - 1 - value.abs().log10().floor() as i32;
         let places = usize::try_from(places).unwrap_or(0);
         Typed::of(format!("{value:.places$}{tail}"))
@@ -83,9 +83,9 @@ struct Style {
 }
 
 impl Machine {
-    fn new(dice: &mut Dice, style: Style) -> Machine {
+    fn new(rng: &mut SplitMix, style: Style) -> Machine {
         let mut machine = Machine::default();
-        let speed = Typed::within(dice, 1.0, 90.0, 3, "");
+        let speed = Typed::within(rng, 1.0, 90.0, 3, "");
         let (unit, factor) = if style.rpm {
             let DoubleDouble { hi, lo } = PI;
             ("rpm", Double { hi, lo } / Double::exactly(30.0))
@@ -93,7 +93,7 @@ impl Machine {
             ("rad/s", Double::ONE)
         };
         machine.speed = speed.value * factor;
-        let acceleration = Typed::within(dice, 1.0, 9.0, 2, "");
+        let acceleration = Typed::within(rng, 1.0, 9.0, 2, "");
         machine.acceleration = acceleration.value;
         let _ = write!(
             machine.text,
@@ -109,7 +109,7 @@ impl Machine {
         self.names.len() - 1
     }
 
-    fn grounds(&mut self, dice: &mut Dice, style: Style, places: &[(&'static str, f64, f64)]) {
+    fn grounds(&mut self, rng: &mut SplitMix, style: Style, places: &[(&'static str, f64, f64)]) {
         self.text.push_str("[ground]\n");
         for (i, &(name, x, y)) in places.iter().enumerate() {
             let mut number = |v: f64, size: f64| {
@@ -117,7 +117,7 @@ impl Machine {
                     Typed::of("0".to_owned())
                 } else {
                     let (low, high) = (v + style.far, v + style.far + 0.3 * size);
-                    Typed::within(dice, low, high, style.digits, style.tail)
+                    Typed::within(rng, low, high, style.digits, style.tail)
                 }
             };
             let (x, y) = (number(x, 200.0), number(y, 200.0));
@@ -171,12 +171,12 @@ impl Machine {
     }
 }
 
-fn four_bar(dice: &mut Dice, style: Style) -> Machine {
-    let mut m = Machine::new(dice, style);
-    let level = if dice.unit() < 0.5 { 0.0 } else { 30.0 };
-    m.grounds(dice, style, &[("A", 0.0, 0.0), ("D", 200.0, level)]);
+fn four_bar(rng: &mut SplitMix, style: Style) -> Machine {
+    let mut m = Machine::new(rng, style);
+    let level = if rng.unit() < 0.5 { 0.0 } else { 30.0 };
+    m.grounds(rng, style, &[("A", 0.0, 0.0), ("D", 200.0, level)]);
     let [b, c, e] = ["B", "C", "E"].map(|name| m.point(name, None));
-    let mut length = |low, high| Typed::within(dice, low, high, style.digits, style.tail);
+    let mut length = |low, high| Typed::within(rng, low, high, style.digits, style.tail);
     let (r2, r3, r4) = (
         length(40.0, 150.0),
         length(120.0, 300.0),
@@ -191,22 +191,22 @@ fn four_bar(dice: &mut Dice, style: Style) -> Machine {
     m
 }
 
-fn slider_crank(dice: &mut Dice, style: Style) -> Machine {
-    let mut m = Machine::new(dice, style);
-    m.grounds(dice, style, &[("A", 0.0, 0.0)]);
+fn slider_crank(rng: &mut SplitMix, style: Style) -> Machine {
+    let mut m = Machine::new(rng, style);
+    m.grounds(rng, style, &[("A", 0.0, 0.0)]);
     let [b, c, e] = ["B", "C", "E"].map(|name| m.point(name, None));
     let at = m.base();
-    let mut length = |low, high| Typed::within(dice, low, high, style.digits, style.tail);
+    let mut length = |low, high| Typed::within(rng, low, high, style.digits, style.tail);
     let (r2, r3) = (length(40.0, 100.0), length(160.0, 400.0));
     let on = [length(20.0, 200.0), length(10.0, 120.0)];
     let (x, y) = (
         length(at.x + 10.0, at.x + 300.0),
         length(at.y + 5.0, at.y + 50.0),
     );
-    let angle = if dice.unit() < 0.5 {
+    let angle = if rng.unit() < 0.5 {
         Typed::of("0".to_owned())
     } else {
-        Typed::within(dice, 3.0, 40.0, 4, "")
+        Typed::within(rng, 3.0, 40.0, 4, "")
     };
     m.link("r2", [0, b], &r2, None);
     m.link("r3", [b, c], &r3, Some((e, on)));
@@ -224,12 +224,12 @@ fn slider_crank(dice: &mut Dice, style: Style) -> Machine {
 }
 
 /// Draws Watt's six-bar: the rocker of one four-bar drives another one.
-fn six_bar(dice: &mut Dice, style: Style) -> Machine {
-    let mut m = Machine::new(dice, style);
+fn six_bar(rng: &mut SplitMix, style: Style) -> Machine {
+    let mut m = Machine::new(rng, style);
     let places = [("A", 0.0, 0.0), ("D", 200.0, 0.0), ("G", 300.0, -130.0)];
-    m.grounds(dice, style, &places);
+    m.grounds(rng, style, &places);
     let [b, c, e, f] = ["B", "C", "E", "F"].map(|name| m.point(name, None));
-    let mut length = |low, high| Typed::within(dice, low, high, style.digits, style.tail);
+    let mut length = |low, high| Typed::within(rng, low, high, style.digits, style.tail);
     let (r2, r3, r4) = (
         length(50.0, 70.0),
         length(170.0, 200.0),
@@ -251,12 +251,12 @@ fn six_bar(dice: &mut Dice, style: Style) -> Machine {
 }
 
 /// Draws Stephenson's six-bar, driven such that its loops are coupled.
-fn coupled(dice: &mut Dice, style: Style) -> Machine {
-    let mut m = Machine::new(dice, style);
+fn coupled(rng: &mut SplitMix, style: Style) -> Machine {
+    let mut m = Machine::new(rng, style);
     let places = [("G", 0.0, 0.0), ("A", -100.0, -200.0), ("D", 100.0, -200.0)];
-    m.grounds(dice, style, &places);
+    m.grounds(rng, style, &places);
     let [f, e, b, c] = ["F", "E", "B", "C"].map(|name| m.point(name, None));
-    let mut length = |low, high| Typed::within(dice, low, high, style.digits, style.tail);
+    let mut length = |low, high| Typed::within(rng, low, high, style.digits, style.tail);
     let (crank, rod) = (length(15.0, 30.0), length(80.0, 100.0));
     let (left, right, coupler) = (
         length(90.0, 110.0),
@@ -443,16 +443,16 @@ impl Machine {
         (System { n, rows }, misses)
     }
 
-    /// Returns the right-hand sides of the rates, with the rates of the driven points in `led`;
+    /// Returns the right-hand sides of the rates, with the rates of the driven points in `guided`;
     /// with the first rates, returns those of the second.
-    fn rights(&self, p: &[Place], led: &[Place], first: Option<&[Place]>) -> Vec<Double> {
+    fn rights(&self, p: &[Place], guided: &[Place], first: Option<&[Place]>) -> Vec<Double> {
         let mut rights = Vec::new();
         let known = |i: usize| {
             let zero = Vec2::new(Double::ZERO, Double::ZERO);
             if self.unknown(i).is_some() {
                 zero
             } else {
-                led[i]
+                guided[i]
             }
         };
         for row in &self.rows {
@@ -543,9 +543,9 @@ impl Tally {
         };
         let error = (off - Double::exactly(turn)).hi.abs();
         // The reference's own error is below this.
-        let sure = 1e-26 * (1.0 + truth.hi.abs());
+        let proved = 1e-26 * (1.0 + truth.hi.abs());
         assert!(
-            error <= bound + sure,
+            error <= bound + proved,
             "{what}: {value:?} is off by {error:e}, bound {bound:e}"
         );
         if error > 0.0 {
@@ -657,19 +657,19 @@ impl Run<'_> {
 /// range.
 fn measure(
     name: &str,
-    make: fn(&mut Dice, Style) -> Machine,
+    make: fn(&mut SplitMix, Style) -> Machine,
     style: Style,
     (values, near_ends): (usize, bool),
 ) -> [f64; 6] {
-    let (mut dice, mut tally) = (
-        Dice::new(name.len() as u64 + u64::from(style.digits.unsigned_abs())),
+    let (mut rng, mut tally) = (
+        SplitMix::new(name.len() as u64 + u64::from(style.digits.unsigned_abs())),
         Tally::default(),
     );
     let mut tries = 0;
     while tally.values < values {
         tries += 1;
         assert!(tries < 100_000, "{name}: no machine closes");
-        let machine = make(&mut dice, style);
+        let machine = make(&mut rng, style);
         let scene = Scene::parse(&machine.text, "typed")
             .unwrap_or_else(|faults| panic!("{faults:?}\n{}", machine.text));
         let Ok(solver) = Solver::new(&scene.mechanism) else {
@@ -681,11 +681,11 @@ fn measure(
         };
         let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
         for k in 0..20 {
-            let inwards = (high - low) * 10_f64.powf(dice.within(-13.0, -1.0));
+            let inwards = (high - low) * 10_f64.powf(rng.within(-13.0, -1.0));
             let at = match k % 3 {
                 0 if near_ends => Typed::of(format!("{:.12}", low + inwards)),
                 1 if near_ends => Typed::of(format!("{:.12}", high - inwards)),
-                _ => Typed::of(format!("{:.3}", dice.within(low, high))),
+                _ => Typed::of(format!("{:.3}", rng.within(low, high))),
             };
             let order = Order::Acceleration;
             if solver.solve(at.nearest(), order, &mut state) != Condition::Ok {
@@ -718,9 +718,9 @@ fn measure(
 }
 
 /// Draws a machine of one kind.
-type Drawn = fn(&mut Dice, Style) -> Machine;
+type DrawMachine = fn(&mut SplitMix, Style) -> Machine;
 
-const MACHINES: [(&str, Drawn); 4] = [
+const MACHINES: [(&str, DrawMachine); 4] = [
     ("four-bars", four_bar),
     ("slider-cranks", slider_crank),
     ("six-bars", six_bar),
@@ -744,7 +744,10 @@ const PLAIN: Style = Style {
 const MEDIANS: [f64; 6] = [1.5, 4.0, 3.0, 3.0, 3.0, 3.0];
 
 fn assert_near(name: &str, medians: [f64; 6]) {
-    let is_near = medians.iter().zip(MEDIANS).all(|(m, most)| *m <= most);
+    let is_near = medians
+        .iter()
+        .zip(MEDIANS)
+        .all(|(m, maximum)| *m <= maximum);
     assert!(is_near, "{name}: {medians:?}");
 }
 

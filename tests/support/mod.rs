@@ -26,8 +26,8 @@ pub(crate) fn closure_error(mechanism: &Mechanism, state: &State) -> f64 {
     let links = links_error(mechanism, state);
     let slides = slides_error(mechanism, state);
     let grounds = mechanism.point_ids().filter_map(|id| {
-        let place = mechanism.point(id).ground?;
-        Some((state.position(id).unwrap() - place).norm())
+        let position = mechanism.point(id).ground?;
+        Some((state.position(id).unwrap() - position).norm())
     });
     let worst = grounds.fold(links.max(slides), f64::max);
     worst.max(driver_error(mechanism, state))
@@ -41,11 +41,11 @@ fn links_error(mechanism: &Mechanism, state: &State) -> f64 {
         worst = worst.max((direction.norm() - 1.0).abs() * longest_link(mechanism));
         for a in members {
             for b in members {
-                let apart = state.position(b.point).unwrap() - state.position(a.point).unwrap();
+                let distance = state.position(b.point).unwrap() - state.position(a.point).unwrap();
                 let local = b.local - a.local;
                 worst = worst
-                    .max((apart.norm() - local.norm()).abs())
-                    .max((apart - local.turned(direction)).norm());
+                    .max((distance.norm() - local.norm()).abs())
+                    .max((distance - local.turned(direction)).norm());
             }
         }
     }
@@ -69,11 +69,11 @@ fn slides_error(mechanism: &Mechanism, state: &State) -> f64 {
                 )
             }
         };
-        let apart = state.position(slide.slider.point()).unwrap() - through;
+        let distance = state.position(slide.slider.point()).unwrap() - through;
         let travel = state.travel(id).unwrap();
         worst = worst
-            .max(along.cross(apart).abs())
-            .max((travel.position - along.dot(apart)).abs())
+            .max(along.cross(distance).abs())
+            .max((travel.position - along.dot(distance)).abs())
             .max((travel.guide - along).norm() * longest_link(mechanism));
         if let Slider::Link { link, turn, .. } = slide.slider {
             let off = state.direction(link).unwrap() - krank::angle::unit(turn).turned(along);

@@ -18,16 +18,16 @@ pub fn cores() -> usize {
 pub fn each<R, T: Send>(
     count: usize,
     threads: usize,
-    room: impl Fn() -> R + Sync,
+    buffers: impl Fn() -> R + Sync,
     work: impl Fn(&mut R, usize) -> T + Sync,
     watch: &mut dyn FnMut(f64) -> bool,
 ) -> Vec<T> {
     let (next, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
     let do_pieces = |take: &mut dyn FnMut((usize, T)) -> bool| {
-        let mut room = room();
+        let mut buffers = buffers();
         while !stopped.load(Ordering::Relaxed) {
             let i = next.fetch_add(1, Ordering::Relaxed);
-            if i >= count || !take((i, work(&mut room, i))) {
+            if i >= count || !take((i, work(&mut buffers, i))) {
                 return;
             }
         }
@@ -43,11 +43,11 @@ pub fn each<R, T: Send>(
     let send_all = |to: Sender<(usize, T)>| do_pieces(&mut |one| to.send(one).is_ok());
     thread::scope(|scope| {
         let (to, from) = channel();
-        let begun = (0..threads.clamp(1, count.max(1)))
-            .take_while(|_| begins(scope, &send_all, to.clone()))
+        let started = (0..threads.clamp(1, count.max(1)))
+            .take_while(|_| spawn(scope, &send_all, to.clone()))
             .count();
         drop(to);
-        if begun == 0 {
+        if started == 0 {
             do_pieces(&mut keep);
         }
         while let Ok(one) = from.recv() {
@@ -59,7 +59,7 @@ pub fn each<R, T: Send>(
 }
 
 /// Starts a thread. Returns `false` if the system cannot create one.
-fn begins<'scope, T: Send + 'scope>(
+fn spawn<'scope, T: Send + 'scope>(
     scope: &'scope Scope<'scope, '_>,
     send_all: &'scope (impl Fn(Sender<T>) + Sync),
     to: Sender<T>,

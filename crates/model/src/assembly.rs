@@ -2,7 +2,7 @@
 
 use crate::nearest::did_you_mean;
 use crate::scene::{Precision, Scene};
-use crate::solver::{Condition, Group, GroupKind, Order, Pick, Plan, Solver, State};
+use crate::solver::{AssemblyChoice, Condition, Group, GroupKind, Order, Plan, Solver, State};
 use crate::wording::words;
 use crate::{ElementId, PointId, Slider, Vec2};
 use std::fmt;
@@ -14,7 +14,7 @@ pub struct AssemblyRequest {
     /// The group's name.
     pub group: String,
     /// The choice.
-    pub pick: Pick,
+    pub pick: AssemblyChoice,
 }
 
 /// The error for an invalid choice of an assembly.
@@ -24,12 +24,12 @@ pub enum AssemblyError {
     #[error("{}", words().how_wishes_are_written())]
     Form,
     /// There is no group of this name.
-    #[error("{}", words().no_group_with_choice(name, mend))]
+    #[error("{}", words().no_group_with_choice(name, fix))]
     Unknown {
         /// The name in the text.
         name: String,
         /// The probable name, or all names.
-        mend: String,
+        fix: String,
     },
     /// The choice is a number for a dyad, or a sign for a coupled group.
     #[error("{}", words().chosen_by(name, options))]
@@ -53,10 +53,10 @@ impl FromStr for AssemblyRequest {
     fn from_str(text: &str) -> Result<AssemblyRequest, AssemblyError> {
         let (group, pick) = text.split_once('=').ok_or(AssemblyError::Form)?;
         let pick = match pick.trim() {
-            "+" => Pick::Plus,
-            "-" => Pick::Minus,
+            "+" => AssemblyChoice::Plus,
+            "-" => AssemblyChoice::Minus,
             number => match number.parse() {
-                Ok(n) if n > 0 => Pick::Number(n),
+                Ok(n) if n > 0 => AssemblyChoice::Number(n),
                 _ => return Err(AssemblyError::Form),
             },
         };
@@ -76,16 +76,16 @@ impl fmt::Display for AssemblyRequest {
 
 /// Formats a choice: `+`, `-` or a number.
 #[must_use]
-pub fn pick_text(pick: Pick) -> String {
-    match pick {
-        Pick::Plus => "+".to_owned(),
-        Pick::Minus => "-".to_owned(),
-        Pick::Number(n) => n.to_string(),
+pub fn pick_text(choice: AssemblyChoice) -> String {
+    match choice {
+        AssemblyChoice::Plus => "+".to_owned(),
+        AssemblyChoice::Minus => "-".to_owned(),
+        AssemblyChoice::Number(n) => n.to_string(),
     }
 }
 
 /// Maximum number of group names in a message.
-const LISTED: usize = 12;
+const MAX_LISTED: usize = 12;
 
 impl Scene {
     /// Returns the name of a group of the plan: that of its point, or that of a link if the point
@@ -118,31 +118,31 @@ impl Scene {
     pub fn picks(
         &self,
         plan: &Plan,
-        wishes: &[AssemblyRequest],
-    ) -> Result<Vec<(ElementId, Pick)>, AssemblyError> {
+        requests: &[AssemblyRequest],
+    ) -> Result<Vec<(ElementId, AssemblyChoice)>, AssemblyError> {
         let groups = || plan.groups.iter().filter(|g| g.has_choices());
-        let mut picks: Vec<(ElementId, Pick)> = Vec::new();
-        for wish in wishes {
-            let name = wish.group.clone();
-            let Some(group) = groups().find(|g| self.group_name(g) == wish.group) else {
+        let mut choices: Vec<(ElementId, AssemblyChoice)> = Vec::new();
+        for request in requests {
+            let name = request.group.clone();
+            let Some(group) = groups().find(|g| self.group_name(g) == request.group) else {
                 let names: Vec<&str> = groups().map(|g| self.group_name(g)).collect();
-                let mend = did_you_mean(&name, names.iter().copied());
-                let mend = mend.unwrap_or_else(|| listed(&names));
-                return Err(AssemblyError::Unknown { name, mend });
+                let fix = did_you_mean(&name, names.iter().copied());
+                let fix = fix.unwrap_or_else(|| listed(&names));
+                return Err(AssemblyError::Unknown { name, fix });
             };
-            if !suits(wish.pick, group) {
+            if !suits(request.pick, group) {
                 let options = options(&name, group);
                 return Err(AssemblyError::Kind { name, options });
             }
             let Some(element) = group.name() else {
                 continue;
             };
-            if picks.iter().any(|(other, _)| *other == element) {
+            if choices.iter().any(|(other, _)| *other == element) {
                 return Err(AssemblyError::Twice { name });
             }
-            picks.push((element, wish.pick));
+            choices.push((element, request.pick));
         }
-        Ok(picks)
+        Ok(choices)
     }
 
     /// Returns the scene's text with the `[start]` of the assembly that this solver follows. The
@@ -189,12 +189,12 @@ impl Scene {
             let placed = group.points.iter().copied().filter(named);
             // A centre of mass is used only if the group has no other named point.
             let (centres, joints): (Vec<_>, Vec<_>) = placed.partition(|&p| self.is_com(p));
-            let told = match group.kind {
+            let count = match group.kind {
                 GroupKind::Coupled { .. } => usize::MAX,
                 _ => 1,
             };
             let placed = if joints.is_empty() { centres } else { joints };
-            for point in placed.into_iter().take(told) {
+            for point in placed.into_iter().take(count) {
                 if !points.contains(&point) {
                     points.push(point);
                 }
@@ -216,20 +216,23 @@ impl Scene {
         let (one, other) = (one.known(), other.known());
         let points = || self.mechanism.point_ids();
         let largest = points().map(|p| one.position(p).norm()).fold(0.0, f64::max);
-        points().all(|p| (one.position(p) - other.position(p)).norm() <= SAME * largest)
+        points()
+            .all(|p| (one.position(p) - other.position(p)).norm() <= EQUALITY_TOLERANCE * largest)
     }
 }
 
 /// The distance of points below which two states are equal, relative to the largest coordinate. It
 /// is far above a coupled group's rounding errors, and far below the difference of two visibly
 /// different assemblies.
-const SAME: f64 = 1e-9;
+const EQUALITY_TOLERANCE: f64 = 1e-9;
 
-fn suits(pick: Pick, group: &Group) -> bool {
-    match (pick, group.kind) {
-        (Pick::Number(_), GroupKind::Coupled { .. }) => true,
-        (Pick::Plus | Pick::Minus, kind) => !matches!(kind, GroupKind::Coupled { .. }),
-        (Pick::Number(_), _) => false,
+fn suits(choice: AssemblyChoice, group: &Group) -> bool {
+    match (choice, group.kind) {
+        (AssemblyChoice::Number(_), GroupKind::Coupled { .. }) => true,
+        (AssemblyChoice::Plus | AssemblyChoice::Minus, kind) => {
+            !matches!(kind, GroupKind::Coupled { .. })
+        }
+        (AssemblyChoice::Number(_), _) => false,
     }
 }
 
@@ -243,7 +246,7 @@ fn options(name: &str, group: &Group) -> String {
 fn listed(names: &[&str]) -> String {
     let shown: Vec<String> = names
         .iter()
-        .take(LISTED)
+        .take(MAX_LISTED)
         .map(|n| format!("`{n}`"))
         .collect();
     let more = names.len() - shown.len();

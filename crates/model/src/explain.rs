@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// Maximum number of elements marked in one message.
-const POINTED_AT: usize = 6;
+const MAX_MARKED_ELEMENTS: usize = 6;
 
 impl Scene {
     /// Explains in terms of the scene file why its mechanism cannot be solved, and suggests fixes.
@@ -28,8 +28,8 @@ impl Scene {
             Fault::Vague {
                 point,
                 choices,
-                behind,
-            } => vague(self, *point, choices, behind),
+                behind: after,
+            } => vague(self, *point, choices, after),
             Fault::ChangePoint { group } => change_point(self, *group),
             Fault::BeyondStop { limit, value } => beyond_stop(self, *limit, *value),
             Fault::HeldByStops { down, up } => held_by_stops(self, *down, *up),
@@ -71,7 +71,7 @@ fn mobility_fault(scene: &Scene, fault: &Fault) -> Diagnostic {
         Some((&first, rest)) => {
             let label = |link| words().floats(&link_name(scene, link));
             let mut item = item.at(scene.place(ElementId::Link(first)), label(first));
-            for &link in rest.iter().take(POINTED_AT - 1) {
+            for &link in rest.iter().take(MAX_MARKED_ELEMENTS - 1) {
                 item = item.and(scene.place(ElementId::Link(link)), label(link));
             }
             item.note(words().links_that_float(&link_list(scene, floating)))
@@ -127,7 +127,7 @@ fn parallel_guides(scene: &Scene, elements: &[ElementId]) -> Option<&'static str
 }
 
 fn element_list(scene: &Scene, elements: &[ElementId]) -> String {
-    let named = elements.iter().take(4 * POINTED_AT);
+    let named = elements.iter().take(4 * MAX_MARKED_ELEMENTS);
     let mut names: Vec<String> = named.map(|&e| element_name(scene, e)).collect();
     if elements.len() > names.len() {
         names.push(words().and_more(elements.len() - names.len()));
@@ -144,7 +144,7 @@ fn loose_ends(scene: &Scene, floating: &[LinkId]) -> Vec<(PointId, PointId)> {
         slides.any(|slide| slide.slider.point() == point)
     };
     let mut found = Vec::new();
-    for &link in floating.iter().take(POINTED_AT) {
+    for &link in floating.iter().take(MAX_MARKED_ELEMENTS) {
         let Some((from, to)) = mechanism.link(link).ends else {
             continue;
         };
@@ -157,8 +157,8 @@ fn loose_ends(scene: &Scene, floating: &[LinkId]) -> Vec<(PointId, PointId)> {
                 let names = (scene.point_name(end), scene.point_name(other));
                 other != end && matches!(names, (Some(a), Some(b)) if a.eq_ignore_ascii_case(b))
             });
-            let told = |twin: &PointId| found.contains(&(*twin, end));
-            found.extend(twin.filter(|t| !told(t)).map(|twin| (end, twin)));
+            let text = |twin: &PointId| found.contains(&(*twin, end));
+            found.extend(twin.filter(|t| !text(t)).map(|twin| (end, twin)));
         }
     }
     found
@@ -227,12 +227,12 @@ fn frame_as_link(
     let ends = scene.mechanism.link(link).ends;
     let is_rod = ends == Some((one, other)) || ends == Some((other, one));
     // All digits are shown, because a rounded length would not fit either.
-    let mend = is_rod.then(|| words().frame_fits_with(&(to - at).norm().to_string()));
+    let fix = is_rod.then(|| words().frame_fits_with(&(to - at).norm().to_string()));
     let fault = Diagnostic::new(words().frame_does_not_fit(&name, &misfit, &tail, &head))
         .at(scene.place(ElementId::Link(link)), words().cannot_move())
         .note(words().are_apart(&tail, &head, &distance));
-    let fault = match mend {
-        Some(mend) => fault.help(mend),
+    let fault = match fix {
+        Some(fix) => fault.help(fix),
         None => fault,
     };
     fault.help(words().frame_needs_no_link(&vector))
@@ -245,49 +245,52 @@ fn open(scene: &Scene, point: PointId, links: &[LinkId], gap: f64) -> Diagnostic
         scene.place(ElementId::Point(point)),
         words().cannot_be_placed(&name),
     );
-    let item = links.iter().take(POINTED_AT).fold(item, |item, &link| {
-        let reach = match scene.mechanism.link(link).ends {
-            Some(_) => words().has_to_reach_it(&link_name(scene, link)),
-            None => words().has_to_meet_it(&link_name(scene, link)),
-        };
-        item.and(scene.place(ElementId::Link(link)), reach)
-    });
+    let item = links
+        .iter()
+        .take(MAX_MARKED_ELEMENTS)
+        .fold(item, |item, &link| {
+            let reach = match scene.mechanism.link(link).ends {
+                Some(_) => words().has_to_reach_it(&link_name(scene, link)),
+                None => words().has_to_meet_it(&link_name(scene, link)),
+            };
+            item.and(scene.place(ElementId::Link(link)), reach)
+        });
     let driver = scene.mechanism.driver();
     item.note(words().driver_stands_at(&coordinate(scene, driver.start)))
         .help(words().change_a_length())
 }
 
-fn vague(scene: &Scene, point: PointId, choices: &[Vec2], behind: &[OpenChoice]) -> Diagnostic {
+fn vague(scene: &Scene, point: PointId, choices: &[Vec2], after: &[OpenChoice]) -> Diagnostic {
     let name = point_name(scene, point);
     let places: Vec<String> = choices.iter().map(|&c| pair(c, "(", ")")).collect();
     let places = words().either(&places);
-    let mut says = words().start_is_vague(&name, &places, scene.unit.symbol());
-    if !behind.is_empty() {
-        let shown = behind.iter().take(4 * POINTED_AT);
+    let mut expected = words().start_is_vague(&name, &places, scene.unit.symbol());
+    if !after.is_empty() {
+        let shown = after.iter().take(4 * MAX_MARKED_ELEMENTS);
         let mut names: Vec<String> = shown.map(|open| point_name(scene, open.point)).collect();
-        if behind.len() > names.len() {
-            names.push(words().and_more(behind.len() - names.len()));
+        if after.len() > names.len() {
+            names.push(words().and_more(after.len() - names.len()));
         }
-        says.push_str(&words().open_as_well(&names));
+        expected.push_str(&words().open_as_well(&names));
     }
-    let mut item = Diagnostic::new(says).at(
+    let mut item = Diagnostic::new(expected).at(
         scene.place(ElementId::Point(point)),
         words().where_is(&name),
     );
-    for open in behind.iter().take(POINTED_AT - 1) {
-        let place = scene.place(ElementId::Point(open.point));
-        item = item.and(place, words().where_is(&point_name(scene, open.point)));
+    for open in after.iter().take(MAX_MARKED_ELEMENTS - 1) {
+        let span = scene.place(ElementId::Point(open.point));
+        item = item.and(span, words().where_is(&point_name(scene, open.point)));
     }
     let given = scene.mechanism.start().iter().find(|(p, _)| *p == point);
     let item = match given {
         Some(&(_, near)) => item.note(words().start_is_between(&name, &pair(near, "(", ")"))),
         None => item,
     };
-    if behind.is_empty() {
+    if after.is_empty() {
         return item.help(words().give_one_position(&start_lines(scene, point, choices)));
     }
     let own = start_lines(scene, point, choices);
-    let others = behind.iter().take(4 * POINTED_AT);
+    let others = after.iter().take(4 * MAX_MARKED_ELEMENTS);
     let others = others.map(|open| start_lines(scene, open.point, &open.choices));
     let all: Vec<String> = std::iter::once(own)
         .chain(others)
@@ -298,8 +301,8 @@ fn vague(scene: &Scene, point: PointId, choices: &[Vec2], behind: &[OpenChoice])
 
 /// Returns the lines of `[start]` that select each of a point's places.
 fn start_lines(scene: &Scene, point: PointId, choices: &[Vec2]) -> Vec<String> {
-    let bare = bare_name(scene, point);
-    let key = key(&bare);
+    let plain = bare_name(scene, point);
+    let key = key(&plain);
     let line = |&c: &Vec2| format!("{key} = {}", pair(c, "[", "]"));
     choices.iter().map(line).collect()
 }
@@ -323,7 +326,7 @@ fn beyond_stop(scene: &Scene, limit: LimitId, value: f64) -> Diagnostic {
         LimitOf::Slide(_) => false,
         LimitOf::Angle { .. } => true,
     };
-    let said = |value: f64| match counts_in_degrees {
+    let text = |value: f64| match counts_in_degrees {
         true => words().degrees(&figure(value)),
         false => length(scene, value),
     };
@@ -339,12 +342,12 @@ fn beyond_stop(scene: &Scene, limit: LimitId, value: f64) -> Diagnostic {
     let name = format!("`{}`", scene.limit_name(limit));
     let coordinate = coordinate_key(&scene.mechanism);
     if let LimitOf::Table(_) = of {
-        let [value, low, high] = [value, low, high].map(said);
+        let [value, low, high] = [value, low, high].map(text);
         return Diagnostic::new(words().opens_beyond_table(&name, &value, &low, &high))
             .at(scene.limit_place(limit), words().not_in_the_table())
             .help(words().open_within_table(coordinate));
     }
-    Diagnostic::new(words().opens_beyond_stop(&name, &said(value), &said(low), &said(high)))
+    Diagnostic::new(words().opens_beyond_stop(&name, &text(value), &text(low), &text(high)))
         .at(scene.limit_place(limit), words().is_passed_at_opening())
         .note(words().driver_stands_at(&self::coordinate(scene, scene.mechanism.driver().start)))
         .help(words().open_between_stops(coordinate))
@@ -376,24 +379,24 @@ fn group_text(scene: &Scene, group: ElementId) -> String {
 
 fn no_choice(scene: &Scene, group: ElementId, found: usize) -> Diagnostic {
     let name = element_name(scene, group);
-    let says = match found {
+    let expected = match found {
         0 => words().names_no_choice(&name),
         1 => words().has_one_assembly(&name),
         n => words().has_assemblies(&name, n),
     };
-    Diagnostic::new(says).at(scene.place(group), words().picked_here())
+    Diagnostic::new(expected).at(scene.place(group), words().picked_here())
 }
 
 fn not_assembled(scene: &Scene, points: &[PointId], gap: f64) -> Diagnostic {
     let names: Vec<String> = points.iter().map(|&p| point_name(scene, p)).collect();
     let (names, gap) = (names.join(", "), length(scene, gap));
     let mut item = Diagnostic::new(words().no_assembly_near(&names, &gap));
-    for (i, &point) in points.iter().take(POINTED_AT).enumerate() {
-        let place = scene.place(ElementId::Point(point));
+    for (i, &point) in points.iter().take(MAX_MARKED_ELEMENTS).enumerate() {
+        let span = scene.place(ElementId::Point(point));
         item = if i == 0 {
-            item.at(place, words().solved_together())
+            item.at(span, words().solved_together())
         } else {
-            item.and(place, words().with_this())
+            item.and(span, words().with_this())
         };
     }
     if points.is_empty() {
@@ -422,12 +425,12 @@ fn singular(scene: &Scene, elements: &[ElementId], is_here_only: bool) -> Diagno
         true => words().opens_singular(&names),
         false => words().never_determine(&names),
     });
-    for (i, &element) in elements.iter().take(POINTED_AT).enumerate() {
-        let place = scene.place(element);
+    for (i, &element) in elements.iter().take(MAX_MARKED_ELEMENTS).enumerate() {
+        let span = scene.place(element);
         item = if i == 0 {
-            item.at(place, words().leave_a_motion_free())
+            item.at(span, words().leave_a_motion_free())
         } else {
-            item.and(place, words().with_this())
+            item.and(span, words().with_this())
         };
     }
     if is_here_only {
@@ -490,7 +493,7 @@ fn link_name(scene: &Scene, link: LinkId) -> String {
 }
 
 fn link_list(scene: &Scene, links: &[LinkId]) -> String {
-    let named = links.iter().take(4 * POINTED_AT);
+    let named = links.iter().take(4 * MAX_MARKED_ELEMENTS);
     let mut names: Vec<String> = named.map(|&link| link_name(scene, link)).collect();
     if links.len() > names.len() {
         names.push(words().and_more(links.len() - names.len()));

@@ -19,7 +19,7 @@ mod value;
 
 pub use catalogue::{Catalogue, UnknownColumn};
 pub use clock::Clock;
-pub use curves::{Abscissa, Curve, Curves, Extremum, Here, TimeError};
+pub use curves::{Abscissa, Curve, Curves, Extremum, StateValues, TimeError};
 pub use derived::Derived;
 pub use formulas::check_figures;
 pub use hidden::{Hidden, Reason};
@@ -89,7 +89,7 @@ impl Quantity {
     #[must_use]
     pub fn bound(&self, state: &State, enclosure: &State<Ball>) -> Option<f64> {
         let (value, ball) = (self.value(state)?, self.value(enclosure)?);
-        value::apart(value, ball, self.is_direction())
+        value::distance_bound(value, ball, self.is_direction())
     }
 
     /// Returns `true` if its formula has kinks.

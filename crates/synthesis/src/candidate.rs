@@ -4,18 +4,18 @@ use super::defects::{GivenMotion, TaskDefect, crank_motion};
 use super::functions::FunctionRun;
 use super::machine::Machine;
 use super::output_misses::OutputMisses;
-use super::{Partner, PathTask, PoseTask, Preferences, Proposal, Sense, Task, TaskKind};
+use super::{PathTask, PinConstraint, PoseTask, Preferences, Proposal, Sense, Task, TaskKind};
 use kinematics::Vec2;
-use kinematics::angle::{TURN, beside, degrees, unit};
+use kinematics::angle::{TURN, degrees, unit, unwrap_near};
 use kinematics::solver::{Condition, Order, Range};
 
 /// Tolerance between the solver's pin and the proposal's pin, relative to the linkage's size. Also
 /// the tolerance of a pose that must be met exactly: relative to the size for its position, in
 /// radians for its angle.
-const SAME: f64 = 1e-7;
+const EQUALITY_TOLERANCE: f64 = 1e-7;
 /// Maximum distance between a path's led point and a wanted point, relative to the path's size.
 /// Beyond it, the linkage follows another path.
-const FAR: f64 = 0.05;
+const MAX_RELATIVE_MISS: f64 = 0.05;
 /// Linkages that differ by less than this part of their size count as one.
 const ONE: f64 = 1e-6;
 
@@ -44,7 +44,7 @@ pub struct CandidateFigures {
     pub transmission: f64,
     /// The minimum transmission angle of the whole motion, in degrees: over a whole turn, or from
     /// stop to stop. It is 0 if the crank only swings, from dead point to dead point.
-    pub transmission_throughout: f64,
+    pub min_transmission: f64,
     /// The ratio of the longest length to the shortest, including the ground's length.
     pub ratio: f64,
     /// The maximum miss of the led point, or of the output, over the reached points; for a formula,
@@ -75,7 +75,7 @@ impl Candidate {
     /// Drives a proposal through the task, both as proposed and at its other pivot, and returns the
     /// better candidate.
     #[must_use]
-    pub fn judge(task: &Task, proposal: &Proposal) -> Candidate {
+    pub fn evaluate(task: &Task, proposal: &Proposal) -> Candidate {
         let own = Candidate::driven(task, proposal.clone());
         // A task that gives the crank's angles also determines which link is the crank.
         let is_given = match &task.kind {
@@ -86,7 +86,7 @@ impl Candidate {
         match proposal.swapped() {
             Some(swapped) if !is_given => {
                 let other = Candidate::driven(task, swapped);
-                match other.standing() < own.standing() {
+                match other.sort_key() < own.sort_key() {
                     true => other,
                     false => own,
                 }
@@ -115,11 +115,11 @@ impl Candidate {
             TaskKind::Poses(_) | TaskKind::Path(_) => None,
         };
         let way = given_way(task, &proposal, run.as_ref());
-        let (at, mut defects) = crank_motion(&proposal, range, &task.wishes, &way);
+        let (at, mut defects) = crank_motion(&proposal, range, &task.preferences, &way);
         let mut figures = CandidateFigures {
             full_turn: matches!(range, Range::Full { .. }),
-            transmission: least_transmission(&proposal, way_ends(task, &at, run.as_ref(), range)),
-            transmission_throughout: least_transmission(
+            transmission: min_transmission(&proposal, way_ends(task, &at, run.as_ref(), range)),
+            min_transmission: min_transmission(
                 &proposal,
                 match range {
                     Range::Full { .. } => (0.0, TURN),
@@ -155,7 +155,7 @@ impl Candidate {
                 None => {}
             }
         }
-        let missed = missed(&task.wishes, &proposal, &at, &figures);
+        let missed = missed(&task.preferences, &proposal, &at, &figures);
         Candidate {
             proposal,
             at,
@@ -167,13 +167,13 @@ impl Candidate {
 
     /// Returns `true` if the linkage does its task.
     #[must_use]
-    pub fn does_it(&self) -> bool {
+    pub fn meets_task(&self) -> bool {
         self.defects.is_empty()
     }
 
     /// Returns the sorting key, lower is better: the numbers of defects and of unmet preferences,
     /// whether the crank only swings, and the negative transmission angle.
-    fn standing(&self) -> (usize, usize, bool, f64) {
+    fn sort_key(&self) -> (usize, usize, bool, f64) {
         let CandidateFigures {
             full_turn,
             transmission,
@@ -194,10 +194,12 @@ impl Candidate {
             let slack = ONE * a.longest().max(b.longest());
             let near = |a: Vec2, b: Vec2| (a - b).norm() <= slack;
             let held = match (a.partner, b.partner) {
-                (Partner::Rocker(a), Partner::Rocker(b)) => near(a, b),
-                (Partner::Slide(a), Partner::Slide(b)) => (unit(a).cross(unit(b))).abs() <= ONE,
-                (Partner::Rocker(_), Partner::Slide(_))
-                | (Partner::Slide(_), Partner::Rocker(_)) => false,
+                (PinConstraint::Rocker(a), PinConstraint::Rocker(b)) => near(a, b),
+                (PinConstraint::Slide(a), PinConstraint::Slide(b)) => {
+                    (unit(a).cross(unit(b))).abs() <= ONE
+                }
+                (PinConstraint::Rocker(_), PinConstraint::Slide(_))
+                | (PinConstraint::Slide(_), PinConstraint::Rocker(_)) => false,
             };
             let first = a.places.first().zip(b.places.first());
             held && near(a.pivot, b.pivot)
@@ -241,7 +243,7 @@ impl TaskDrive<'_> {
     /// Measures the misses at all points by the solver's values alone, and writes them to
     /// `figures`.
     ///
-    /// Returns the point of a path with the largest weighted miss if that miss exceeds `FAR`
+    /// Returns the point of a path with the largest weighted miss if that miss exceeds `MAX_RELATIVE_MISS`
     /// times the path's size.
     ///
     /// # Errors
@@ -261,14 +263,14 @@ impl TaskDrive<'_> {
         let mut squares = 0.0;
         let mut weights = 0.0;
         // A miss counts by the root of its weight, as in the mean square.
-        let mut farthest = (None, FAR * self.task.size());
+        let mut farthest = (None, MAX_RELATIVE_MISS * self.task.size());
         for (point, &at) in at.iter().enumerate() {
             if solver.solve(at, Order::Position, &mut state) == Condition::NoAssembly {
                 return Err(point);
             }
             let c = state.position(*c).ok_or(point)?;
-            let led = || tracer.and_then(|id| state.position(id)).ok_or(point);
-            if !((c - self.proposal.places[point][1]).norm() <= SAME * size) {
+            let guided = || tracer.and_then(|id| state.position(id)).ok_or(point);
+            if !((c - self.proposal.places[point][1]).norm() <= EQUALITY_TOLERANCE * size) {
                 return Err(point);
             }
             let angle = state.angle(*coupler).ok_or(point)?;
@@ -277,12 +279,12 @@ impl TaskDrive<'_> {
             }
             let (miss, angle_miss, weight) = match &self.task.kind {
                 TaskKind::Poses(PoseTask { poses, .. }) => {
-                    let wanted = poses[point].angle - poses[0].angle;
-                    let off = beside(0.0, angle - turned_from - wanted).abs();
-                    let p = led()?;
+                    let target = poses[point].angle - poses[0].angle;
+                    let off = unwrap_near(0.0, angle - turned_from - target).abs();
+                    let p = guided()?;
                     let miss = (p - poses[point].at).norm();
-                    let met = SAME * size.max(self.task.size());
-                    if !(miss <= met && off <= SAME.to_degrees()) {
+                    let met = EQUALITY_TOLERANCE * size.max(self.task.size());
+                    if !(miss <= met && off <= EQUALITY_TOLERANCE.to_degrees()) {
                         return Err(point);
                     }
                     (miss, off, 1.0)
@@ -290,10 +292,10 @@ impl TaskDrive<'_> {
                 TaskKind::Path(PathTask {
                     points, weights, ..
                 }) => {
-                    let p = led()?;
+                    let p = guided()?;
                     let weight = weights.get(point).copied().unwrap_or(1.0);
-                    let most = weights.iter().copied().fold(weight, f64::max);
-                    let counts = (weight / most).sqrt() * (p - points[point]).norm();
+                    let maximum = weights.iter().copied().fold(weight, f64::max);
+                    let counts = (weight / maximum).sqrt() * (p - points[point]).norm();
                     if counts > farthest.1 {
                         farthest = (Some(point), counts);
                     }
@@ -319,7 +321,7 @@ impl TaskDrive<'_> {
 /// Returns the crank's motion as far as the task gives it.
 fn given_way(task: &Task, proposal: &Proposal, run: Option<&FunctionRun>) -> GivenMotion {
     let first = proposal.places.first();
-    let begin = first.map_or(0.0, |[b, _]| degrees(*b - proposal.pivot));
+    let start = first.map_or(0.0, |[b, _]| degrees(*b - proposal.pivot));
     match &task.kind {
         TaskKind::Poses(_) => GivenMotion::default(),
         TaskKind::Function(task) => GivenMotion {
@@ -330,7 +332,7 @@ fn given_way(task: &Task, proposal: &Proposal, run: Option<&FunctionRun>) -> Giv
             turned: task
                 .turns
                 .as_ref()
-                .map(|turns| turns.iter().map(|turn| begin + turn).collect()),
+                .map(|turns| turns.iter().map(|turn| start + turn).collect()),
             closed: task.closed,
         },
     }
@@ -360,13 +362,13 @@ fn way_ends(task: &Task, at: &[f64], run: Option<&FunctionRun>, range: Range) ->
 ///
 /// Its extrema are at the range's ends, and where the crank lies on the line of the pivots or is
 /// perpendicular to the guide.
-fn least_transmission(proposal: &Proposal, (low, high): (f64, f64)) -> f64 {
+fn min_transmission(proposal: &Proposal, (low, high): (f64, f64)) -> f64 {
     let Some((crank, coupler, rocker)) = proposal.lengths() else {
         return 0.0;
     };
     let line = match proposal.partner {
-        Partner::Rocker(d) => degrees(d - proposal.pivot),
-        Partner::Slide(angle) => angle + TURN / 4.0,
+        PinConstraint::Rocker(d) => degrees(d - proposal.pivot),
+        PinConstraint::Slide(angle) => angle + TURN / 4.0,
     };
     let turns = (0..2).flat_map(|half| {
         let first = ((low - line) / TURN * 2.0).ceil();
@@ -376,15 +378,15 @@ fn least_transmission(proposal: &Proposal, (low, high): (f64, f64)) -> f64 {
     let angle = |at: f64| {
         let b = proposal.pivot + unit(at) * crank;
         let cosine = match (proposal.partner, rocker) {
-            (Partner::Rocker(d), Some(rocker)) => {
+            (PinConstraint::Rocker(d), Some(rocker)) => {
                 let across = (d - b).norm2();
                 (coupler * coupler + rocker * rocker - across) / (2.0 * coupler * rocker)
             }
-            (Partner::Slide(angle), _) => {
+            (PinConstraint::Slide(angle), _) => {
                 let c = proposal.places.first().map_or(b, |place| place[1]);
                 (c - b).cross(unit(angle)) / coupler
             }
-            (Partner::Rocker(_), None) => 1.0,
+            (PinConstraint::Rocker(_), None) => 1.0,
         };
         cosine.abs().min(1.0).acos().to_degrees()
     };
@@ -392,41 +394,44 @@ fn least_transmission(proposal: &Proposal, (low, high): (f64, f64)) -> f64 {
 }
 
 fn missed(
-    wishes: &Preferences,
+    preferences: &Preferences,
     proposal: &Proposal,
     at: &[f64],
     figures: &CandidateFigures,
 ) -> Vec<UnmetPreference> {
     let mut missed = Vec::new();
-    let mut wish = |kept: bool, wish: UnmetPreference| {
+    let mut preference = |kept: bool, preference: UnmetPreference| {
         if !kept {
-            missed.push(wish);
+            missed.push(preference);
         }
     };
-    wish(
-        !wishes.full_turn || figures.full_turn,
+    preference(
+        !preferences.full_turn || figures.full_turn,
         UnmetPreference::FullTurn,
     );
-    let least = wishes.transmission.unwrap_or(0.0);
-    wish(figures.transmission >= least, UnmetPreference::Transmission);
-    if let Some(corners) = wishes.inside {
+    let minimum = preferences.transmission.unwrap_or(0.0);
+    preference(
+        figures.transmission >= minimum,
+        UnmetPreference::Transmission,
+    );
+    if let Some(corners) = preferences.inside {
         let within = |p: Vec2| is_inside(corners, p);
         let pivot = match proposal.partner {
-            Partner::Rocker(d) => within(d),
-            Partner::Slide(_) => true,
+            PinConstraint::Rocker(d) => within(d),
+            PinConstraint::Slide(_) => true,
         };
-        wish(within(proposal.pivot) && pivot, UnmetPreference::Inside);
+        preference(within(proposal.pivot) && pivot, UnmetPreference::Inside);
     }
-    let most = wishes.ratio.unwrap_or(f64::INFINITY);
-    wish(figures.ratio <= most, UnmetPreference::Ratio);
+    let maximum = preferences.ratio.unwrap_or(f64::INFINITY);
+    preference(figures.ratio <= maximum, UnmetPreference::Ratio);
     // If the points have no order, the crank may reach each from either side.
-    let sense = wishes.sense.filter(|_| wishes.ordered);
+    let sense = preferences.sense.filter(|_| preferences.ordered);
     if let (Some(sense), Some(first), Some(last)) = (sense, at.first(), at.last()) {
-        let turns = match sense {
+        let is_rotary = match sense {
             Sense::CounterClockwise => last >= first,
             Sense::Clockwise => last <= first,
         };
-        wish(turns, UnmetPreference::Sense);
+        preference(is_rotary, UnmetPreference::Sense);
     }
     missed
 }

@@ -19,11 +19,11 @@
 //!
 //! Dijksman, Motion Geometry of Mechanisms (1976), chapter 7, covers both.
 
-use super::{Partner, Proposal};
+use super::{PinConstraint, Proposal};
 use kinematics::{Vec2, angle};
 
 /// Pins nearer to each other than this part of the linkage's largest length coincide.
-const TOGETHER: f64 = 1e-12;
+const COINCIDENCE_TOLERANCE: f64 = 1e-12;
 
 impl Proposal {
     /// Returns the cognates: two for a four-bar, with the one that keeps the times last, and one
@@ -42,8 +42,8 @@ impl Proposal {
         let coupler = c - b;
         let ratio = (tracer - b).turned(coupler.conj()) * (1.0 / coupler.norm2());
         let all = match self.partner {
-            Partner::Rocker(d) => vec![self.at_crank(ratio, d), self.at_rocker(ratio, d)],
-            Partner::Slide(along) => vec![self.sliding(ratio, along)],
+            PinConstraint::Rocker(d) => vec![self.at_crank(ratio, d), self.at_rocker(ratio, d)],
+            PinConstraint::Slide(along) => vec![self.sliding(ratio, along)],
         };
         all.into_iter().filter(Proposal::is_one).collect()
     }
@@ -53,7 +53,7 @@ impl Proposal {
         let a = self.pivot;
         Proposal {
             pivot: a,
-            partner: Partner::Rocker(third(a, d, ratio)),
+            partner: PinConstraint::Rocker(third(a, d, ratio)),
             places: self.places.iter().map(|&at| pins(a, at, ratio)).collect(),
             tracer: self.tracer,
         }
@@ -68,7 +68,7 @@ impl Proposal {
         };
         Proposal {
             pivot: third(self.pivot, d, ratio),
-            partner: Partner::Rocker(d),
+            partner: PinConstraint::Rocker(d),
             places: self.places.iter().map(place).collect(),
             tracer: self.tracer,
         }
@@ -78,7 +78,7 @@ impl Proposal {
         let a = self.pivot;
         Proposal {
             pivot: a,
-            partner: Partner::Slide(angle::wrapped(along + angle::degrees(ratio))),
+            partner: PinConstraint::Slide(angle::wrapped(along + angle::degrees(ratio))),
             places: self.places.iter().map(|&at| pins(a, at, ratio)).collect(),
             tracer: self.tracer,
         }
@@ -90,7 +90,7 @@ impl Proposal {
             return false;
         };
         let rocker = rocker.unwrap_or(crank);
-        let small = TOGETHER * crank.max(coupler).max(rocker);
+        let small = COINCIDENCE_TOLERANCE * crank.max(coupler).max(rocker);
         let is_finite = self.places.iter().flatten().all(|pin| pin.is_finite());
         is_finite
             && [crank, coupler, rocker]
@@ -120,21 +120,21 @@ mod tests {
     /// first linkage at every angle.
     #[test]
     fn cognates_draw_same_curve() {
-        let mut chance = SeededRng::new(11);
+        let mut rng = SeededRng::new(11);
         let (mut four_bars, mut sliders) = (0, 0);
         for _ in 0..3000 {
-            let planted = KnownLinkage::random(&mut chance, four_bars > 2 * sliders);
+            let planted = KnownLinkage::random(&mut rng, four_bars > 2 * sliders);
             let turns: Vec<f64> = (0..360).map(f64::from).collect();
             let Some(first) = planted.proposal(&turns) else {
                 continue;
             };
             let found = first.cognates();
             match first.partner {
-                Partner::Rocker(_) => {
+                PinConstraint::Rocker(_) => {
                     four_bars += 1;
                     assert_eq!(found.len(), 2);
                 }
-                Partner::Slide(_) => {
+                PinConstraint::Slide(_) => {
                     sliders += 1;
                     assert_eq!(found.len(), 1);
                 }
@@ -162,8 +162,8 @@ mod tests {
     fn holds(first: &Proposal, cognate: &Proposal) {
         let (crank, coupler, rocker) = cognate.lengths().unwrap();
         let ground = match cognate.partner {
-            Partner::Rocker(d) => (d - cognate.pivot).norm(),
-            Partner::Slide(_) => crank,
+            PinConstraint::Rocker(d) => (d - cognate.pivot).norm(),
+            PinConstraint::Slide(_) => crank,
         };
         let size = crank.max(coupler).max(ground).max(rocker.unwrap_or(0.0));
         let near = 1e-12 * size.max(first.tracer.unwrap().norm());
@@ -171,10 +171,10 @@ mod tests {
             assert!(((*b - cognate.pivot).norm() - crank).abs() < near);
             assert!(((*c - *b).norm() - coupler).abs() < near);
             match cognate.partner {
-                Partner::Rocker(d) => {
+                PinConstraint::Rocker(d) => {
                     assert!(((*c - d).norm() - rocker.unwrap()).abs() < near);
                 }
-                Partner::Slide(along) => {
+                PinConstraint::Slide(along) => {
                     let run = *c - cognate.places[0][1];
                     assert!(run.cross(angle::unit(along)).abs() < near);
                 }
@@ -186,10 +186,10 @@ mod tests {
 
     #[test]
     fn last_four_bar_cognate_keeps_times() {
-        let mut chance = SeededRng::new(5);
+        let mut rng = SeededRng::new(5);
         let turns: Vec<f64> = (0..40).map(|k| 9.0 * f64::from(k)).collect();
         let first = loop {
-            let planted = KnownLinkage::random(&mut chance, false);
+            let planted = KnownLinkage::random(&mut rng, false);
             if let Some(first) = planted.proposal(&turns) {
                 break first;
             }
@@ -209,7 +209,7 @@ mod tests {
         let turns: Vec<f64> = (0..120).map(|k| 3.0 * f64::from(k)).collect();
         let bar = |arm| KnownLinkage {
             pivot: Vec2::new(3.0, -1.0),
-            far: Partner::Rocker(Vec2::new(7.0, 0.5)),
+            far: PinConstraint::Rocker(Vec2::new(7.0, 0.5)),
             crank: 1.0,
             coupler: 4.0,
             rocker: 3.0,

@@ -2,7 +2,7 @@
 //! range of its crank.
 
 use super::way::{self, Way};
-use super::{Partner, Preferences, Proposal};
+use super::{PinConstraint, Preferences, Proposal};
 use kinematics::angle::{degrees, unit};
 use kinematics::solver::Range;
 
@@ -62,8 +62,8 @@ pub(super) fn side(proposal: &Proposal, point: usize) -> f64 {
     };
     let rod = c - b;
     let sine = match proposal.partner {
-        Partner::Rocker(d) => rod.cross(d - c) / (rod.norm() * (d - c).norm()),
-        Partner::Slide(angle) => rod.dot(unit(angle)) / rod.norm(),
+        PinConstraint::Rocker(d) => rod.cross(d - c) / (rod.norm() * (d - c).norm()),
+        PinConstraint::Slide(angle) => rod.dot(unit(angle)) / rod.norm(),
     };
     match sine.abs() <= MEETS {
         true => 0.0,
@@ -85,7 +85,7 @@ pub(super) struct GivenMotion {
 pub(super) fn crank_motion(
     proposal: &Proposal,
     range: Range,
-    wishes: &Preferences,
+    preferences: &Preferences,
     way: &GivenMotion,
 ) -> (Vec<f64>, Vec<TaskDefect>) {
     let places = proposal.places.iter();
@@ -101,24 +101,24 @@ pub(super) fn crank_motion(
             let reached: Vec<f64> = found.iter().map_while(|at| *at).collect();
             (found, way::turns_back(&reached))
         }
-        (None, None) if !wishes.ordered => {
+        (None, None) if !preferences.ordered => {
             let at = way::anyhow(&angles);
             (at.into_iter().map(Some).collect(), None)
         }
         (None, None) => {
-            let Way { at, turns_back } = way::turning(&angles, wishes.sense);
+            let Way { at, turns_back } = way::turning(&angles, preferences.sense);
             (at.into_iter().map(Some).collect(), turns_back)
         }
     };
     let is_here: Vec<bool> = found.iter().map(Option::is_some).collect();
-    let told = found.iter().zip(&angles);
-    let at = told.map(|(at, angle)| at.unwrap_or(*angle)).collect();
+    let text = found.iter().zip(&angles);
+    let at = text.map(|(at, angle)| at.unwrap_or(*angle)).collect();
     let mut defects = passages(proposal, range, &is_here, way.closed);
     // A crank that only swings returns on the path on which it came.
     if way.closed && limits.is_some() {
         turns_back = turns_back.or(Some(0));
     }
-    if let Some(to) = turns_back.filter(|_| wishes.ordered) {
+    if let Some(to) = turns_back.filter(|_| preferences.ordered) {
         let from = to.checked_sub(1).unwrap_or(angles.len().saturating_sub(1));
         defects.push(TaskDefect::Order { from, to });
     }
@@ -136,8 +136,8 @@ fn passages(proposal: &Proposal, range: Range, is_here: &[bool], closed: bool) -
         is_here.first().copied().unwrap_or(true),
         side(proposal, 0),
     );
-    for place in 1..points + usize::from(closed) {
-        let to = place % points;
+    for index in 1..points + usize::from(closed) {
+        let to = index % points;
         let own = side(proposal, to);
         let now = if own == 0.0 { before.2 } else { own };
         let from = before.0;

@@ -1,19 +1,19 @@
 //! Tests of driving linkages with a known solution, against formulas of the tests' own.
 
 use super::{
-    Candidate, FunctionTask, Given, Output, Preferences, Task, TaskDefect, TaskKind,
+    Candidate, FunctionTask, GivenNumber, Output, Preferences, Task, TaskDefect, TaskKind,
     functions::FunctionSearch,
 };
 
 /// A function with a known solution: the crank is at x degrees and the output at y.
-struct PlantedRange {
+struct KnownRange {
     output: Output,
     lengths: [f64; 3],
     side: f64,
     ends: [f64; 2],
 }
 
-impl PlantedRange {
+impl KnownRange {
     fn at(&self, angle: f64) -> f64 {
         let [a, b, c] = self.lengths;
         let (sin, cos) = angle.to_radians().sin_cos();
@@ -40,21 +40,21 @@ impl PlantedRange {
 
     /// Creates the task with three pairs and 180 intervals in its range.
     fn task(&self) -> Task {
-        let one = Given::Value(1.0);
+        let one = GivenNumber::Value(1.0);
         Task {
             kind: TaskKind::Function(FunctionTask {
                 pairs: self.pairs(2),
                 between: self.pairs(180),
                 output: self.output,
-                crank_datum: Given::Value(0.0),
+                crank_datum: GivenNumber::Value(0.0),
                 crank_scale: one,
-                output_datum: Given::Value(0.0),
+                output_datum: GivenNumber::Value(0.0),
                 output_scale: one,
                 size: 1.0,
             }),
             four_bars: self.output == Output::Angle,
             slider_cranks: self.output == Output::Slide,
-            wishes: Preferences::default(),
+            preferences: Preferences::default(),
         }
     }
 
@@ -72,7 +72,7 @@ impl PlantedRange {
         cosine.abs().acos().to_degrees()
     }
 
-    fn least_transmission(&self) -> f64 {
+    fn min_transmission(&self) -> f64 {
         let [from, to] = self.ends;
         let looks = (0..=20_000).map(|k| from + (to - from) * f64::from(k) / 20_000.0);
         looks.map(|at| self.transmission(at)).fold(90.0, f64::min)
@@ -83,7 +83,7 @@ impl PlantedRange {
 /// not follow its function.
 #[test]
 fn straying_between_pairs_is_structural_error() {
-    let planted = PlantedRange {
+    let planted = KnownRange {
         output: Output::Angle,
         lengths: [1.2, 0.9, 0.8],
         side: 1.0,
@@ -109,7 +109,7 @@ fn straying_between_pairs_is_structural_error() {
             threads: 1,
         };
         let found = search.run(&mut |_| true).found;
-        let judged = found.iter().map(|one| Candidate::judge(&task, one));
+        let judged = found.iter().map(|one| Candidate::evaluate(&task, one));
         let nearest = |a: &Candidate, b: &Candidate| a.figures.rms.total_cmp(&b.figures.rms);
         let driven = judged.filter(|one| one.figures.rms > 0.0);
         (driven.min_by(nearest).expect("it is found"), high - low)
@@ -125,13 +125,13 @@ fn straying_between_pairs_is_structural_error() {
 /// does.
 #[test]
 fn minimum_transmission_angle_is_over_task_range() {
-    let swings = |ends| PlantedRange {
+    let swings = |ends| KnownRange {
         output: Output::Angle,
         lengths: [1.2, 0.9, 0.8],
         side: 1.0,
         ends,
     };
-    let slides = |ends| PlantedRange {
+    let slides = |ends| KnownRange {
         output: Output::Slide,
         lengths: [1.0, 0.7, 0.3],
         side: 1.0,
@@ -154,14 +154,14 @@ fn minimum_transmission_angle_is_over_task_range() {
             threads: 2,
         };
         let found = search.run(&mut |_| true).found;
-        let judged = found.iter().map(|one| Candidate::judge(&task, one));
+        let judged = found.iter().map(|one| Candidate::evaluate(&task, one));
         let good: Vec<Candidate> = judged.filter(|one| one.figures.miss < 1e-9).collect();
         let [one] = &good[..] else { panic!("{good:?}") };
-        assert!(one.does_it() && !one.figures.full_turn, "{one:?}");
-        let least = planted.least_transmission();
+        assert!(one.meets_task() && !one.figures.full_turn, "{one:?}");
+        let minimum = planted.min_transmission();
         assert!(
-            (one.figures.transmission - least).abs() < 1e-3 && least > 10.0,
-            "{least} {one:?}"
+            (one.figures.transmission - minimum).abs() < 1e-3 && minimum > 10.0,
+            "{minimum} {one:?}"
         );
     }
 }

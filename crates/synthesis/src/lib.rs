@@ -39,8 +39,8 @@ mod way;
 pub use candidate::{Candidate, CandidateFigures, UnmetPreference, is_inside};
 pub use defects::TaskDefect;
 pub use paths::PathSearch;
-pub use proposal::{OpenReason, Partner, PosedDyad, Proposal, Proposals};
+pub use proposal::{OpenReason, PinConstraint, PosedDyad, Proposal, Proposals};
 pub use run::{Synthesis, SynthesisSettings};
 pub use task::{
-    FunctionTask, Given, Output, PathTask, Pose, PoseTask, Preferences, Sense, Task, TaskKind,
+    FunctionTask, GivenNumber, Output, PathTask, Pose, PoseTask, Preferences, Sense, Task, TaskKind,
 };

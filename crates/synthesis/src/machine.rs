@@ -1,6 +1,6 @@
 //! Builds the mechanism of a proposal.
 
-use crate::{Partner, Proposal, Task, TaskKind};
+use crate::{PinConstraint, Proposal, Task, TaskKind};
 use kinematics::angle::degrees;
 use kinematics::solver::Solver;
 use kinematics::{Body, Driver, Input, LinkId, Mechanism, PointId};
@@ -29,25 +29,25 @@ impl Machine {
         let [b, c] = [builder.moving_point(), builder.moving_point()];
         let crank = builder.link(a, b, crank_length);
         let coupler = builder.link(b, c, coupler_length);
-        let led = match task.kind {
+        let guided = match task.kind {
             TaskKind::Function(_) => None,
             TaskKind::Poses(_) | TaskKind::Path(_) => proposal.tracer,
         };
-        let tracer = led.map(|at| {
+        let tracer = guided.map(|at| {
             let along = (at_c - at_b) * (1.0 / coupler_length);
             let tracer = builder.moving_point();
             builder.carry(coupler, tracer, (at - at_b).turned(along.conj()));
             tracer
         });
         match (proposal.partner, rocker_length) {
-            (Partner::Rocker(at), Some(length)) => {
+            (PinConstraint::Rocker(at), Some(length)) => {
                 let d = builder.ground_point(at.x, at.y);
                 builder.link(c, d, length);
             }
-            (Partner::Slide(angle), _) => {
+            (PinConstraint::Slide(angle), _) => {
                 builder.pin_in_slot(c, Body::Ground, at_c, angle);
             }
-            (Partner::Rocker(_), None) => return None,
+            (PinConstraint::Rocker(_), None) => return None,
         }
         builder.driver(Driver {
             input: Input::Turn(crank),

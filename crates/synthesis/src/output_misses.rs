@@ -1,7 +1,7 @@
 //! Measures the error of a linkage's output against its function.
 
 use super::FunctionTask;
-use super::functions::{FunctionRun, USELESS};
+use super::functions::{FunctionRun, MAX_RELATIVE_RMS};
 
 /// Errors of an output, in degrees or in lengths of the task.
 pub(super) struct OutputMisses {
@@ -38,6 +38,6 @@ impl OutputMisses {
 
     /// Returns `true` if the output still follows its function.
     pub(super) fn follows(&self) -> bool {
-        self.rms <= USELESS * self.swing
+        self.rms <= MAX_RELATIVE_RMS * self.swing
     }
 }

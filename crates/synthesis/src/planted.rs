@@ -1,7 +1,7 @@
 //! Linkages with a known motion, computed by the tests' own formulas: two circles, or a circle and
 //! a line, by the law of cosines.
 
-use super::{Partner, Proposal};
+use super::{PinConstraint, Proposal};
 use kinematics::numeric::SeededRng;
 use kinematics::{Vec2, angle};
 
@@ -10,7 +10,7 @@ use kinematics::{Vec2, angle};
 pub(super) struct KnownLinkage {
     pub(super) pivot: Vec2,
     /// The other pivot, or the slide's angle; the slide's line passes A at the distance `rocker`.
-    pub(super) far: Partner,
+    pub(super) far: PinConstraint,
     pub(super) crank: f64,
     pub(super) coupler: f64,
     pub(super) rocker: f64,
@@ -25,29 +25,29 @@ pub(super) struct KnownLinkage {
 }
 
 impl KnownLinkage {
-    pub(super) fn random(chance: &mut SeededRng, slides: bool) -> KnownLinkage {
-        let mut place = |most: f64| Vec2::new(most * chance.even(), most * chance.even());
+    pub(super) fn random(rng: &mut SeededRng, slides: bool) -> KnownLinkage {
+        let mut place = |maximum: f64| Vec2::new(maximum * rng.even(), maximum * rng.even());
         let (pivot, d, arm) = (place(3.0), place(3.0), place(1.5));
-        let mut length = || 10_f64.powf(0.5 * chance.even());
+        let mut length = || 10_f64.powf(0.5 * rng.even());
         let [crank, coupler, rocker] = [length(), length(), length()];
-        let start = 180.0 * chance.even();
+        let start = 180.0 * rng.even();
         KnownLinkage {
             pivot,
             far: if slides {
-                Partner::Slide(180.0 * chance.even())
+                PinConstraint::Slide(180.0 * rng.even())
             } else {
-                Partner::Rocker(d)
+                PinConstraint::Rocker(d)
             },
             crank,
             coupler,
             rocker: if slides {
-                0.5 * crank * chance.even()
+                0.5 * crank * rng.even()
             } else {
                 rocker
             },
             arm,
             start,
-            sign: chance.even().signum(),
+            sign: rng.even().signum(),
             across: 0.1,
         }
     }
@@ -55,8 +55,8 @@ impl KnownLinkage {
     /// Returns the longest length.
     pub(super) fn size(&self) -> f64 {
         let ground = match self.far {
-            Partner::Rocker(d) => (d - self.pivot).norm(),
-            Partner::Slide(_) => 0.0,
+            PinConstraint::Rocker(d) => (d - self.pivot).norm(),
+            PinConstraint::Slide(_) => 0.0,
         };
         let lengths = [self.crank, self.coupler, self.rocker.abs(), ground];
         lengths.into_iter().fold(0.0, f64::max)
@@ -67,13 +67,13 @@ impl KnownLinkage {
     pub(super) fn at(&self, turn: f64) -> Option<[Vec2; 3]> {
         let b = self.pivot + angle::unit(self.start + turn) * self.crank;
         let (e, x) = match self.far {
-            Partner::Rocker(d) => {
+            PinConstraint::Rocker(d) => {
                 let g = d - b;
                 let l = g.norm();
                 let squares = l * l + self.coupler * self.coupler - self.rocker * self.rocker;
                 (g * (1.0 / l), 0.5 * squares / l)
             }
-            Partner::Slide(along) => {
+            PinConstraint::Slide(along) => {
                 let normal = angle::unit(along).perp();
                 (normal, self.rocker - normal.dot(b - self.pivot))
             }

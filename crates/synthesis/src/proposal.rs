@@ -4,7 +4,7 @@ use kinematics::Vec2;
 
 /// The element that holds the second moving pin.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Partner {
+pub enum PinConstraint {
     /// A link on a ground pivot at this position.
     Rocker(Vec2),
     /// A slide on the ground through the pin, at this angle in degrees.
@@ -19,7 +19,7 @@ pub struct Proposal {
     /// The position of A, the crank's pivot.
     pub pivot: Vec2,
     /// The element that holds C.
-    pub partner: Partner,
+    pub partner: PinConstraint,
     /// B and C at every point of the task, in the task's order.
     pub places: Vec<[Vec2; 2]>,
     /// The guided point of the coupler at the first point of the task: the origin of a pose, or the
@@ -31,7 +31,7 @@ pub struct Proposal {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PosedDyad {
     /// The element that holds the pin.
-    pub held: Partner,
+    pub held: PinConstraint,
     /// The pin's position at the first point of the task.
     pub pin: Vec2,
 }
@@ -61,7 +61,7 @@ pub enum OpenReason {
     /// The body does not turn, and its positions are not on a circle.
     Shift,
     /// No link or slide holds a given pivot or pin in all poses.
-    Given,
+    GivenNumber,
     /// No two links or slides through the poses form a linkage of a wanted kind.
     NoPair,
     /// The linkages through the poses are far away, or have disproportionate lengths.
@@ -77,8 +77,8 @@ impl Proposal {
     pub fn lengths(&self) -> Option<(f64, f64, Option<f64>)> {
         let [b, c] = *self.places.first()?;
         let rocker = match self.partner {
-            Partner::Rocker(d) => Some((c - d).norm()),
-            Partner::Slide(_) => None,
+            PinConstraint::Rocker(d) => Some((c - d).norm()),
+            PinConstraint::Slide(_) => None,
         };
         Some(((b - self.pivot).norm(), (c - b).norm(), rocker))
     }
@@ -90,8 +90,8 @@ impl Proposal {
             return [None; 4];
         };
         let ground = match self.partner {
-            Partner::Rocker(d) => Some((d - self.pivot).norm()),
-            Partner::Slide(_) => None,
+            PinConstraint::Rocker(d) => Some((d - self.pivot).norm()),
+            PinConstraint::Slide(_) => None,
         };
         [Some(crank), Some(coupler), rocker, ground]
     }
@@ -119,12 +119,12 @@ impl Proposal {
     /// Returns this linkage driven at its other pivot; `None` for a slider-crank.
     #[must_use]
     pub fn swapped(&self) -> Option<Proposal> {
-        let Partner::Rocker(d) = self.partner else {
+        let PinConstraint::Rocker(d) = self.partner else {
             return None;
         };
         Some(Proposal {
             pivot: d,
-            partner: Partner::Rocker(self.pivot),
+            partner: PinConstraint::Rocker(self.pivot),
             places: self.places.iter().map(|[b, c]| [*c, *b]).collect(),
             tracer: self.tracer,
         })

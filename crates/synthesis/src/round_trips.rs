@@ -20,7 +20,7 @@ fn task(kind: TaskKind) -> Task {
         kind,
         four_bars: true,
         slider_cranks: false,
-        wishes: Preferences {
+        preferences: Preferences {
             ordered: true,
             ..Preferences::default()
         },
@@ -45,7 +45,7 @@ fn nearest<'c>(
     size: f64,
 ) -> Option<(f64, &'c Candidate)> {
     let off = |one: &Proposal| match (one.partner, planted.partner) {
-        (Partner::Rocker(a), Partner::Rocker(b)) => {
+        (PinConstraint::Rocker(a), PinConstraint::Rocker(b)) => {
             let [p, q] = [one.places[0], planted.places[0]];
             let parts = [a - b, one.pivot - planted.pivot, p[0] - q[0], p[1] - q[1]];
             parts.map(Vec2::norm).into_iter().fold(0.0, f64::max) / size
@@ -62,16 +62,20 @@ fn nearest<'c>(
 }
 
 /// Checks that a synthesis finds the known linkage with the same evaluation as the linkage itself.
-fn comes_back(task: &Task, planted: &Proposal, size: f64, within: f64) {
+fn assert_found_again(task: &Task, planted: &Proposal, size: f64, within: f64) {
     let found = Synthesis::run(task, ORDER, &mut |_| true);
     let all = found.good.iter().chain(&found.defective);
     let (off, candidate) = nearest(all, planted, size).expect("something is found");
     assert!(off < within, "{off}: {planted:?}");
-    let own = Candidate::judge(task, planted);
-    assert_eq!(candidate.does_it(), own.does_it(), "{candidate:?} {own:?}");
+    let own = Candidate::evaluate(task, planted);
+    assert_eq!(
+        candidate.meets_task(),
+        own.meets_task(),
+        "{candidate:?} {own:?}"
+    );
     assert_eq!(candidate.defects, own.defects);
-    let apart = (candidate.figures.transmission - own.figures.transmission).abs();
-    assert!(apart < 1e3 * within, "{apart}");
+    let distance = (candidate.figures.transmission - own.figures.transmission).abs();
+    assert!(distance < 1e3 * within, "{distance}");
     assert!(found.good.iter().all(|c| c.defects.is_empty()));
     assert!(found.defective.iter().all(|c| !c.defects.is_empty()));
     for (k, one) in found.good.iter().enumerate() {
@@ -81,10 +85,10 @@ fn comes_back(task: &Task, planted: &Proposal, size: f64, within: f64) {
 
 /// Calls `each` with random four-bars that reach these turns, with and without defects.
 fn each_planted(count: usize, turns: &[f64], each: &mut dyn FnMut(&KnownLinkage, &Proposal)) {
-    let mut chance = SeededRng::new(17);
+    let mut rng = SeededRng::new(17);
     let mut seen = [0, 0];
     while seen[0] + seen[1] < count {
-        let planted = KnownLinkage::random(&mut chance, false);
+        let planted = KnownLinkage::random(&mut rng, false);
         let Some(mut proposal) = planted.proposal(turns) else {
             continue;
         };
@@ -113,7 +117,7 @@ fn turns_back(turns: &[f64]) -> Vec<f64> {
 #[test]
 fn three_poses_with_pivots_recover_linkage() {
     each_planted(24, &[0.0, 25.0, 60.0], &mut |planted, proposal| {
-        let Partner::Rocker(d) = planted.far else {
+        let PinConstraint::Rocker(d) = planted.far else {
             unreachable!("a four-bar")
         };
         let task = task(TaskKind::Poses(PoseTask {
@@ -121,7 +125,7 @@ fn three_poses_with_pivots_recover_linkage() {
             pivots: vec![planted.pivot, d],
             ..PoseTask::default()
         }));
-        comes_back(&task, proposal, planted.size(), 1e-6);
+        assert_found_again(&task, proposal, planted.size(), 1e-6);
     });
 }
 
@@ -133,7 +137,7 @@ fn five_poses_recover_linkage() {
             poses: poses(proposal),
             ..PoseTask::default()
         }));
-        comes_back(&task, proposal, planted.size(), 1e-5);
+        assert_found_again(&task, proposal, planted.size(), 1e-5);
     });
 }
 
@@ -147,7 +151,7 @@ fn five_nearly_repeated_poses_recover_linkage() {
             poses: poses(proposal),
             ..PoseTask::default()
         }));
-        comes_back(&task, proposal, planted.size(), 1e-3);
+        assert_found_again(&task, proposal, planted.size(), 1e-3);
     });
 }
 
@@ -155,7 +159,7 @@ fn five_nearly_repeated_poses_recover_linkage() {
 fn function(planted: &KnownLinkage, turns: &[f64]) -> Option<(FunctionTask, Proposal)> {
     let planted = KnownLinkage {
         pivot: Vec2::ZERO,
-        far: Partner::Rocker(Vec2::new(2.0, 0.0)),
+        far: PinConstraint::Rocker(Vec2::new(2.0, 0.0)),
         ..planted.clone()
     };
     let mut proposal = planted.proposal(turns)?;
@@ -165,19 +169,19 @@ fn function(planted: &KnownLinkage, turns: &[f64]) -> Option<(FunctionTask, Prop
     let pairs = turns.iter().zip(&proposal.places);
     let task = FunctionTask {
         pairs: pairs
-            .map(|(turn, place)| {
+            .map(|(turn, position)| {
                 [
                     *turn,
-                    kinematics::angle::beside(first, output(place)) - first,
+                    kinematics::angle::unwrap_near(first, output(position)) - first,
                 ]
             })
             .collect(),
         between: Vec::new(),
         output: Output::Angle,
-        crank_datum: Given::Value(planted.start),
-        crank_scale: Given::Value(1.0),
-        output_datum: Given::Value(first),
-        output_scale: Given::Value(1.0),
+        crank_datum: GivenNumber::Value(planted.start),
+        crank_scale: GivenNumber::Value(1.0),
+        output_datum: GivenNumber::Value(first),
+        output_scale: GivenNumber::Value(1.0),
         size: 2.0,
     };
     Some((task, proposal))
@@ -185,15 +189,15 @@ fn function(planted: &KnownLinkage, turns: &[f64]) -> Option<(FunctionTask, Prop
 
 #[test]
 fn function_pairs_recover_linkage() {
-    let mut chance = SeededRng::new(23);
+    let mut rng = SeededRng::new(23);
     let mut seen = 0;
     while seen < 24 {
-        let planted = KnownLinkage::random(&mut chance, false);
+        let planted = KnownLinkage::random(&mut rng, false);
         let Some((function, proposal)) = function(&planted, &[0.0, 35.0, 80.0]) else {
             continue;
         };
         seen += 1;
-        comes_back(
+        assert_found_again(
             &task(TaskKind::Function(function)),
             &proposal,
             planted.size().max(2.0),
@@ -208,7 +212,7 @@ fn function_pairs_recover_linkage() {
 fn crank_turns_by_its_scale_beyond_half_turn() {
     let planted = KnownLinkage {
         pivot: Vec2::ZERO,
-        far: Partner::Rocker(Vec2::new(2.0, 0.0)),
+        far: PinConstraint::Rocker(Vec2::new(2.0, 0.0)),
         crank: 0.5,
         coupler: 1.9,
         rocker: 1.2,
@@ -220,15 +224,15 @@ fn crank_turns_by_its_scale_beyond_half_turn() {
     let turns = [0.0, 200.0, 470.0];
     let (function, proposal) = function(&planted, &turns).expect("the crank turns fully");
     let task = task(TaskKind::Function(function));
-    let judged = Candidate::judge(&task, &proposal);
+    let judged = Candidate::evaluate(&task, &proposal);
     assert_eq!(judged.defects, []);
     for (at, turn) in judged.at.iter().zip(turns) {
         assert!((at - 40.0 - turn).abs() < 1e-9, "{:?}", judged.at);
     }
     assert!(judged.figures.miss < 1e-9, "{:?}", judged.figures);
-    let least = [1.5, 2.5].map(|across: f64| angle_of(1.9, 1.2, across));
-    let least = least[0].min(least[1]);
-    assert!((judged.figures.transmission - least).abs() < 1e-9);
+    let minimum = [1.5, 2.5].map(|across: f64| angle_of(1.9, 1.2, across));
+    let minimum = minimum[0].min(minimum[1]);
+    assert!((judged.figures.transmission - minimum).abs() < 1e-9);
 }
 
 /// Returns the angle between two sides of a triangle, from the third; between two lines, so at most
@@ -285,7 +289,7 @@ fn sampled_transmission(task: &Task, candidate: &Candidate) -> f64 {
         TaskKind::Path(path) if path.closed => low + 360.0,
         _ => high,
     };
-    let mut least = f64::INFINITY;
+    let mut minimum = f64::INFINITY;
     for k in 0..=4000 {
         let at = low + (high - low) * f64::from(k) / 4000.0;
         if solver.solve(at, Order::Position, &mut state) == Condition::NoAssembly {
@@ -293,22 +297,22 @@ fn sampled_transmission(task: &Task, candidate: &Candidate) -> f64 {
         }
         let rod = state.direction(coupler).unwrap();
         let across = match candidate.proposal.partner {
-            Partner::Rocker(d) => d - state.position(c).unwrap(),
-            Partner::Slide(along) => unit(along).perp(),
+            PinConstraint::Rocker(d) => d - state.position(c).unwrap(),
+            PinConstraint::Slide(along) => unit(along).perp(),
         };
         let sine = rod.cross(across).abs() / across.norm();
-        least = least.min(sine.min(1.0).asin().to_degrees());
+        minimum = minimum.min(sine.min(1.0).asin().to_degrees());
     }
-    least
+    minimum
 }
 
 #[test]
 fn minimum_transmission_angle_matches_sampling() {
-    let mut chance = SeededRng::new(29);
+    let mut rng = SeededRng::new(29);
     let mut seen = [0; 3];
     while seen.iter().any(|seen| *seen < 12) {
         let slides = seen[0] > seen[1];
-        let planted = KnownLinkage::random(&mut chance, slides);
+        let planted = KnownLinkage::random(&mut rng, slides);
         let turns: Vec<f64> = (0..5).map(|k| f64::from(k) * 50.0).collect();
         let turns = if seen[0] % 2 == 0 {
             turns
@@ -326,18 +330,18 @@ fn minimum_transmission_angle_matches_sampling() {
             ..PathTask::default()
         }));
         task.slider_cranks = true;
-        let judged = Candidate::judge(&task, &proposal);
-        if !judged.does_it() {
+        let judged = Candidate::evaluate(&task, &proposal);
+        if !judged.meets_task() {
             // A swinging crank cannot complete a closed path.
             continue;
         }
         seen[usize::from(slides)] += 1;
         seen[2] += usize::from(judged.figures.full_turn);
         let sampled = sampled_transmission(&task, &judged);
-        let told = judged.figures.transmission;
+        let value = judged.figures.transmission;
         assert!(
-            told <= sampled + 1e-9 && sampled < told + 0.01,
-            "{told} {sampled}"
+            value <= sampled + 1e-9 && sampled < value + 0.01,
+            "{value} {sampled}"
         );
     }
 }
@@ -346,7 +350,7 @@ fn minimum_transmission_angle_matches_sampling() {
 fn misses_are_weighted() {
     let planted = KnownLinkage {
         pivot: Vec2::ZERO,
-        far: Partner::Rocker(Vec2::new(2.0, 0.0)),
+        far: PinConstraint::Rocker(Vec2::new(2.0, 0.0)),
         crank: 0.5,
         coupler: 1.9,
         rocker: 1.2,
@@ -366,7 +370,7 @@ fn misses_are_weighted() {
         weights: vec![1.0, 4.0, 3.0],
         ..PathTask::default()
     }));
-    let figures = Candidate::judge(&task, &proposal).figures;
+    let figures = Candidate::evaluate(&task, &proposal).figures;
     assert!((figures.miss - 1.0).abs() < 1e-9);
     // (4 * 0.5^2 + 3 * 1^2) / 8.
     assert!((figures.rms - 0.5_f64.sqrt()).abs() < 1e-9, "{figures:?}");
@@ -378,7 +382,7 @@ fn swinging_crank_fails_closed_path() {
     // The coupler is too short for the crank to turn.
     let planted = KnownLinkage {
         pivot: Vec2::ZERO,
-        far: Partner::Rocker(Vec2::new(2.0, 0.0)),
+        far: PinConstraint::Rocker(Vec2::new(2.0, 0.0)),
         crank: 1.5,
         coupler: 0.7,
         rocker: 1.2,
@@ -396,12 +400,12 @@ fn swinging_crank_fails_closed_path() {
         ..PathTask::default()
     };
     let open = task(TaskKind::Path(path.clone()));
-    assert_eq!(Candidate::judge(&open, &proposal).defects, []);
+    assert_eq!(Candidate::evaluate(&open, &proposal).defects, []);
     let closed = task(TaskKind::Path(PathTask {
         closed: true,
         ..path
     }));
-    let judged = Candidate::judge(&closed, &proposal);
+    let judged = Candidate::evaluate(&closed, &proposal);
     assert!(!judged.figures.full_turn);
     assert_eq!(judged.defects, [TaskDefect::Order { from: 2, to: 0 }]);
 }
@@ -410,11 +414,11 @@ fn swinging_crank_fails_closed_path() {
 /// poses. If no linkage within the usual reach does the task, a wider reach is searched.
 #[test]
 fn four_nearby_poses_have_working_linkages() {
-    let mut chance = SeededRng::new(23);
+    let mut rng = SeededRng::new(23);
     let (mut done, mut narrow) = (0, 0);
     let mut seen = 0;
     while seen < 12 {
-        let planted = KnownLinkage::random(&mut chance, false);
+        let planted = KnownLinkage::random(&mut rng, false);
         let Some(proposal) = planted.proposal(&[0.0, 2.0, 4.0, 6.0]) else {
             continue;
         };
@@ -424,7 +428,7 @@ fn four_nearby_poses_have_working_linkages() {
         };
         let usual = propose(&through, true, false, None, PoseReach::Usual);
         let task = task(TaskKind::Poses(through));
-        if !Candidate::judge(&task, &proposal).does_it() {
+        if !Candidate::evaluate(&task, &proposal).meets_task() {
             continue;
         }
         seen += 1;

@@ -21,7 +21,7 @@ pub struct SynthesisSettings {
 
 impl SynthesisSettings {
     /// The default seed.
-    pub const USUAL_SEED: u64 = 1;
+    pub const DEFAULT_SEED: u64 = 1;
 }
 
 /// The result of a synthesis.
@@ -70,7 +70,7 @@ impl Synthesis {
                     task: path,
                     four_bars: task.four_bars,
                     slider_cranks: task.slider_cranks,
-                    wishes: task.wishes,
+                    preferences: task.preferences,
                     seed: order.seed,
                     threads: order.threads,
                     starts: PathSearch::STARTS,
@@ -87,7 +87,7 @@ impl Synthesis {
     /// the task, a wider reach is tried.
     fn through(task: &Task, poses: &PoseTask, threads: usize) -> Synthesis {
         let propose = |reach| {
-            let inside = task.wishes.inside;
+            let inside = task.preferences.inside;
             poses::propose(poses, task.four_bars, task.slider_cranks, inside, reach)
         };
         let found = Synthesis::of(task, propose(PoseReach::Usual), threads);
@@ -104,7 +104,7 @@ impl Synthesis {
     /// Evaluates all proposals and sorts the distinct candidates, best first.
     #[must_use]
     pub fn of(task: &Task, proposals: Proposals, threads: usize) -> Synthesis {
-        let judged = judged(task, &proposals.found, threads);
+        let judged = evaluate_all(task, &proposals.found, threads);
         let mut kept: Vec<Candidate> = Vec::new();
         let mut order: Vec<Candidate> = judged;
         order.sort_by(|one, other| better(task, one, other));
@@ -113,7 +113,7 @@ impl Synthesis {
                 kept.push(candidate);
             }
         }
-        let (good, defective) = kept.into_iter().partition(Candidate::does_it);
+        let (good, defective) = kept.into_iter().partition(Candidate::meets_task);
         Synthesis {
             good,
             defective,
@@ -127,10 +127,10 @@ impl Synthesis {
     /// the others. Returns the index of the same candidate if it is already present.
     pub fn add(&mut self, task: &Task, candidate: Candidate) -> usize {
         let all = self.good.iter().chain(&self.defective);
-        if let Some(place) = all.into_iter().position(|known| known.is_same(&candidate)) {
-            return place;
+        if let Some(index) = all.into_iter().position(|known| known.is_same(&candidate)) {
+            return index;
         }
-        let (kind, before) = match candidate.does_it() {
+        let (kind, before) = match candidate.meets_task() {
             true => (&mut self.good, 0),
             false => {
                 let good = self.good.len();
@@ -138,9 +138,9 @@ impl Synthesis {
             }
         };
         let is_better = |known: &Candidate| better(task, known, &candidate).is_le();
-        let place = kind.partition_point(is_better);
-        kind.insert(place, candidate);
-        before + place
+        let index = kind.partition_point(is_better);
+        kind.insert(index, candidate);
+        before + index
     }
 }
 
@@ -164,8 +164,8 @@ fn with_cognates(path: &PathTask, proposals: Proposals) -> Proposals {
 }
 
 /// Evaluates all proposals on several cores, in their order.
-fn judged(task: &Task, proposals: &[Proposal], threads: usize) -> Vec<Candidate> {
-    let judge = |(): &mut (), i: usize| Candidate::judge(task, &proposals[i]);
+fn evaluate_all(task: &Task, proposals: &[Proposal], threads: usize) -> Vec<Candidate> {
+    let judge = |(): &mut (), i: usize| Candidate::evaluate(task, &proposals[i]);
     parallel::each(proposals.len(), threads, || (), judge, &mut |_| true)
 }
 

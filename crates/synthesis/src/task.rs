@@ -12,7 +12,7 @@ pub struct Task {
     /// Whether to search for slider-cranks.
     pub slider_cranks: bool,
     /// The preferences.
-    pub wishes: Preferences,
+    pub preferences: Preferences,
 }
 
 impl Task {
@@ -37,8 +37,8 @@ impl Task {
         };
         match &self.kind {
             TaskKind::Poses(task) => {
-                let places: Vec<Vec2> = task.poses.iter().map(|pose| pose.at).collect();
-                spread(&places)
+                let positions: Vec<Vec2> = task.poses.iter().map(|pose| pose.at).collect();
+                spread(&positions)
             }
             TaskKind::Path(task) => spread(&task.points),
             TaskKind::Function(task) => task.size,
@@ -88,7 +88,7 @@ pub enum Output {
 
 /// A number that is either given or free.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Given {
+pub enum GivenNumber {
     /// A given value.
     Value(f64),
     /// A number for the search to find.
@@ -107,13 +107,13 @@ pub struct FunctionTask {
     /// The kind of output.
     pub output: Output,
     /// The crank's angle at x = 0, in degrees.
-    pub crank_datum: Given,
+    pub crank_datum: GivenNumber,
     /// The crank's rotation per unit of x, in degrees.
-    pub crank_scale: Given,
+    pub crank_scale: GivenNumber,
     /// The output at y = 0, in degrees or as a length.
-    pub output_datum: Given,
+    pub output_datum: GivenNumber,
     /// The output per unit of y, in degrees or as a length.
-    pub output_scale: Given,
+    pub output_scale: GivenNumber,
     /// The distance between the pivots, or the crank's length for a slide: a function has no size
     /// of its own.
     pub size: f64,

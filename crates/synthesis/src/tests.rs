@@ -37,7 +37,7 @@ impl KnownFourBar {
     fn proposal(&self, places: Vec<[Vec2; 2]>, tracer: Vec2) -> Proposal {
         Proposal {
             pivot: self.a,
-            partner: Partner::Rocker(self.d),
+            partner: PinConstraint::Rocker(self.d),
             places,
             tracer: Some(tracer),
         }
@@ -59,7 +59,7 @@ impl KnownFourBar {
             }),
             four_bars: true,
             slider_cranks: false,
-            wishes: Preferences {
+            preferences: Preferences {
                 ordered: true,
                 ..Preferences::default()
             },
@@ -90,14 +90,14 @@ const SWINGING: KnownFourBar = KnownFourBar {
 fn working_linkage_has_no_defect() {
     let stops = [10.0, 70.0, 150.0, 290.0].map(|at| (at, true));
     let (task, proposal) = TURNING.poses(&stops).unwrap();
-    let candidate = Candidate::judge(&task, &proposal);
+    let candidate = Candidate::evaluate(&task, &proposal);
     assert_eq!(candidate.defects, []);
     let at = candidate.at.iter().zip([10.0, 70.0, 150.0, 290.0]);
     assert!(
         at.clone().count() == 4
             && at
                 .into_iter()
-                .all(|(at, wanted)| (at - wanted).abs() < 1e-12)
+                .all(|(at, target)| (at - target).abs() < 1e-12)
     );
     let figures = candidate.figures;
     assert!(figures.full_turn);
@@ -107,18 +107,18 @@ fn working_linkage_has_no_defect() {
     );
     // The minimum is where the crank passes the line of the pivots, within the task.
     let ground = (TURNING.d - TURNING.a).norm();
-    let least = [ground - 100.0, ground + 100.0].map(|across| {
+    let minimum = [ground - 100.0, ground + 100.0].map(|across| {
         let cosine: f64 = (300.0 * 300.0 + 250.0 * 250.0 - across * across) / (2.0 * 300.0 * 250.0);
         cosine.abs().acos().to_degrees()
     });
-    assert!((figures.transmission - least[1].min(least[0])).abs() < 1e-9);
+    assert!((figures.transmission - minimum[1].min(minimum[0])).abs() < 1e-9);
 }
 
 #[test]
 fn circuit_change_is_reported_between_its_points() {
     let stops = [(10.0, true), (70.0, true), (150.0, false), (290.0, false)];
     let (task, proposal) = TURNING.poses(&stops).unwrap();
-    let candidate = Candidate::judge(&task, &proposal);
+    let candidate = Candidate::evaluate(&task, &proposal);
     assert_eq!(candidate.defects, [TaskDefect::Circuit { from: 1, to: 2 }]);
 }
 
@@ -140,14 +140,14 @@ fn branch_defect_is_reported_if_neither_pivot_can_drive() {
         (at(0.2), false),
     ];
     let (task, proposal) = SWINGING.poses(&stops).unwrap();
-    let own = Candidate::judge(
+    let own = Candidate::evaluate(
         &Task {
-            wishes: Preferences::default(),
+            preferences: Preferences::default(),
             ..task
         },
         &proposal,
     );
-    assert!(!own.does_it());
+    assert!(!own.meets_task());
     let named = |d: &TaskDefect| matches!(d, TaskDefect::Branch { .. });
     assert!(own.defects.iter().all(named), "{:?}", own.defects);
 }
@@ -156,13 +156,13 @@ fn branch_defect_is_reported_if_neither_pivot_can_drive() {
 fn turning_back_is_defect_only_if_order_is_wanted() {
     let stops = [10.0, 150.0, 70.0, 120.0].map(|at| (at, true));
     let (task, proposal) = TURNING.poses(&stops).unwrap();
-    let candidate = Candidate::judge(&task, &proposal);
+    let candidate = Candidate::evaluate(&task, &proposal);
     assert_eq!(candidate.defects, [TaskDefect::Order { from: 1, to: 2 }]);
     let free = Task {
-        wishes: Preferences::default(),
+        preferences: Preferences::default(),
         ..task
     };
-    assert!(Candidate::judge(&free, &proposal).does_it());
+    assert!(Candidate::evaluate(&free, &proposal).meets_task());
 }
 
 #[test]
@@ -171,10 +171,10 @@ fn unmet_poses_are_reported_as_missed() {
     let (task, proposal) = TURNING.poses(&stops).unwrap();
     let judged = |change: fn(&mut Vec<Pose>)| {
         let mut task = task.clone();
-        if let TaskKind::Poses(wanted) = &mut task.kind {
-            change(&mut wanted.poses);
+        if let TaskKind::Poses(target) = &mut task.kind {
+            change(&mut target.poses);
         }
-        Candidate::judge(&task, &proposal).defects
+        Candidate::evaluate(&task, &proposal).defects
     };
     assert_eq!(judged(|_| ()), []);
     let turned = judged(|poses| poses[1].angle += 0.01);
@@ -189,7 +189,7 @@ fn unmet_poses_are_reported_as_missed() {
 fn unmet_wanted_properties_are_reported() {
     let stops = [10.0, 70.0, 150.0].map(|at| (at, true));
     let (mut task, proposal) = TURNING.poses(&stops).unwrap();
-    task.wishes = Preferences {
+    task.preferences = Preferences {
         full_turn: true,
         transmission: Some(80.0),
         inside: Some([Vec2::new(0.0, -20.0), Vec2::new(100.0, 100.0)]),
@@ -197,8 +197,8 @@ fn unmet_wanted_properties_are_reported() {
         ordered: true,
         sense: Some(Sense::Clockwise),
     };
-    let candidate = Candidate::judge(&task, &proposal);
-    assert!(candidate.does_it());
+    let candidate = Candidate::evaluate(&task, &proposal);
+    assert!(candidate.meets_task());
     // The crank turns fully, counter-clockwise.
     let unmet = [
         UnmetPreference::Transmission,
@@ -209,8 +209,8 @@ fn unmet_wanted_properties_are_reported() {
     assert_eq!(candidate.missed, unmet);
     let swinging = SWINGING.poses(&[(30.0, true), (40.0, true), (50.0, true)]);
     let (mut task, proposal) = swinging.unwrap();
-    task.wishes.full_turn = true;
-    let candidate = Candidate::judge(&task, &proposal);
+    task.preferences.full_turn = true;
+    let candidate = Candidate::evaluate(&task, &proposal);
     assert!(candidate.missed.contains(&UnmetPreference::FullTurn));
 }
 
@@ -221,12 +221,12 @@ fn non_finite_proposal_is_unopened() {
         .unwrap();
     proposal.pivot = Vec2::new(f64::NAN, 0.0);
     assert_eq!(
-        Candidate::judge(&task, &proposal).defects,
+        Candidate::evaluate(&task, &proposal).defects,
         [TaskDefect::Unopened]
     );
     proposal.places.clear();
     assert_eq!(
-        Candidate::judge(&task, &proposal).defects,
+        Candidate::evaluate(&task, &proposal).defects,
         [TaskDefect::Unopened]
     );
 }
@@ -242,8 +242,8 @@ proptest! {
     ) {
         let known = KnownFourBar { crank, coupler, rocker, ..TURNING };
         let Some((mut task, proposal)) = known.poses(&stops) else { return Ok(()) };
-        task.wishes.ordered = false;
-        let own = Candidate::judge(&task, &proposal);
+        task.preferences.ordered = false;
+        let own = Candidate::evaluate(&task, &proposal);
         // Returns `true` if the crank, or the rocker in its place, moves from each point to the
         // next without a gap and on one side.
         let walks = |proposal: &Proposal, is_crank: bool| {
@@ -256,16 +256,16 @@ proptest! {
             };
             let first = &proposal.places[0];
             let side = |[b, c]: &[Vec2; 2]| (*c - *b).cross(other - *c) > 0.0;
-            let angle = |place: &[Vec2; 2]| degrees(place[0] - pivot);
-            proposal.places.iter().all(|place| {
-                let (from, to) = (angle(first), angle(place));
+            let angle = |position: &[Vec2; 2]| degrees(position[0] - pivot);
+            proposal.places.iter().all(|position| {
+                let (from, to) = (angle(first), angle(position));
                 let way = |span: f64| (0..=3600).all(|k| exists(from + span * f64::from(k) / 3600.0));
                 let up = (to - from).rem_euclid(360.0);
-                side(place) == side(first) && (way(up) || way(up - 360.0))
+                side(position) == side(first) && (way(up) || way(up - 360.0))
             })
         };
         let swapped = proposal.swapped().unwrap();
         let expected = walks(&proposal, true) || walks(&swapped, false);
-        prop_assert_eq!(own.does_it(), expected, "{:?}", own);
+        prop_assert_eq!(own.meets_task(), expected, "{:?}", own);
     }
 }

@@ -13,7 +13,7 @@ pub(super) struct Way {
 }
 
 /// Rotation in degrees up to which a difference is rounding.
-const STANDS: f64 = 1e-9;
+const ROTATION_TOLERANCE: f64 = 1e-9;
 
 /// Returns the angles of a crank that turns fully and reaches its points in any order, within the
 /// smallest rotation.
@@ -30,10 +30,10 @@ pub(super) fn anyhow(angles: &[f64]) -> Vec<f64> {
     let gaps = round.iter().zip(next).map(|(from, to)| (to - from, to));
     // The range begins after the widest gap; the first point keeps its angle.
     let widest = gaps.max_by(|one, other| one.0.total_cmp(&other.0));
-    let begin = widest.map_or(TURN, |(_, to)| to);
+    let start = widest.map_or(TURN, |(_, to)| to);
     let place = |angle: &f64| {
         let on = (angle - first).rem_euclid(TURN);
-        first + if on < begin { on } else { on - TURN }
+        first + if on < start { on } else { on - TURN }
     };
     angles.iter().map(place).collect()
 }
@@ -46,7 +46,7 @@ pub(super) fn given(turned: &[f64], limits: Option<(f64, f64)>) -> Vec<Option<f6
     // The given angles may count from another turn than the limits.
     let first = turned.first().copied().unwrap_or(0.0);
     let shift = swinging(&[first], (low, high))[0].map_or(0.0, |here| here - first);
-    let slack = STANDS * TURN;
+    let slack = ROTATION_TOLERANCE * TURN;
     let place = |turned: &f64| {
         let at = turned + shift;
         (low - slack <= at && at <= high + slack).then(|| at.clamp(low, high))
@@ -63,14 +63,17 @@ pub(super) fn turning(angles: &[f64], sense: Option<Sense>) -> Way {
         let ends = at.last().zip(at.first());
         ends.map_or(0.0, |(last, first)| (last - first).abs())
     };
-    let within = |way: &&(Sense, Vec<f64>)| length(way) <= TURN;
-    let wished = ways.iter().filter(within).find(|way| Some(way.0) == sense);
+    let within = |rotation: &&(Sense, Vec<f64>)| length(rotation) <= TURN;
+    let requested = ways
+        .iter()
+        .filter(within)
+        .find(|rotation| Some(rotation.0) == sense);
     // The shorter of two; counter-clockwise if both are equally long.
     let any = ways
         .iter()
         .filter(within)
         .min_by(|one, other| length(one).total_cmp(&length(other)));
-    match wished.or(any) {
+    match requested.or(any) {
         Some((_, at)) => Way {
             at: at.clone(),
             turns_back: None,
@@ -89,7 +92,7 @@ pub(super) fn swinging(angles: &[f64], (low, high): (f64, f64)) -> Vec<Option<f6
     let mut at = Vec::with_capacity(angles.len());
     for &angle in angles {
         // A point at a limit may lie outside it by rounding.
-        let slack = STANDS * TURN;
+        let slack = ROTATION_TOLERANCE * TURN;
         let first = ((low - slack - angle) / TURN).ceil();
         let last = ((high + slack - angle) / TURN).floor();
         let nearest = ((before - angle) / TURN)
@@ -106,12 +109,12 @@ pub(super) fn swinging(angles: &[f64], (low, high): (f64, f64)) -> Vec<Option<f6
 pub(super) fn turns_back(at: &[f64]) -> Option<usize> {
     let steps = at.windows(2).map(|two| two[1] - two[0]);
     let mut sense = 0.0_f64;
-    for (place, step) in (1..).zip(steps) {
-        if step.abs() <= STANDS {
+    for (index, step) in (1..).zip(steps) {
+        if step.abs() <= ROTATION_TOLERANCE {
             continue;
         }
         if step * sense < 0.0 {
-            return Some(place);
+            return Some(index);
         }
         sense = step;
     }
@@ -137,7 +140,7 @@ fn one_way(angles: &[f64], sense: Sense) -> Vec<f64> {
 /// stays negative.
 fn forward(turn: f64) -> f64 {
     let forward = turn.rem_euclid(TURN);
-    match forward < TURN - STANDS {
+    match forward < TURN - ROTATION_TOLERANCE {
         true => forward,
         false => forward - TURN,
     }
@@ -146,10 +149,9 @@ fn forward(turn: f64) -> f64 {
 fn shortest(angles: &[f64]) -> Vec<f64> {
     let mut at: Vec<f64> = Vec::with_capacity(angles.len());
     for &angle in angles {
-        at.push(
-            at.last()
-                .map_or(angle, |before| kinematics::angle::beside(*before, angle)),
-        );
+        at.push(at.last().map_or(angle, |before| {
+            kinematics::angle::unwrap_near(*before, angle)
+        }));
     }
     at
 }
@@ -160,11 +162,11 @@ mod tests {
 
     #[test]
     fn full_turn_crank_prefers_one_direction() {
-        let way = turning(&[350.0, 10.0, 40.0], None);
-        assert_eq!(way.at, [350.0, 370.0, 400.0]);
-        assert_eq!(way.turns_back, None);
-        let way = turning(&[10.0, 350.0, 300.0], None);
-        assert_eq!(way.at, [10.0, -10.0, -60.0]);
+        let rotation = turning(&[350.0, 10.0, 40.0], None);
+        assert_eq!(rotation.at, [350.0, 370.0, 400.0]);
+        assert_eq!(rotation.turns_back, None);
+        let rotation = turning(&[10.0, 350.0, 300.0], None);
+        assert_eq!(rotation.at, [10.0, -10.0, -60.0]);
         // Three points can always be passed one way.
         assert_eq!(turning(&[0.0, 200.0, 100.0], None).turns_back, None);
         // Four points may require turning back.
@@ -172,8 +174,8 @@ mod tests {
             turning(&[0.0, 200.0, 100.0, 150.0], None).turns_back,
             Some(3)
         );
-        let wished = turning(&[0.0, 10.0], Some(Sense::Clockwise));
-        assert_eq!(wished.at, [0.0, -350.0]);
+        let requested = turning(&[0.0, 10.0], Some(Sense::Clockwise));
+        assert_eq!(requested.at, [0.0, -350.0]);
     }
 
     #[test]
@@ -190,9 +192,9 @@ mod tests {
 
     #[test]
     fn rounding_is_not_turning_back() {
-        let way = turning(&[10.0, 50.0, 50.0 - 1e-12, 90.0], None);
-        assert_eq!(way.turns_back, None);
-        assert!((way.at[3] - 90.0).abs() < 1e-9, "{way:?}");
+        let rotation = turning(&[10.0, 50.0, 50.0 - 1e-12, 90.0], None);
+        assert_eq!(rotation.turns_back, None);
+        assert!((rotation.at[3] - 90.0).abs() < 1e-9, "{rotation:?}");
         assert_eq!(turns_back(&[0.0, 1.0, 1.0 - 1e-12, 2.0]), None);
         assert_eq!(turns_back(&[0.0, 1.0, 0.9, 2.0]), Some(2));
     }

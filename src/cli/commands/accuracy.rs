@@ -8,7 +8,7 @@ use crate::cli::screen::TextScreen;
 use crate::cli::source::{AssemblyArgs, SolvableScene, open_for};
 use crate::drawing::{Glyphs, trade_off};
 use crate::report::{Accuracy, accuracy_notes};
-use crate::study::{Findings, Study, USUAL_POSITIONS};
+use crate::study::{DEFAULT_POSITIONS, Findings, Study};
 use crate::wording::words;
 use clap::Args;
 use std::path::PathBuf;
@@ -23,7 +23,7 @@ pub(in crate::cli) struct AccuracyArgs {
     #[arg(default_value = "four-bar")]
     scene: PathBuf,
     #[arg(help = words().positions_to_compare())]
-    #[arg(long, value_name = "N", default_value_t = USUAL_POSITIONS, value_parser = clap::value_parser!(u32).range(1..=MAX_POSITIONS))]
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_POSITIONS, value_parser = clap::value_parser!(u32).range(1..=MAX_POSITIONS))]
     positions: u32,
     #[arg(help = words().how_to_write())]
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
@@ -65,16 +65,16 @@ pub(in crate::cli) fn accuracy(args: &AccuracyArgs, screen: TextScreen) -> Resul
 }
 
 fn measured(mut study: Study, screen: TextScreen) -> Findings {
-    let begun = Instant::now();
+    let started = Instant::now();
     // Results are written only at the end, so the progress line disturbs no output.
     let mut progress = Progress::new(PARTS, words().parts(), screen, false);
-    while study.advance(&mut || begun.elapsed(), SLICE) {
+    while study.advance(&mut || started.elapsed(), SLICE) {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "from 0 to 1 times a thousand"
         )]
-        progress.tell((study.progress() * PARTS as f64) as u64);
+        progress.report_progress((study.progress() * PARTS as f64) as u64);
     }
     progress.end();
     study.findings()

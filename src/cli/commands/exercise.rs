@@ -10,7 +10,7 @@ use crate::cli::place::out_of_reach;
 use crate::cli::progress::Progress;
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene};
-use crate::files::read_ready;
+use crate::files::read_without_waiting;
 use crate::report::{self, CsvDialect, Report, ReportFormat, answer_key, blank_answers, is_blank};
 use crate::scene::{MAX_FILE_SIZE, Scene};
 use crate::solver::{Order, Solver, State, Workspace};
@@ -56,8 +56,8 @@ pub(in crate::cli) fn exercise(args: &ExerciseArgs, screen: TextScreen) -> Resul
         return Err(Failure::Cannot(words().no_dimensions().into()));
     }
     let stem = stem(&args.scene.scene);
-    let typed = as_typed(&args.scene);
-    let made = |seed: u64| MadeExercise::new(&maker, &scene, [&stem, &typed], seed);
+    let typed = shell_arguments(&args.scene);
+    let made = |seed: u64| GeneratedExercise::new(&maker, &scene, [&stem, &typed], seed);
     let Some(folder) = &args.output else {
         let made = made(args.seed)?;
         let format = args.format.unwrap_or(ReportFormat::Text);
@@ -69,7 +69,7 @@ pub(in crate::cli) fn exercise(args: &ExerciseArgs, screen: TextScreen) -> Resul
         let names = endings(format).map(|ending| format!("{stem}-{seed}{ending}"));
         // A check of the contents is needed only if a file exists.
         if names.iter().any(|name| folder.join(name).exists()) {
-            made(seed)?.nothing_lost(folder, format, dialect, screen)?;
+            made(seed)?.check_nothing_overwritten(folder, format, dialect, screen)?;
         }
     }
     let unwritable = |e| Failure::Output(Some(folder.clone()), e);
@@ -77,7 +77,7 @@ pub(in crate::cli) fn exercise(args: &ExerciseArgs, screen: TextScreen) -> Resul
     let mut progress = Progress::new(args.count.into(), words().parts(), screen, false);
     for (done, seed) in (1..).zip(seeds) {
         made(seed)?.write(folder, format, dialect, screen)?;
-        progress.tell(done);
+        progress.report_progress(done);
     }
     progress.end();
     Ok(())
@@ -101,17 +101,17 @@ fn stem(scene: &Path) -> String {
 }
 
 /// Formats the scene and its assembly as shell arguments.
-fn as_typed(args: &SceneArgs) -> String {
+fn shell_arguments(args: &SceneArgs) -> String {
     let scene = for_shell(&args.scene.to_string_lossy());
-    let wishes: Vec<String> = args
+    let requests: Vec<String> = args
         .assembly
         .wishes
         .iter()
         .map(ToString::to_string)
         .collect();
-    match wishes.is_empty() {
+    match requests.is_empty() {
         true => scene,
-        false => format!("{scene} --assembly {}", for_shell(&wishes.join(","))),
+        false => format!("{scene} --assembly {}", for_shell(&requests.join(","))),
     }
 }
 
@@ -125,15 +125,15 @@ fn for_shell(word: &str) -> String {
 }
 
 /// The solved state for the questions of a sheet.
-pub(in crate::cli) struct AskedState {
+pub(in crate::cli) struct QuestionState {
     state: Workspace,
     enclosure: Workspace<Ball>,
 }
 
-impl AskedState {
+impl QuestionState {
     /// Solves a scene at a coordinate. Returns an error if there are no accelerations, because then
     /// there are no questions.
-    pub(super) fn new(scene: &Scene, solver: &Solver, at: f64) -> Result<AskedState, Failure> {
+    pub(super) fn new(scene: &Scene, solver: &Solver, at: f64) -> Result<QuestionState, Failure> {
         let mut state = solver.state();
         let mut enclosure = solver.enclosure();
         let condition = solver.solve(at, Order::Force, &mut state);
@@ -144,7 +144,7 @@ impl AskedState {
             return Err(Failure::Cannot(words().no_figures_at(&at.to_string())));
         }
         solver.enclose(&mut state, Order::Force, &mut enclosure);
-        Ok(AskedState { state, enclosure })
+        Ok(QuestionState { state, enclosure })
     }
 
     /// Returns the scene at this coordinate, for finding answers that misread its given values.
@@ -167,14 +167,14 @@ impl AskedState {
 }
 
 /// An exercise with its answers.
-struct MadeExercise {
+struct GeneratedExercise {
     name: String,
     exercise: Exercise,
-    asked: AskedState,
+    asked: QuestionState,
     key: AnswerKey,
 }
 
-impl MadeExercise {
+impl GeneratedExercise {
     /// Creates the exercise of a seed. `stem` starts the names of its files; `typed` is the scene
     /// on the command line that recreates it.
     fn new(
@@ -182,7 +182,7 @@ impl MadeExercise {
         scene: &Scene,
         [stem, typed]: [&str; 2],
         seed: u64,
-    ) -> Result<MadeExercise, Failure> {
+    ) -> Result<GeneratedExercise, Failure> {
         let titles = ExerciseTitles {
             name: words().exercise_called(&scene.title(), seed),
             source: words().exercise_made_by(typed, seed),
@@ -191,12 +191,12 @@ impl MadeExercise {
         let exercise = maker.exercise(seed, &titles);
         let exercise = exercise.ok_or_else(|| Failure::Cannot(words().no_exercise(seed)))?;
         let at = exercise.scene.mechanism.driver().start;
-        let asked = AskedState::new(&exercise.scene, &exercise.solver, at)?;
-        Ok(MadeExercise {
+        let requested = QuestionState::new(&exercise.scene, &exercise.solver, at)?;
+        Ok(GeneratedExercise {
             name: format!("{stem}-{seed}"),
-            key: asked.key(&exercise.scene, &exercise.solver, &[]),
+            key: requested.key(&exercise.scene, &exercise.solver, &[]),
             exercise,
-            asked,
+            asked: requested,
         })
     }
 
@@ -237,7 +237,7 @@ impl MadeExercise {
 
     /// Returns an error if a file with other contents would be overwritten. An existing file of
     /// answers may be replaced only if it has no answers.
-    fn nothing_lost(
+    fn check_nothing_overwritten(
         &self,
         folder: &Path,
         format: ReportFormat,
@@ -246,7 +246,7 @@ impl MadeExercise {
     ) -> Result<(), Failure> {
         for (ending, text) in self.files(format, dialect, screen)? {
             let path = folder.join(format!("{}{ending}", self.name));
-            let is_lost = match read_ready(&path, MAX_REPORT_SIZE) {
+            let is_lost = match read_without_waiting(&path, MAX_REPORT_SIZE) {
                 Ok(bytes) if ending == ANSWERS => !is_blank(&bytes, &self.key, &self.scene_file()),
                 Ok(bytes) => bytes != text.as_bytes(),
                 Err(error) => error.kind() != ErrorKind::NotFound,

@@ -4,7 +4,7 @@ use crate::cli::choice::{OptionValue, one_of};
 use crate::cli::commands::report::NOTATIONS;
 use crate::cli::failure::Failure;
 use crate::cli::output::{OutputArgs, write_text};
-use crate::cli::place::{PlaceArgs, note_near_misses, nothing_hidden, out_of_reach, place};
+use crate::cli::place::{PlaceArgs, check_nothing_hidden, note_near_misses, out_of_reach, place};
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene};
 use crate::drawing::{Glyphs, convergence};
@@ -79,10 +79,10 @@ pub(in crate::cli) fn explain(args: &ExplainArgs, screen: TextScreen) -> Result<
     solver.enclose(&mut state, Order::Force, &mut solver.enclosure());
     let working = Working::new(&scene, &solver);
     let (method, digits) = (args.method, usize::from(args.digits));
-    let stand = (&scene, &solver, state.state());
-    let worked = working.by(method, stand, &args.guess, digits, args.notation);
+    let driver_state = (&scene, &solver, state.state());
+    let computed = working.by(method, driver_state, &args.guess, digits, args.notation);
     let WorkedMethod { mut page, curves } =
-        worked.map_err(|why| Failure::Usage(format!("--guess: {why}")))?;
+        computed.map_err(|why| Failure::Usage(format!("--guess: {why}")))?;
     if !curves.is_empty() {
         let (cols, rows) = CHART;
         let chart = convergence(&curves)
@@ -99,5 +99,5 @@ pub(in crate::cli) fn explain(args: &ExplainArgs, screen: TextScreen) -> Result<
         return Err(out_of_reach(&scene, &solver, at));
     }
     note_near_misses(&scene, &solver, screen);
-    nothing_hidden(&scene, &state)
+    check_nothing_hidden(&scene, &state)
 }

@@ -1,15 +1,15 @@
 //! `krank grade`: grades the answers of one student or of a class.
 
-use crate::cli::commands::exercise::AskedState;
+use crate::cli::commands::exercise::QuestionState;
 use crate::cli::failure::{Failure, note};
 use crate::cli::formats::{CsvArgs, OutputFormat};
 use crate::cli::output::{OutputArgs, write_text, write_to};
 use crate::cli::place::{PlaceArgs, place};
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{
-    AssemblyArgs, SolvableScene, check_output_differs, find, keep_file_apart, load,
+    AssemblyArgs, SolvableScene, check_output_differs, check_output_differs_from_input, find, load,
 };
-use crate::files::read_ready;
+use crate::files::read_without_waiting;
 use crate::page::TextStyle;
 use crate::report::{AnswerFile, GradedAnswers, NoAnswers, class_csv, class_page, named_again};
 use crate::scene::MAX_FILE_SIZE;
@@ -59,7 +59,7 @@ pub(in crate::cli) fn grade(args: &GradeArgs, screen: TextScreen) -> Result<(), 
     };
     let path = args.output.output.as_deref();
     for file in &args.answers {
-        keep_file_apart(file, path)?;
+        check_output_differs_from_input(file, path)?;
     }
     if !args.sheet.is_dir() {
         check_output_differs(&find(&args.sheet)?, path)?;
@@ -72,13 +72,13 @@ pub(in crate::cli) fn grade(args: &GradeArgs, screen: TextScreen) -> Result<(), 
             Ok(graded) => class.push(graded),
             Err(failure) if args.answers.len() == 1 => return Err(failure),
             Err(failure) => {
-                failure.tell(screen);
+                failure.print_error(screen);
                 missing += 1;
             }
         }
     }
     for sheet in &grader.named {
-        keep_file_apart(sheet, path)?;
+        check_output_differs_from_input(sheet, path)?;
     }
     for (student, files) in named_again(&class) {
         note(&words().student_again(student, &files.join(", ")), screen);
@@ -110,7 +110,7 @@ struct Grader<'a> {
 struct OpenSheet {
     path: PathBuf,
     scene: SolvableScene,
-    asked: AskedState,
+    state: QuestionState,
 }
 
 impl Grader<'_> {
@@ -123,11 +123,11 @@ impl Grader<'_> {
                 let scene = load(&find(path)?, &self.args.assembly.wishes)?;
                 let SolvableScene { scene: of, solver } = &scene;
                 let at = place(&self.args.place, of, solver, self.screen);
-                let asked = AskedState::new(of, solver, at)?;
+                let requested = QuestionState::new(of, solver, at)?;
                 self.sheets.push(OpenSheet {
                     path: path.to_owned(),
                     scene,
-                    asked,
+                    state: requested,
                 });
                 self.sheets.len() - 1
             }
@@ -160,12 +160,16 @@ impl Grader<'_> {
                 self.screen,
             );
         }
-        let OpenSheet { scene, asked, .. } = self.sheet(&sheet)?;
-        let opened = asked.opened(&scene.scene, &scene.solver);
+        let OpenSheet {
+            scene,
+            state: requested,
+            ..
+        } = self.sheet(&sheet)?;
+        let opened = requested.opened(&scene.scene, &scene.solver);
         let file = file.of_scene(&scene.scene);
-        let key = asked.key(&scene.scene, &scene.solver, &file.names());
+        let key = requested.key(&scene.scene, &scene.solver, &file.names());
         let graded = GradedAnswers::new(&key, &file, path, (&name, opened));
-        match graded.remarks.strangers.len() < file.answers.len() {
+        match graded.remarks.unknown_names.len() < file.answers.len() {
             true => Ok(graded),
             false => Err(Failure::Usage(words().names_no_figure(&shown, &name))),
         }
@@ -174,7 +178,7 @@ impl Grader<'_> {
 
 /// Reads a file of answers.
 fn answers(path: &Path, shown: &str) -> Result<AnswerFile, Failure> {
-    let bytes = read_ready(path, MAX_FILE_SIZE)
+    let bytes = read_without_waiting(path, MAX_FILE_SIZE)
         .map_err(|e| Failure::Usage(words().cannot_read(&format!("`{shown}`"), &e)))?;
     if bytes.len() > MAX_FILE_SIZE {
         return Err(Failure::Usage(words().too_many_answers(shown)));

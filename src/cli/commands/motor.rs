@@ -82,7 +82,7 @@ pub(in crate::cli) fn motor(args: &MotorArgs, screen: TextScreen) -> Result<(), 
     if scene.motion.is_some() {
         return timed(args, (&scene, &solver), dialect, screen);
     }
-    let wishes = MotorRequest {
+    let requests = MotorRequest {
         motor: given(args, &scene)?,
         ram: args
             .ram
@@ -94,11 +94,11 @@ pub(in crate::cli) fn motor(args: &MotorArgs, screen: TextScreen) -> Result<(), 
         between: between(args, &scene, &solver)?,
     };
     note_near_misses(&scene, &solver, screen);
-    let report = MotorReport::new(&scene, &solver, wishes);
-    tell_of_no_ram(args, &report, screen);
+    let report = MotorReport::new(&scene, &solver, requests);
+    note_missing_ram(args, &report, screen);
     let output = args.output.output.as_deref();
     match &report.duty {
-        Ok(_) | Err(DutyError::Withheld(_)) => {}
+        Ok(_) | Err(DutyError::WithheldReason(_)) => {}
         Err(DutyError::NothingActs) if args.format == OutputFormat::Csv || report.ram.is_err() => {
             return Err(Failure::Cannot(words().nothing_acts_on_it().into()));
         }
@@ -110,9 +110,9 @@ pub(in crate::cli) fn motor(args: &MotorArgs, screen: TextScreen) -> Result<(), 
         OutputFormat::Csv => write_to(output, |out| report.write_csv(dialect, out))?,
     }
     match &report.duty {
-        Ok(duty) => judge(duty),
+        Ok(duty) => check_convergence(duty),
         Err(DutyError::NothingActs) => Ok(()),
-        Err(DutyError::Withheld(hidden)) => {
+        Err(DutyError::WithheldReason(hidden)) => {
             let catalogue = Catalogue::new(&scene);
             Err(Failure::Cannot(hidden.text(&catalogue.driver().unit)))
         }
@@ -150,7 +150,7 @@ fn timed(
 
 /// Returns an error for options that apply only to a cycle at constant speed.
 fn no_steady_cycle(args: &MotorArgs) -> Result<(), Failure> {
-    let asked = [
+    let requested = [
         ("--flywheel", args.flywheel.is_some()),
         ("--fluctuation", args.fluctuation.is_some()),
         ("--ram", args.ram.is_some()),
@@ -159,7 +159,7 @@ fn no_steady_cycle(args: &MotorArgs) -> Result<(), Failure> {
         ("--rest", args.rest.is_some()),
         ("--from", args.from.is_some()),
     ];
-    match asked.into_iter().find(|(_, is_given)| *is_given) {
+    match requested.into_iter().find(|(_, is_given)| *is_given) {
         None => Ok(()),
         Some((option, _)) => Err(Failure::Usage(words().only_at_one_speed(option))),
     }
@@ -214,12 +214,12 @@ fn ram(scene: &Scene, name: &str) -> Result<SlideId, Failure> {
         None => {
             let names = mechanism.slide_ids().filter(on_ground);
             let names: Vec<&str> = names.map(|id| scene.slide_name(id)).collect();
-            let mend = match nearest(name, names.iter().copied()) {
+            let fix = match nearest(name, names.iter().copied()) {
                 Some(near) => words().did_you_mean(near),
                 None if names.is_empty() => words().no_slide_on_ground().into(),
                 None => words().there_are(&names.join(", ")),
             };
-            Err(Failure::Usage(words().no_slide_named(name, &mend)))
+            Err(Failure::Usage(words().no_slide_named(name, &fix)))
         }
     }
 }
@@ -263,15 +263,15 @@ fn between(
 }
 
 /// Notes why there are no results on a ram, if the options request them.
-fn tell_of_no_ram(args: &MotorArgs, report: &MotorReport, screen: TextScreen) {
-    let asked = args.ram.is_some() || args.height.is_some() || args.torque.is_some();
-    if let (true, Err(why)) = (asked || args.rest.is_some(), &report.ram) {
+fn note_missing_ram(args: &MotorArgs, report: &MotorReport, screen: TextScreen) {
+    let is_requested = args.ram.is_some() || args.height.is_some() || args.torque.is_some();
+    if let (true, Err(why)) = (is_requested || args.rest.is_some(), &report.ram) {
         note(&words().no_ram(why), screen);
     }
 }
 
 /// Returns an error if the integrals have not converged. The results are still written.
-fn judge(duty: &Duty) -> Result<(), Failure> {
+fn check_convergence(duty: &Duty) -> Result<(), Failure> {
     if duty.cycle.has_converged() {
         return Ok(());
     }

@@ -90,22 +90,22 @@ pub(in crate::cli) const CHARACTER: Vec2 = Vec2 { x: 8.0, y: 16.0 };
 pub(in crate::cli) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Failure> {
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let mut catalogue = Catalogue::new(&scene);
-    let figures = figures(&mut catalogue, &args.columns)?;
-    let figures: Vec<Quantity> = figures
+    let quantities = figures(&mut catalogue, &args.columns)?;
+    let quantities: Vec<Quantity> = quantities
         .into_iter()
         .filter(|q| q != catalogue.driver())
         .collect();
-    if figures.is_empty() {
+    if quantities.is_empty() {
         return Err(Failure::Usage(words().no_figures_to_plot().into()));
     }
     let abscissa = abscissa(&mut catalogue, &args.against)?;
     let range = solver.motion().range;
     let window = window(args, range)?;
-    let curves = Curves::new(&scene, &solver, &figures, abscissa, window).map_err(|e| {
+    let curves = Curves::new(&scene, &solver, &quantities, abscissa, window).map_err(|e| {
         let option = format!("--against {}", args.against.trim());
         Failure::Cannot(words().of_option(&option, &e))
     })?;
-    judge(&curves, &limits_text(range, catalogue.driver()), screen)?;
+    report_missing_values(&curves, &limits_text(range, catalogue.driver()), screen)?;
     note_near_misses(&scene, &solver, screen);
     let mut drawn = Plot::of(&curves);
     if let Some(file) = &args.measured {
@@ -113,17 +113,17 @@ pub(in crate::cli) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Fa
             return Err(Failure::Usage(words().measured_over_driver().into()));
         }
         let output = args.output.output.as_deref();
-        let found = measured(file, output, &catalogue, Some(&figures), screen)?;
+        let found = measured(file, output, &catalogue, Some(&quantities), screen)?;
         if let Some(left_out) = found.left_out() {
             note(&left_out, screen);
         }
-        for (k, figure) in found.figures().iter().enumerate() {
-            let name = words().measured_of(&figure.name);
-            drawn.mark(&figure.unit, &name, &found.points(k));
+        for (k, quantity) in found.figures().iter().enumerate() {
+            let name = words().measured_of(&quantity.name);
+            drawn.mark(&quantity.unit, &name, &found.points(k));
         }
     }
     if let Some(band) = args.band {
-        add_band(&mut drawn, &curves, (&scene, &solver), &figures, band)?;
+        add_band(&mut drawn, &curves, (&scene, &solver), &quantities, band)?;
     }
     let text = match args.format {
         PictureFormat::Text => text(args, &drawn, screen)?,
@@ -145,15 +145,15 @@ fn add_band(
     plot: &mut Plot,
     curves: &Curves,
     (scene, solver): (&Scene, &Solver),
-    figures: &[Quantity],
+    quantities: &[Quantity],
     band: BandKind,
 ) -> Result<(), Failure> {
-    let study = ToleranceStudy::new(scene, solver, scene.tolerances(), figures);
+    let study = ToleranceStudy::new(scene, solver, scene.tolerances(), quantities);
     let mut study = study.map_err(|why| Failure::Cannot(why.to_string()))?;
     let offsets = study.band(&curves.at, band);
-    for (figure, offsets) in offsets.iter().enumerate() {
-        let name = format!("{} {}", figures[figure].name, band.word());
-        plot.add_band(curves, figure, offsets, name);
+    for (index, offsets) in offsets.iter().enumerate() {
+        let name = format!("{} {}", quantities[index].name, band.word());
+        plot.add_band(curves, index, offsets, name);
     }
     Ok(())
 }
@@ -164,7 +164,7 @@ fn text(args: &PlotArgs, plot: &Plot, screen: TextScreen) -> Result<String, Fail
         cols,
         // Every panel gets its minimum height, because the length of paper is unlimited.
         rows: rows
-            .max(plot.least_rows())
+            .max(plot.min_rows())
             .min(if args.size.is_some() { rows } else { u16::MAX }),
         glyphs: picture::glyphs(args.glyphs),
         aspect: ASPECT,
@@ -176,7 +176,7 @@ fn text(args: &PlotArgs, plot: &Plot, screen: TextScreen) -> Result<String, Fail
     }
     let hidden = plot.panels.len() - plot.panels_in(look.rows);
     if hidden > 0 {
-        let all = plot.least_rows();
+        let all = plot.min_rows();
         note(&words().panels_without_room(hidden, cols, all), screen);
     }
     Ok(picture::lettered(
@@ -196,7 +196,7 @@ fn abscissa(catalogue: &mut Catalogue, name: &str) -> Result<Abscissa, Failure> 
     }
     let mut named = named(catalogue, "--against", name)?;
     match (named.pop(), named.len()) {
-        (Some(figure), 0) => Ok(Abscissa::Figure(figure)),
+        (Some(quantity), 0) => Ok(Abscissa::Figure(quantity)),
         (_, more) => Err(Failure::Usage(words().one_along_x(name, more + 1))),
     }
 }
@@ -215,7 +215,7 @@ fn window(args: &PlotArgs, range: Range) -> Result<Option<(f64, f64)>, Failure> 
 }
 
 /// Reports values that do not exist. A plot without any values is an error.
-fn judge(curves: &Curves, range: &str, screen: TextScreen) -> Result<(), Failure> {
+fn report_missing_values(curves: &Curves, range: &str, screen: TextScreen) -> Result<(), Failure> {
     let all = curves.conditions.len();
     let outside = |c: &&Condition| **c == Condition::NoAssembly;
     let outside = curves.conditions.iter().filter(outside).count();

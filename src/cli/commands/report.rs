@@ -4,9 +4,9 @@ use crate::cli::choice::{OptionValue, one_of};
 use crate::cli::failure::Failure;
 use crate::cli::foreign::foreign;
 use crate::cli::output::{OutputArgs, file, write_text};
-use crate::cli::place::{PlaceArgs, note_near_misses, nothing_hidden, out_of_reach, place};
+use crate::cli::place::{PlaceArgs, check_nothing_hidden, note_near_misses, out_of_reach, place};
 use crate::cli::screen::TextScreen;
-use crate::cli::source::{SceneArgs, SolvableScene, keep_file_apart};
+use crate::cli::source::{SceneArgs, SolvableScene, check_output_differs_from_input};
 use crate::report::{Report, ReportFormat, WorkingNotation};
 use crate::solver::{Condition, Order};
 use crate::wording::{Words, words};
@@ -64,7 +64,7 @@ pub(in crate::cli) fn report(args: &ReportArgs, screen: TextScreen) -> Result<()
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let format = format(args.format, path)?;
     if let Some(file) = &args.against {
-        keep_file_apart(file, path)?;
+        check_output_differs_from_input(file, path)?;
     }
     let at = place(&args.place, &scene, &solver, screen);
     let mut state = solver.state();
@@ -73,7 +73,7 @@ pub(in crate::cli) fn report(args: &ReportArgs, screen: TextScreen) -> Result<()
     let digits = usize::from(args.digits);
     let mut report = Report::in_notation(&scene, &solver, &state, digits, args.notation);
     if let Some(file) = &args.against {
-        report.add_beside(
+        report.add_comparison(
             &foreign(file, screen)?,
             (&scene, &solver, state.state()),
             digits,
@@ -84,15 +84,15 @@ pub(in crate::cli) fn report(args: &ReportArgs, screen: TextScreen) -> Result<()
         return Err(out_of_reach(&scene, &solver, at));
     }
     note_near_misses(&scene, &solver, screen);
-    nothing_hidden(&scene, &state)
+    check_nothing_hidden(&scene, &state)
 }
 
 /// Returns the requested format, or the one of the file's extension, or HTML without an extension.
 /// An unknown extension is an error, because the file's contents would not match it.
-fn format(asked: Option<ReportFormat>, path: Option<&Path>) -> Result<ReportFormat, Failure> {
+fn format(requested: Option<ReportFormat>, path: Option<&Path>) -> Result<ReportFormat, Failure> {
     let ending = file(path).and_then(Path::extension);
-    match (asked, file(path), ending) {
-        (Some(asked), ..) => Ok(asked),
+    match (requested, file(path), ending) {
+        (Some(requested), ..) => Ok(requested),
         (None, Some(path), Some(ending)) => ReportFormat::of_ending(path).ok_or_else(|| {
             let ending = ending.to_string_lossy();
             Failure::Usage(words().no_report_has_ending(&ending))

@@ -68,15 +68,15 @@ pub(in crate::cli) fn solve(args: &SolveArgs, screen: TextScreen) -> Result<(), 
         .map_err(|why| Failure::Usage(words().of_option("--vary", &why)))?;
     let catalogue = Catalogue::new(&scene);
     let goals = |texts: &[String], option| goals(texts, option, &catalogue);
-    let (wished, kept) = (goals(&args.goal, "--goal")?, goals(&args.keep, "--keep")?);
+    let (requested, kept) = (goals(&args.goal, "--goal")?, goals(&args.keep, "--keep")?);
     let best = args.maximize.as_ref().or(args.minimize.as_ref());
     match best {
-        None if wished.is_empty() => Err(Failure::Usage(words().no_goal_given().into())),
-        Some(_) if !wished.is_empty() => Err(Failure::Usage(words().goals_and_best().into())),
+        None if requested.is_empty() => Err(Failure::Usage(words().no_goal_given().into())),
+        Some(_) if !requested.is_empty() => Err(Failure::Usage(words().goals_and_best().into())),
         None => meet(
             args,
             &space,
-            wished.into_iter().chain(kept).collect(),
+            requested.into_iter().chain(kept).collect(),
             screen,
         ),
         Some(name) => {
@@ -108,7 +108,7 @@ fn meet(
     let progress = Progress::new(count, words().starts_counted(), screen, false);
     let mut progress = progress.stoppable();
     let outcome = search.run(args.starts, args.seed, parallel::cores(), &mut |part| {
-        progress.tell((part * count as f64).round() as u64);
+        progress.report_progress((part * count as f64).round() as u64);
         !progress.is_stopped()
     });
     end(progress, screen);
@@ -118,7 +118,7 @@ fn meet(
         given,
         outcome: &outcome,
     };
-    tell(args, &report.to_text(screen.ascii), || {
+    write_output(args, &report.to_text(screen.ascii), || {
         format!("{:#}", report.to_json())
     })?;
     if outcome.solutions.is_empty() {
@@ -167,7 +167,7 @@ fn optimise(
                 false => best.to_owned(),
             });
         }
-        progress.tell(u64::from(state.generations));
+        progress.report_progress(u64::from(state.generations));
         !progress.is_stopped()
     });
     end(progress, screen);
@@ -187,7 +187,7 @@ fn optimise(
         best: &best,
         design: &design,
     };
-    tell(args, &report.to_text(screen.ascii), || {
+    write_output(args, &report.to_text(screen.ascii), || {
         format!("{:#}", report.to_json())
     })?;
     if best.missed > 0.0 {
@@ -205,7 +205,11 @@ fn end(progress: Progress, screen: TextScreen) {
     }
 }
 
-fn tell(args: &SolveArgs, text: &str, json: impl FnOnce() -> String) -> Result<(), Failure> {
+fn write_output(
+    args: &SolveArgs,
+    text: &str,
+    json: impl FnOnce() -> String,
+) -> Result<(), Failure> {
     match args.format {
         TextOrJson::Text => write_text(None, text),
         TextOrJson::Json => write_text(None, &(json() + "\n")),

@@ -5,8 +5,10 @@ use crate::cli::failure::{Failure, note};
 use crate::cli::foreign::measured;
 use crate::cli::formats::{FigureArgs, OutputFormat};
 use crate::cli::output::{OutputArgs, write_to};
-use crate::cli::place::{check_derivative_count, note_lacking, note_near_misses, note_unproved};
-use crate::cli::rows::{RowEnds, clock, steps, tell_of_motion, times, write_rows};
+use crate::cli::place::{
+    check_derivative_count, note_missing_derivatives, note_near_misses, note_unproved,
+};
+use crate::cli::rows::{RowEnds, clock, note_constant_speed, steps, times, write_rows};
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene};
 use crate::quantity::{Catalogue, Quantity};
@@ -59,18 +61,18 @@ pub(in crate::cli) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), 
     let format = args.figures.csv.rows(args.format, digits)?;
     let opened = args.scene.open_for(&args.output)?;
     if let Some(file) = &args.measured {
-        return beside(file, args, format, &opened, screen);
+        return sweep_measured(file, args, format, &opened, screen);
     }
     let SolvableScene { scene, solver } = opened;
     let mut catalogue = Catalogue::new(&scene);
-    let figures = figures(&mut catalogue, &args.columns)?;
-    let columns = Columns::new(catalogue.driver(), &figures, !args.figures.no_units);
+    let quantities = figures(&mut catalogue, &args.columns)?;
+    let columns = Columns::new(catalogue.driver(), &quantities, !args.figures.no_units);
     let besides = ExtraColumns {
         bounds: args.figures.bounds,
         sensitivity: args.figures.sensitivity,
     };
     if besides.sensitivity {
-        check_derivative_count(&scene, figures.len())?;
+        check_derivative_count(&scene, quantities.len())?;
     }
     let columns = columns.with(besides, scene.unit.symbol());
     let range = solver.motion().range;
@@ -83,8 +85,8 @@ pub(in crate::cli) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), 
     let (columns, steps) = match &clock {
         Some(clock) => (columns.over_time(), times(clock.span(range), ends)?),
         None => {
-            tell_of_motion(&scene, screen);
-            let range = whole(&scene, range, &figures);
+            note_constant_speed(&scene, screen);
+            let range = default_range(&scene, range, &quantities);
             (columns, steps(&scene, range, ends, STEP)?)
         }
     };
@@ -102,7 +104,7 @@ pub(in crate::cli) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), 
     })?;
     note_near_misses(&scene, &solver, screen);
     let driver = catalogue.driver();
-    judge(&outcome, &limits_text(range, driver), screen)?;
+    report_missing_values(&outcome, &limits_text(range, driver), screen)?;
     match &outcome.first_hidden {
         None => Ok(()),
         Some(first) => Err(Failure::Cannot(words().rows_withheld(
@@ -114,7 +116,11 @@ pub(in crate::cli) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), 
 }
 
 /// Reports rows without values. A sweep without any values is an error.
-fn judge(outcome: &SweepOutcome, range: &str, screen: TextScreen) -> Result<(), Failure> {
+fn report_missing_values(
+    outcome: &SweepOutcome,
+    range: &str,
+    screen: TextScreen,
+) -> Result<(), Failure> {
     let &SweepOutcome {
         rows,
         valued,
@@ -136,20 +142,20 @@ fn judge(outcome: &SweepOutcome, range: &str, screen: TextScreen) -> Result<(), 
 /// Reports missing error bounds and derivatives.
 fn note_missing(missing: Missing, valued: u64, screen: TextScreen) {
     note_unproved(missing.unproved, missing.figures, screen);
-    if missing.unanswered > 0 {
-        let rows = missing.unanswered;
+    if missing.rows_without_derivatives > 0 {
+        let rows = missing.rows_without_derivatives;
         note(
             &words().rows_without_answer(rows, valued, words().no_derivatives_by_lengths()),
             screen,
         );
     }
-    note_lacking(missing.lacking, missing.asked, screen);
+    note_missing_derivatives(missing.missing_derivatives, missing.requested, screen);
 }
 
 /// Returns the default range of a sweep: the motion, repeated for as many periods as the loads need
 /// to repeat if forces are included.
-fn whole(scene: &Scene, range: Range, figures: &[Quantity]) -> Range {
-    let has_forces = figures.iter().any(|q| q.order() == Order::Force);
+fn default_range(scene: &Scene, range: Range, quantities: &[Quantity]) -> Range {
+    let has_forces = quantities.iter().any(|q| q.order() == Order::Force);
     let repeats = motor::repeats(&scene.mechanism, range).filter(|_| has_forces);
     match (range, repeats) {
         (Range::Full { period }, Some(times)) => Range::Full {
@@ -160,7 +166,7 @@ fn whole(scene: &Scene, range: Range, figures: &[Quantity]) -> Range {
 }
 
 /// Runs `krank sweep --measured`: writes a row for each row of the file.
-fn beside(
+fn sweep_measured(
     file: &Path,
     args: &SweepArgs,
     format: RowFormat,
@@ -175,11 +181,11 @@ fn beside(
         false => Some(figures(&mut catalogue, &args.columns)?),
     };
     let found = measured(file, output, &catalogue, of.as_deref(), screen)?;
-    let is_told = matches!(format, RowFormat::Text { .. });
-    if !(is_told || found.strangers().is_empty()) {
+    let is_shown = matches!(format, RowFormat::Text { .. });
+    if !(is_shown || found.strangers().is_empty()) {
         note(&words().not_compared(&found.strangers().join(", ")), screen);
     }
-    if let Some(left_out) = found.left_out().filter(|_| !is_told) {
+    if let Some(left_out) = found.left_out().filter(|_| !is_shown) {
         note(&left_out, screen);
     }
     let written = (format, !args.figures.no_units);

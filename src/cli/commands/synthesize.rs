@@ -7,7 +7,7 @@ use crate::cli::output::{write_text, write_to};
 use crate::cli::progress::Progress;
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{contents, standard_input};
-use crate::files::read_ready;
+use crate::files::read_without_waiting;
 use crate::nearest::nearest;
 use crate::parallel;
 use crate::report::SynthesisReport;
@@ -32,7 +32,7 @@ pub(in crate::cli) struct SynthesizeArgs {
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..=1000))]
     top: u16,
     #[arg(help = words().seed_of_search())]
-    #[arg(long, value_name = "N", default_value_t = SynthesisSettings::USUAL_SEED)]
+    #[arg(long, value_name = "N", default_value_t = SynthesisSettings::DEFAULT_SEED)]
     seed: u64,
     #[arg(help = words().tolerance_of_candidates())]
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
@@ -52,7 +52,7 @@ pub(in crate::cli) struct SynthesizeArgs {
 }
 
 /// Progress at the end of the search, in thousandths.
-const WHOLE: u64 = 1000;
+const FULL_PROGRESS: u64 = 1000;
 
 pub(in crate::cli) fn synthesize(args: &SynthesizeArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.csv.dialect(args.format)?;
@@ -77,9 +77,9 @@ pub(in crate::cli) fn synthesize(args: &SynthesizeArgs, screen: TextScreen) -> R
         seed: args.seed,
         threads: parallel::cores(),
     };
-    let mut progress = Progress::new(WHOLE, words().parts(), screen, false).stoppable();
+    let mut progress = Progress::new(FULL_PROGRESS, words().parts(), screen, false).stoppable();
     let found = Synthesis::run(&file.task, order, &mut |part| {
-        progress.tell((part.clamp(0.0, 1.0) * WHOLE as f64) as u64);
+        progress.report_progress((part.clamp(0.0, 1.0) * FULL_PROGRESS as f64) as u64);
         !progress.is_stopped()
     });
     if progress.is_stopped() {
@@ -159,7 +159,7 @@ fn save(
     screen: TextScreen,
 ) -> Result<(), Failure> {
     let mut files: Vec<(PathBuf, String)> = Vec::new();
-    for (number, candidate) in (1..).zip(report.told()) {
+    for (number, candidate) in (1..).zip(report.listed_candidates()) {
         let titles = report.titles(number, candidate, args.tolerance);
         let Some(text) = scene_text(&candidate.proposal, &report.file.task, &titles) else {
             continue;
@@ -170,7 +170,7 @@ fn save(
         return Ok(());
     }
     for (path, text) in &files {
-        let is_lost = match read_ready(path, MAX_FILE_SIZE) {
+        let is_lost = match read_without_waiting(path, MAX_FILE_SIZE) {
             Ok(bytes) => bytes != text.as_bytes(),
             // If the folder is a file, creating it fails with an error below.
             Err(error) => !matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory),

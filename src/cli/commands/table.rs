@@ -5,10 +5,10 @@ use crate::cli::failure::{Failure, note};
 use crate::cli::formats::{FigureArgs, OutputFormat};
 use crate::cli::output::{OutputArgs, write_to};
 use crate::cli::place::{
-    PlaceArgs, check_derivative_count, none_hidden, note_lacking, note_near_misses, note_unproved,
-    nothing_hidden, out_of_reach, place,
+    PlaceArgs, check_derivative_count, check_nothing_hidden, none_hidden, note_missing_derivatives,
+    note_near_misses, note_unproved, out_of_reach, place,
 };
-use crate::cli::rows::{clock, tell_of_motion};
+use crate::cli::rows::{clock, note_constant_speed};
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene};
 use crate::quantity::{Catalogue, Sensitivity};
@@ -52,7 +52,7 @@ pub(in crate::cli) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), 
             moment.at
         }
         None => {
-            tell_of_motion(&scene, screen);
+            note_constant_speed(&scene, screen);
             place(&args.place, &scene, &solver, screen)
         }
     };
@@ -69,21 +69,25 @@ pub(in crate::cli) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), 
         false => Some(figures(&mut catalogue, &args.columns)?),
     };
     if args.figures.sensitivity {
-        let asked = named.clone().unwrap_or_else(|| catalogue.figures());
-        check_derivative_count(&scene, asked.len())?;
-        let mut sensitivity = Sensitivity::new(&scene, &solver, &asked);
+        let requested = named.clone().unwrap_or_else(|| catalogue.figures());
+        check_derivative_count(&scene, requested.len())?;
+        let mut sensitivity = Sensitivity::new(&scene, &solver, &requested);
         let answers = Answers::at(&mut sensitivity, tables.unit, at);
         if answers.list.is_none() {
             note(words().no_derivatives_by_lengths(), screen);
         }
-        note_lacking(answers.lacking as u64, answers.asked() as u64, screen);
+        note_missing_derivatives(
+            answers.missing_derivatives as u64,
+            answers.requested_count() as u64,
+            screen,
+        );
         tables.answers = Some(answers);
     }
     let list = named.map(|named| FigureList::new(&tables, &named, &state, &enclosure));
     if args.figures.bounds {
         let unproved = list.as_ref().map(FigureList::unproved);
-        let (figures, unproved) = unproved.unwrap_or_else(|| tables.unproved());
-        note_unproved(unproved, figures, screen);
+        let (count, unproved) = unproved.unwrap_or_else(|| tables.unproved());
+        note_unproved(unproved, count, screen);
     }
     let style = TableStyle {
         digits: usize::from(args.figures.digits),
@@ -102,7 +106,7 @@ pub(in crate::cli) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), 
         }
     })?;
     match &list {
-        None => nothing_hidden(&scene, &state),
+        None => check_nothing_hidden(&scene, &state),
         Some(list) => none_hidden(list.quantities(), &catalogue, &state),
     }
 }

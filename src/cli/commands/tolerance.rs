@@ -19,7 +19,7 @@ use crate::report::{
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver};
 use crate::study::{
-    CycleFigure, Distribution, SampleOrder, ToleranceError, ToleranceStudy, WholeTolerance,
+    CycleFigure, Distribution, MotionTolerance, SampleOrder, ToleranceError, ToleranceStudy,
 };
 use crate::wording::{Words, words};
 use clap::Args;
@@ -97,26 +97,26 @@ const STEP: f64 = 5.0;
 /// Significant digits of rows in text.
 const DIGITS: usize = 6;
 /// Default number of random machines at one coordinate.
-const USUAL_SAMPLES: u32 = 100_000;
+const DEFAULT_SAMPLES: u32 = 100_000;
 /// Default number of random machines for values of the whole motion, because each must be tracked.
-const WHOLE_SAMPLES: u32 = 2_000;
+const DEFAULT_MOTION_SAMPLES: u32 = 2_000;
 
 pub(in crate::cli) fn tolerance(args: &ToleranceArgs, screen: TextScreen) -> Result<(), Failure> {
     let format = args.csv.rows(args.format, DIGITS)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let mut catalogue = Catalogue::new(&scene);
     let tolerances = tolerances(args, &scene)?;
-    if let Some(figures) = of_whole(&mut catalogue, &args.columns, args.at)? {
+    if let Some(figures) = motion_values(&mut catalogue, &args.columns, args.at)? {
         if args.from.is_some() || args.to.is_some() || args.step.is_some() {
             return Err(Failure::Usage(words().whole_has_no_place().into()));
         }
-        let study = WholeTolerance::new(&solver, &tolerances, figures);
+        let study = MotionTolerance::new(&solver, &tolerances, figures);
         let mut study = study.map_err(refused)?;
-        let samples = order(args, args.samples.unwrap_or(WHOLE_SAMPLES));
-        let report = ToleranceReport::of_whole(&scene, &mut study, samples);
-        return tell(args, &report, screen.ascii);
+        let samples = order(args, args.samples.unwrap_or(DEFAULT_MOTION_SAMPLES));
+        let report = ToleranceReport::for_motion(&scene, &mut study, samples);
+        return write_output(args, &report, screen.ascii);
     }
-    let mut figures = asked(&mut catalogue, &args.columns)?;
+    let mut figures = requested_quantities(&mut catalogue, &args.columns)?;
     let study = |figures: &[Quantity]| {
         check_derivative_count(&scene, figures.len())?;
         let study = ToleranceStudy::new(&scene, &solver, &tolerances, figures);
@@ -130,7 +130,7 @@ pub(in crate::cli) fn tolerance(args: &ToleranceArgs, screen: TextScreen) -> Res
     note_near_misses(&scene, &solver, screen);
     if let Some(at) = args.at {
         let at = normalize_coordinate(at.value(), &scene, &solver, screen);
-        return at_one_place(args, at, &scene, &solver, &mut study, screen.ascii);
+        return tolerances_at(args, at, &scene, &solver, &mut study, screen.ascii);
     }
     let range = solver.motion().range;
     let ends = RowEnds {
@@ -150,13 +150,13 @@ pub(in crate::cli) fn tolerance(args: &ToleranceArgs, screen: TextScreen) -> Res
     let outcome = write_rows(path, &steps, screen, |out, progress| {
         rows.write(&mut study, out, progress)
     })?;
-    judge(outcome, &limits_text(range, catalogue.driver()), screen)
+    report_unproved(outcome, &limits_text(range, catalogue.driver()), screen)
 }
 
 /// Returns the requested values of the whole motion, such as `F.stroke` or `transmission`. Other
 /// values next to them are taken at the coordinate `at`. `None` if there are no values of the whole
 /// motion.
-fn of_whole(
+fn motion_values(
     catalogue: &mut Catalogue,
     columns: &[String],
     at: Option<WrittenDecimal>,
@@ -164,11 +164,11 @@ fn of_whole(
     let names = columns.iter().flat_map(|list| entries(list)).map(str::trim);
     let names: Vec<&str> = names.collect();
     let is_whole = |name: &&str| CycleFigure::parse(name, catalogue).is_ok();
-    let whole = names.iter().filter(|name| is_whole(name)).count();
-    if whole == 0 {
+    let integer = names.iter().filter(|name| is_whole(name)).count();
+    if integer == 0 {
         return Ok(None);
     }
-    if whole == names.len() && at.is_some() {
+    if integer == names.len() && at.is_some() {
         return Err(Failure::Usage(words().whole_has_no_place().into()));
     }
     let mut all = Vec::new();
@@ -178,7 +178,7 @@ fn of_whole(
             all.push(figure);
             continue;
         }
-        for figure in asked(catalogue, &[name.to_owned()])? {
+        for figure in requested_quantities(catalogue, &[name.to_owned()])? {
             let Some(at) = at else {
                 return Err(wrong(words().beside_whole_say_where(&figure.name)));
             };
@@ -198,17 +198,20 @@ fn refused(why: ToleranceError) -> Failure {
 }
 
 /// Returns the requested quantities, or all positions and directions if none are named.
-fn asked(catalogue: &mut Catalogue, columns: &[String]) -> Result<Vec<Quantity>, Failure> {
+fn requested_quantities(
+    catalogue: &mut Catalogue,
+    columns: &[String],
+) -> Result<Vec<Quantity>, Failure> {
     if columns.is_empty() {
         let mut all = catalogue.figures();
-        all.retain(|figure| {
-            let (demand, order) = demand([figure]);
+        all.retain(|quantity| {
+            let (demand, order) = demand([quantity]);
             order == Order::Position && !demand.forces
         });
         return Ok(all);
     }
     let mut all = figures(catalogue, columns)?;
-    all.retain(|figure| !figure.is_driver());
+    all.retain(|quantity| !quantity.is_driver());
     Ok(all)
 }
 
@@ -229,7 +232,7 @@ fn order(args: &ToleranceArgs, count: u32) -> SampleOrder {
     }
 }
 
-fn at_one_place(
+fn tolerances_at(
     args: &ToleranceArgs,
     at: f64,
     scene: &Scene,
@@ -241,12 +244,16 @@ fn at_one_place(
     if condition == Condition::NoAssembly {
         return Err(out_of_reach(scene, solver, at));
     }
-    let samples = order(args, args.samples.unwrap_or(USUAL_SAMPLES));
+    let samples = order(args, args.samples.unwrap_or(DEFAULT_SAMPLES));
     let report = ToleranceReport::at(scene, study, at, condition, Some(samples));
-    tell(args, &report, ascii)
+    write_output(args, &report, ascii)
 }
 
-fn tell(args: &ToleranceArgs, report: &ToleranceReport, ascii: bool) -> Result<(), Failure> {
+fn write_output(
+    args: &ToleranceArgs,
+    report: &ToleranceReport,
+    ascii: bool,
+) -> Result<(), Failure> {
     let dialect = args.csv.dialect(args.format)?;
     let output = args.output.output.as_deref();
     match args.format {
@@ -257,7 +264,11 @@ fn tell(args: &ToleranceArgs, report: &ToleranceReport, ascii: bool) -> Result<(
 }
 
 /// Reports unproved rows and rows without values. No values at all is an error.
-fn judge(outcome: ToleranceOutcome, range: &str, screen: TextScreen) -> Result<(), Failure> {
+fn report_unproved(
+    outcome: ToleranceOutcome,
+    range: &str,
+    screen: TextScreen,
+) -> Result<(), Failure> {
     let ToleranceOutcome {
         rows,
         valued,

@@ -96,7 +96,7 @@ fn with_lookup(generator: impl Generator, krank: &Command, lookup: &NameLookup) 
         script = script.replace(&listed, &lookup.call.replace("NAMES", names));
     }
     let functions = (lookup.functions)
-        .replace("KRANK-WHOLE", &CycleFigure::WHOLE.join(" "))
+        .replace("KRANK-WHOLE", &CycleFigure::MOTION_FIGURES.join(" "))
         .replace("KRANK-PROPERTIES", &CycleFigure::properties().join(" "));
     match script.split_once(lookup.behind) {
         Some((before, after)) => [before, lookup.behind, &functions, after].concat(),

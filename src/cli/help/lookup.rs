@@ -25,7 +25,7 @@ pub(in crate::cli) fn page(
 ) -> Option<String> {
     // Replaces control characters such as U+0085.
     let typed = typed.split_whitespace().collect::<Vec<_>>().join(" ");
-    let current = Language::spoken();
+    let current = Language::current_language();
     let page = [current, current.next()].into_iter().find_map(|language| {
         language.speak();
         page_in_language(&typed, near, width, krank)
@@ -40,17 +40,14 @@ fn page_in_language(
     width: usize,
     krank: fn() -> Command,
 ) -> Option<String> {
-    let sought = SearchWords::new(typed);
-    let (heading, questions) = questions(&sought);
+    let query = SearchWords::new(typed);
+    let (heading, questions) = questions(&query);
     let sections = [
         (heading.as_str(), questions),
-        (words().topics_heading(), topics(&sought, width)),
-        (words().keys_heading(), rows(key_rows_about(&sought))),
-        (words().columns_heading(), columns(&sought)),
-        (
-            words().commands_heading(),
-            rows(commands(&sought, &krank())),
-        ),
+        (words().topics_heading(), topics(&query, width)),
+        (words().keys_heading(), rows(key_rows_about(&query))),
+        (words().columns_heading(), columns(&query)),
+        (words().commands_heading(), rows(commands(&query, &krank()))),
     ];
     let sections = sections.into_iter().filter(|(_, text)| !text.is_empty());
     let sections = sections.map(|(heading, text)| format!("\n# {heading}\n\n{text}"));
@@ -71,14 +68,14 @@ fn rows(rows: String) -> String {
 }
 
 /// Returns the title of the topic with questions, and its questions that have the words, each with its answer.
-fn questions(sought: &SearchWords) -> (String, String) {
+fn questions(query: &SearchWords) -> (String, String) {
     let topic = manual::find(QUESTIONS).map(|topic| topic.text(String::new));
     let topic = topic.unwrap_or_default();
     let heading = topic.lines().next().unwrap_or_default();
     let rows = topic.lines().filter(|line| line.contains("? | "));
-    let mut rows: Vec<&str> = rows.filter(|row| sought.are_in(&[row])).collect();
+    let mut rows: Vec<&str> = rows.filter(|row| query.are_in(&[row])).collect();
     // Questions that have the words themselves precede those with the words in the answer.
-    rows.sort_by_key(|row| !sought.are_in(&[row.split("? | ").next().unwrap_or(row)]));
+    rows.sort_by_key(|row| !query.are_in(&[row.split("? | ").next().unwrap_or(row)]));
     let rows: String = rows.iter().map(|row| format!("{row}\n")).collect();
     let table = match rows.is_empty() {
         true => rows,
@@ -88,11 +85,11 @@ fn questions(sought: &SearchWords) -> (String, String) {
 }
 
 /// Returns the topics that have the words, each with some of the lines that have them.
-fn topics(sought: &SearchWords, width: usize) -> String {
-    let topics = sought.in_topics(width.saturating_sub(INDENT)).into_iter();
+fn topics(query: &SearchWords, width: usize) -> String {
+    let topics = query.in_topics(width.saturating_sub(INDENT)).into_iter();
     let topics = topics.filter(|found| found.topic.name != QUESTIONS);
     let topics = topics.map(|FoundTopic { topic, lines }| {
-        let mut text = format!("{}: {}\n\n```text\n", topic.name, topic.told());
+        let mut text = format!("{}: {}\n\n```text\n", topic.name, topic.description());
         for line in lines.iter().take(MAX_LINES) {
             text += &format!("{line}\n");
         }
@@ -105,12 +102,12 @@ fn topics(sought: &SearchWords, width: usize) -> String {
 }
 
 /// Returns the column names that have the words, from the topic about columns, as a sorted list.
-fn columns(sought: &SearchWords) -> String {
+fn columns(query: &SearchWords) -> String {
     let topic = manual::find("columns").map(|topic| topic.text(String::new));
     let topic = topic.unwrap_or_default();
     let code = topic.split('`').skip(1).step_by(2);
     let is_column = |code: &&str| code.contains('.') && !code.contains(char::is_whitespace);
-    let named = code.filter(is_column).filter(|name| sought.are_in(&[name]));
+    let named = code.filter(is_column).filter(|name| query.are_in(&[name]));
     let mut names: Vec<&str> = named.collect();
     names.sort_unstable();
     names.dedup();
@@ -122,30 +119,30 @@ fn columns(sought: &SearchWords) -> String {
 }
 
 /// Returns a row for each command that has the words in its name, its purpose or an option, with these options.
-fn commands(sought: &SearchWords, krank: &Command) -> String {
+fn commands(query: &SearchWords, krank: &Command) -> String {
     let commands = once(krank).chain(krank.get_subcommands());
     let rows = commands.filter_map(|command| {
-        let options = command.get_arguments().filter(|arg| is_about(arg, sought));
+        let options = command.get_arguments().filter(|arg| is_about(arg, query));
         let options = options.filter_map(|arg| Some(format!(" `--{}`", arg.get_long()?)));
         let (name, options, about) = (
             command.get_name(),
             options.collect::<String>(),
             about(command),
         );
-        let is_found = !options.is_empty() || sought.are_in(&[name, &about]);
+        let is_found = !options.is_empty() || query.are_in(&[name, &about]);
         is_found.then(|| format!("| {name}{options} | {about} |\n"))
     });
     rows.collect()
 }
 
 /// Returns `true` if the name, the help or a value of an option has the words.
-fn is_about(arg: &Arg, sought: &SearchWords) -> bool {
+fn is_about(arg: &Arg, query: &SearchWords) -> bool {
     let name = format!("--{}", arg.get_long().unwrap_or_default());
     let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
     let values = arg.get_possible_values();
     let values = values.iter().map(|value| value.get_name());
     let texts: Vec<&str> = [name.as_str(), &help].into_iter().chain(values).collect();
-    sought.are_in(&texts)
+    query.are_in(&texts)
 }
 
 /// Returns no rows, because there are no keys without the workbench.

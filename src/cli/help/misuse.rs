@@ -36,7 +36,7 @@ fn second_word(error: &Error, arguments: &[OsString], krank: &Command) -> Option
         return Some(words().command_comes_first(second));
     }
     let first = arguments.get(1)?.to_string_lossy();
-    Some(match meant_command(&first, krank) {
+    Some(match suggest_command(&first, krank) {
         Some(command) => words().no_such_command(&first, &command),
         None => words().one_scene_alone(second),
     })
@@ -46,25 +46,25 @@ fn second_word(error: &Error, arguments: &[OsString], krank: &Command) -> Option
 pub(in crate::cli) fn no_scene(name: &str, krank: &Command) -> String {
     let task = ExampleTask::find(name).map(|task| words().example_is_a_task(task.name));
     let command =
-        || meant_command(name, krank).map(|command| words().did_you_mean_command(&command));
-    let mend = task
+        || suggest_command(name, krank).map(|command| words().did_you_mean_command(&command));
+    let fix = task
         .or_else(command)
-        .or_else(|| meant_preset(name).map(|p| words().did_you_mean_preset(p)))
+        .or_else(|| suggest_preset(name).map(|p| words().did_you_mean_preset(p)))
         .unwrap_or_else(|| words().list_names_presets().into());
-    words().no_preset_and_no_file(name, &mend)
+    words().no_preset_and_no_file(name, &fix)
 }
 
 /// Returns the command that a mistyped name probably means; the parser takes it for the name of a
 /// scene.
-fn meant_command(name: &str, krank: &Command) -> Option<String> {
+fn suggest_command(name: &str, krank: &Command) -> Option<String> {
     nearest(name, krank.get_subcommands().map(Command::get_name)).map(str::to_owned)
 }
 
 /// Returns the preset that a name probably means: a similar one, or one with this prefix.
-fn meant_preset(name: &str) -> Option<&'static str> {
+fn suggest_preset(name: &str) -> Option<&'static str> {
     let names = || presets::all().iter().map(|preset| preset.name);
-    let begun = |preset: &&str| !name.is_empty() && preset.starts_with(name);
-    nearest(name, names()).or_else(|| names().find(begun))
+    let started = |preset: &&str| !name.is_empty() && preset.starts_with(name);
+    nearest(name, names()).or_else(|| names().find(started))
 }
 
 #[cfg(test)]

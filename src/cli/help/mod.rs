@@ -44,7 +44,7 @@ pub(in crate::cli) enum HelpFormat {
 }
 
 /// Width in columns if the terminal reports none.
-const USUAL_WIDTH: usize = 80;
+const DEFAULT_WIDTH: usize = 80;
 
 /// Shows a topic or a command's help, lists both, or writes the manual as a web site.
 pub(in crate::cli) fn help(args: &HelpArgs, krank: fn() -> Command) -> Result<(), Failure> {
@@ -70,9 +70,9 @@ fn write_site(folder: &Path) -> Result<(), Failure> {
 fn show(args: &HelpArgs, krank: fn() -> Command) -> Result<(), Failure> {
     let screen = TextScreen::of_results();
     let text = match args.topic.as_deref() {
-        None => laid_out(&contents(&krank()), screen),
+        None => wrap_help(&contents(&krank()), screen),
         Some(word) => match manual::find(word) {
-            Some(topic) => laid_out(&topic.text(key_rows), screen),
+            Some(topic) => wrap_help(&topic.text(key_rows), screen),
             None => of_word(word, krank, screen)?,
         },
     };
@@ -84,7 +84,7 @@ fn show(args: &HelpArgs, krank: fn() -> Command) -> Result<(), Failure> {
 }
 
 /// Wraps a text to the terminal's width, with bold headings if it has colours.
-fn laid_out(text: &str, screen: TextScreen) -> String {
+fn wrap_help(text: &str, screen: TextScreen) -> String {
     let lines = manual::lines(text, width()).into_iter();
     let shown = lines.map(|line| match line.kind {
         LineKind::Title if screen.colour => format!("\x1b[1m{}\x1b[0m\n", line.text),
@@ -94,7 +94,7 @@ fn laid_out(text: &str, screen: TextScreen) -> String {
 }
 
 fn width() -> usize {
-    size().map_or(USUAL_WIDTH, |(columns, _)| columns.into())
+    size().map_or(DEFAULT_WIDTH, |(columns, _)| columns.into())
 }
 
 /// Returns the list of topics and commands.
@@ -104,7 +104,7 @@ fn contents(krank: &Command) -> String {
         let rows = rows.map(|(name, about)| format!("| {name} | {about} |\n"));
         table(&rows.collect::<String>())
     };
-    let topics = TOPICS.iter().map(|topic| (topic.name, topic.told()));
+    let topics = TOPICS.iter().map(|topic| (topic.name, topic.description()));
     let commands = krank.get_subcommands().filter(|c| !c.is_hide_set());
     let commands = commands.map(|c| (c.get_name(), about(c)));
     format!(
@@ -129,7 +129,7 @@ fn of_word(word: &str, krank: fn() -> Command, screen: TextScreen) -> Result<Str
     let others: Vec<&str> = manual::names_of_language().collect();
     let near = nearest(word, topics.iter().copied().chain(commands).chain(others));
     match lookup::page(word, near, width(), krank) {
-        Some(page) => Ok(laid_out(&page, screen)),
+        Some(page) => Ok(wrap_help(&page, screen)),
         None => Err(unknown(word, near, &topics.join(", "))),
     }
 }

@@ -30,7 +30,7 @@ while IFS= read -r line; do printf '%s\n' "$line"; done
 "#;
 /// The pager if the user has chosen none.
 #[cfg(unix)]
-const USUAL: &str = "if command -v less >/dev/null; then less; else more; fi";
+const DEFAULT_PAGER: &str = "if command -v less >/dev/null; then less; else more; fi";
 
 /// Replaces the process by a shell that shows the text in a pager. Returns if the user wants no
 /// pager or if there is no shell.
@@ -42,7 +42,10 @@ fn become_pager(text: &str) -> std::io::Result<()> {
         return Ok(());
     }
     let mut shell = std::process::Command::new(SHELL);
-    shell.args(["-c", SCRIPT, SHELL]).args(chosen).arg(USUAL);
+    shell
+        .args(["-c", SCRIPT, SHELL])
+        .args(chosen)
+        .arg(DEFAULT_PAGER);
     shell.env("LESS", options_of_less(std::env::var_os("LESS")));
     Err(shell.stdin(unnamed(&std::env::temp_dir(), text)?).exec())
 }

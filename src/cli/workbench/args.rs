@@ -20,12 +20,12 @@ use clap::{ValueEnum, builder::PossibleValue};
 use std::path::PathBuf;
 
 /// The scene that opens if the command line names none.
-pub(in crate::cli) const USUAL_SCENE: &str = "four-bar";
+pub(in crate::cli) const DEFAULT_SCENE: &str = "four-bar";
 
 /// The workbench, which opens where no command is given.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct WorkbenchArgs {
-    #[arg(help = words().name_of_scene_or(USUAL_SCENE))]
+    #[arg(help = words().name_of_scene_or(DEFAULT_SCENE))]
     pub(in crate::cli) scene: Option<PathBuf>,
     #[command(flatten)]
     pub(in crate::cli) assembly: AssemblyArgs,

@@ -1,6 +1,6 @@
 //! Finds and reads the configuration, and prints the default one.
 
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::{Failure, print_text};
 use crate::cli::output::write_text;
 use crate::cli::screen::TextScreen;
 use crate::files::{from_home, places, read_file};
@@ -34,11 +34,11 @@ fn is_absent(error: &io::Error) -> bool {
 fn place(named: Option<&Path>) -> Option<PathBuf> {
     let env = places::environment;
     // The shell does not expand `~` in `--config=~/krank.toml`.
-    let meant = |path: &Path| {
+    let intended = |path: &Path| {
         path.to_str()
             .map_or_else(|| path.to_owned(), |typed| from_home(typed, env))
     };
-    named.map(meant).or_else(|| Config::path(env))
+    named.map(intended).or_else(|| Config::path(env))
 }
 
 /// Loads the configuration from the named file or its default path. A missing file is an error only
@@ -53,7 +53,7 @@ pub(in crate::cli) fn load(named: Option<&Path>) -> Result<Config, Failure> {
             let config = Config::read(&bytes, &shown).map_err(Failure::Scene)?;
             if let Some(warnings) = &config.warnings {
                 let screen = TextScreen::detect();
-                say(&warnings.render(screen.ascii, screen.colour));
+                print_text(&warnings.render(screen.ascii, screen.colour));
             }
             Ok(config)
         }

@@ -98,10 +98,10 @@ fn about(found: &Terminal) -> Vec<DiagnosisRow> {
 
 /// Returns the settings that the workbench would use, with the reasons.
 fn chosen(judgement: &TerminalProfile, options: &Options) -> Vec<DiagnosisRow> {
-    let glyphs = wished(options.glyphs, judgement.glyphs(), glyphs_name);
+    let glyphs = requested_or_detected(options.glyphs, judgement.glyphs(), glyphs_name);
     let plain = (options.theme == Theme::Plain).then_some(Colours::None);
     let colours = options.colours.or(plain);
-    let colours = wished(colours, judgement.colours(), Colours::name);
+    let colours = requested_or_detected(colours, judgement.colours(), Colours::name);
     let modern = judgement.capability(None, None).map(|c| c.modern);
     let frames = match modern {
         None => words().frames_none(),
@@ -111,7 +111,10 @@ fn chosen(judgement: &TerminalProfile, options: &Options) -> Vec<DiagnosisRow> {
     vec![
         (words().glyphs(), glyphs),
         (words().colours(), colours),
-        (words().row_language(), Language::spoken().name().to_owned()),
+        (
+            words().row_language(),
+            Language::current_language().name().to_owned(),
+        ),
         (words().row_theme(), options.theme.name().to_owned()),
         (words().row_frames(), frames.to_owned()),
         (words().row_pictures(), pictures(judgement, options)),
@@ -124,14 +127,14 @@ fn pictures(judgement: &TerminalProfile, options: &Options) -> String {
     format!("{}: {}", by.name(), found.why)
 }
 
-fn wished<T: Copy + PartialEq>(
-    wish: Option<T>,
+fn requested_or_detected<T: Copy + PartialEq>(
+    requested: Option<T>,
     found: Detected<T>,
     name: impl Fn(T) -> &'static str,
 ) -> String {
-    match wish {
+    match requested {
         None => format!("{}: {}", name(found.value), found.why),
-        Some(wish) => words().asked_for(name(wish), name(found.value), &found.why),
+        Some(requested) => words().asked_for(name(requested), name(found.value), &found.why),
     }
 }
 

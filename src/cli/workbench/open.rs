@@ -1,6 +1,6 @@
 //! Opens the workbench.
 
-use super::args::{USUAL_SCENE, WorkbenchArgs};
+use super::args::{DEFAULT_SCENE, WorkbenchArgs};
 use super::config;
 use crate::cli::choice::OrAuto;
 use crate::cli::failure::Failure;
@@ -19,7 +19,7 @@ pub(in crate::cli) fn open(
 ) -> Result<(), Failure> {
     let options = options(args, language)?;
     let named = args.scene.as_deref();
-    let source = find(named.unwrap_or(Path::new(USUAL_SCENE)))?;
+    let source = find(named.unwrap_or(Path::new(DEFAULT_SCENE)))?;
     let SolvableScene { scene, solver } = load(&source, &args.assembly.wishes)?;
     let origin = match source {
         SceneSource::Stdin => Origin::Stdin,
@@ -33,13 +33,13 @@ pub(in crate::cli) fn open(
         SceneSource::Address(_) => Origin::New(scene.name.clone()),
         SceneSource::File(path) => Origin::File(path),
     };
-    let opened = tui::Opened {
+    let opened = tui::OpenedScene {
         scene,
         solver,
         origin,
     };
     if args.print {
-        let Size { cols, rows } = args.size.unwrap_or(picture::USUAL);
+        let Size { cols, rows } = args.size.unwrap_or(picture::DEFAULT_SIZE);
         return write_text(None, &tui::picture(opened, &options, cols, rows));
     }
     run(opened, &options)
@@ -57,10 +57,10 @@ pub(in crate::cli) fn open_task(task: TaskOrder) -> Result<(), Failure> {
         config,
         ..Options::default()
     };
-    let source = find(Path::new(USUAL_SCENE))?;
+    let source = find(Path::new(DEFAULT_SCENE))?;
     let SolvableScene { scene, solver } = load(&source, &[])?;
-    let origin = Origin::Preset(USUAL_SCENE.into());
-    let opened = tui::Opened {
+    let origin = Origin::Preset(DEFAULT_SCENE.into());
+    let opened = tui::OpenedScene {
         scene,
         solver,
         origin,
@@ -68,7 +68,7 @@ pub(in crate::cli) fn open_task(task: TaskOrder) -> Result<(), Failure> {
     run(opened, &options)
 }
 
-fn run(opened: tui::Opened, options: &Options) -> Result<(), Failure> {
+fn run(opened: tui::OpenedScene, options: &Options) -> Result<(), Failure> {
     tui::run(opened, options).map_err(|error| {
         if error.is_usage() {
             Failure::Usage(error.to_string())

@@ -10,7 +10,7 @@
 use super::{Align, INERTIA, LabelPlace, Labels, SEATS, cell_of, cover_for, names, origin, width};
 use crate::drawing::figure::{Figure, Role};
 use crate::drawing::raster::Raster;
-use crate::drawing::reach::Reach;
+use crate::drawing::reach::Extents;
 use crate::drawing::render::{Glyphs, render_bare};
 use crate::drawing::view::WorldView;
 
@@ -30,7 +30,7 @@ const HIDDEN: i32 = 500;
 /// Cost of a change of sides.
 const CHANGE: i32 = 600;
 /// Cost of another side than the one that is shown when the plan begins.
-const ELSEWHERE: i32 = 4000;
+const EXAMINED_FRACTIONS: i32 = 4000;
 /// Cost per character of a planned name that hides part of a bar.
 const OVER_BAR: i32 = 100;
 /// Number of steps around those without a place for a name, over which it is left out.
@@ -138,7 +138,7 @@ impl Labels {
     /// coordinate. Without a motion, or for very many names, there is no plan.
     pub fn plan(
         &mut self,
-        reach: &Reach,
+        extents: &Extents,
         at: f64,
         view: &WorldView,
         glyphs: Glyphs,
@@ -149,9 +149,9 @@ impl Labels {
             step: 0,
             names: Vec::new(),
         };
-        if let Some(begin) = step_of(reach, at) {
-            plan.step = begin;
-            plan.names = self.planned_names(reach, (at, begin), view, glyphs, figure_at);
+        if let Some(start) = step_of(extents, at) {
+            plan.step = start;
+            plan.names = self.planned_names(extents, (at, start), view, glyphs, figure_at);
         }
         self.plan = Some(plan);
     }
@@ -159,8 +159,8 @@ impl Labels {
     /// Returns the plan of each name; empty if there are too many.
     fn planned_names(
         &self,
-        reach: &Reach,
-        (at, begin): (f64, usize),
+        extents: &Extents,
+        (at, start): (f64, usize),
         view: &WorldView,
         glyphs: Glyphs,
         mut figure_at: impl FnMut(f64) -> Figure,
@@ -172,7 +172,7 @@ impl Labels {
         }
         let mut raster = Raster::new();
         let mut names = vec![SeatCosts::default(); count];
-        let steps = reach.poses().steps(STEPS);
+        let steps = extents.poses().steps(STEPS);
         for coordinate in steps {
             let figure = figure_at(coordinate);
             render_bare(&figure, view, glyphs, &mut raster);
@@ -182,8 +182,8 @@ impl Labels {
             }
         }
         let planning = Planning {
-            closed: reach.poses().is_closed(),
-            begin,
+            closed: extents.poses().is_closed(),
+            begin: start,
         };
         let mut planned: Vec<Option<PlannedName>> = vec![None; count];
         for _ in 0..ROUNDS {
@@ -217,8 +217,8 @@ impl Labels {
     }
 
     /// Sets the driver coordinate at which the plan is read.
-    pub fn go(&mut self, reach: &Reach, at: f64) {
-        if let (Some(plan), Some(step)) = (&mut self.plan, step_of(reach, at)) {
+    pub fn go(&mut self, extents: &Extents, at: f64) {
+        if let (Some(plan), Some(step)) = (&mut self.plan, step_of(extents, at)) {
             plan.step = step;
         }
     }
@@ -288,8 +288,8 @@ fn own_names(figure: &Figure) -> impl Iterator<Item = (crate::Vec2, &str)> {
     own.map(|(at, text, _)| (at, text))
 }
 
-fn step_of(reach: &Reach, at: f64) -> Option<usize> {
-    let share = reach.poses().share(at)?;
+fn step_of(extents: &Extents, at: f64) -> Option<usize> {
+    let share = extents.poses().share(at)?;
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -432,12 +432,12 @@ impl Planning {
     /// Returns the best sides of a name that is shown on a side when the plan begins.
     fn best(&self, costs: &[SideCosts], shown: Option<Side>) -> PlannedName {
         let mut costs = costs.to_vec();
-        if let (Some(begin), Some(shown)) = (costs.get_mut(self.begin), shown) {
-            let others = begin
+        if let (Some(start), Some(shown)) = (costs.get_mut(self.begin), shown) {
+            let others = start
                 .iter_mut()
                 .zip(&SIDES)
                 .filter(|(_, side)| **side != shown);
-            others.for_each(|(cost, _)| *cost += ELSEWHERE);
+            others.for_each(|(cost, _)| *cost += EXAMINED_FRACTIONS);
         }
         let hidden = PlannedName {
             main: Side::Hidden,
@@ -483,17 +483,17 @@ impl Planning {
     fn best_part(&self, count: usize, gain: impl Fn(usize) -> i32) -> (i32, usize, usize) {
         // The part with the smallest sum that ends here, and the one with the largest sum.
         let (mut low, mut high) = ((0, 0), (0, 0));
-        let (mut least, mut most) = ((0, 0, 0), (0, 0, 0));
+        let (mut minimum, mut maximum) = ((0, 0, 0), (0, 0, 0));
         let mut sum = 0;
         for step in 0..count {
             let gain = gain(step);
             sum += gain;
             if !self.closed {
-                if sum < least.0 {
-                    least = (sum, 0, step + 1);
+                if sum < minimum.0 {
+                    minimum = (sum, 0, step + 1);
                 }
-                if sum > most.0 {
-                    most = (sum, 0, step + 1);
+                if sum > maximum.0 {
+                    maximum = (sum, 0, step + 1);
                 }
                 continue;
             }
@@ -507,16 +507,16 @@ impl Planning {
             } else {
                 (gain, step)
             };
-            if low.0 < least.0 {
-                least = (low.0, low.1, step + 1);
+            if low.0 < minimum.0 {
+                minimum = (low.0, low.1, step + 1);
             }
-            if high.0 > most.0 {
-                most = (high.0, high.1, step + 1);
+            if high.0 > maximum.0 {
+                maximum = (high.0, high.1, step + 1);
             }
         }
         // All but the part with the largest sum.
-        let rest = (sum - most.0, most.2, most.1);
-        if rest.0 < least.0 {
+        let rest = (sum - maximum.0, maximum.2, maximum.1);
+        if rest.0 < minimum.0 {
             let (sum, from, to) = rest;
             if self.closed {
                 (sum, from % count, to)
@@ -524,7 +524,7 @@ impl Planning {
                 (sum, from, count)
             }
         } else {
-            least
+            minimum
         }
     }
 }

@@ -47,14 +47,14 @@ impl LinkageSketch<'_> {
 
     /// Draws a tick at each limit that the slide reaches.
     fn stops_of_slide(&mut self, id: SlideId, limit: &Limit) {
-        let Some((least, most)) = self.reach.travel(id) else {
+        let Some((minimum, maximum)) = self.reach.travel(id) else {
             return;
         };
         let slack = MET * self.size();
         let guide = self.state.travel(id).guide;
         let across = Vec2::new(-guide.y, guide.x) * (TICK * self.size());
         for end in [limit.low, limit.high] {
-            if least - slack <= end && end <= most + slack {
+            if minimum - slack <= end && end <= maximum + slack {
                 let at = self.on_guide(id, end);
                 self.stop_line(at - across, at + across);
             }
@@ -70,12 +70,12 @@ impl LinkageSketch<'_> {
         if span >= angle::TURN {
             return;
         }
-        let begin = match from {
+        let start = match from {
             Body::Ground => 0.0,
             Body::Link(from) => self.state.angle(from),
         };
         let (pivot, radius) = (self.state.position(pivot), RADIUS * self.size());
-        let towards = |end: f64| angle::unit(begin + end);
+        let towards = |end: f64| angle::unit(start + end);
         let chords = (span / CHORD).ceil().max(1.0);
         let place = |k: f64| pivot + towards(limit.low + span * (k / chords)) * radius;
         let mut k = 0.0;
@@ -106,7 +106,7 @@ impl LinkageSketch<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::{Layers, Reach, linkage};
+    use crate::drawing::{Extents, Layers, linkage};
     use crate::scene::Scene;
     use crate::solver::{Order, Solver};
 
@@ -119,10 +119,10 @@ mod tests {
         );
         let scene = Scene::parse(&text, "test").unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
-        let reach = Reach::of(&scene, &solver);
+        let extents = Extents::of(&scene, &solver);
         let mut state = solver.state();
         let _ = solver.solve(60.0, Order::Position, &mut state);
-        let figure = linkage(&scene, &reach, &state, Layers::default());
+        let figure = linkage(&scene, &extents, &state, Layers::default());
         let shapes = figure.shapes().iter().filter_map(|shape| match shape {
             Shape::Line { from, to, role } if *role == Role::Guide => Some([*from, *to]),
             _ => None,

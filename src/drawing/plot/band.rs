@@ -22,9 +22,9 @@ impl PlotBand {
             [ends[0].min(off[0]), ends[1].max(off[1])]
         });
         let ahead = |pair: &[(f64, [f64; 2])]| pair[0].0 <= pair[1].0;
-        let goes_on =
+        let continues =
             places.windows(2).all(ahead) || places.windows(2).all(|pair| pair[1].0 <= pair[0].0);
-        if !goes_on {
+        if !continues {
             places.clear();
         }
         PlotBand { places, ends }

@@ -97,7 +97,7 @@ impl Decades {
         let powers: Vec<i32> = self.ticks(rows, LABEL_ROWS).collect();
         let [low, high] = self.ends();
         let is_even = |rows: &i32| {
-            let scale = CellScale::upwards(low, high, 0, *rows, 0.5);
+            let scale = CellScale::perpendicular_up(low, high, 0, *rows, 0.5);
             let rows = powers
                 .windows(2)
                 .map(|pair| cell(&scale, f64::from(pair[0])) - cell(&scale, f64::from(pair[1])));
@@ -107,11 +107,11 @@ impl Decades {
         (MIN_VALUE..=rows).rev().find(is_even).unwrap_or(rows)
     }
 
-    /// Returns the exponents to label along `cells` cells: as many as leave `room` cells to each.
-    fn ticks(self, cells: i32, room: i32) -> impl Iterator<Item = i32> {
+    /// Returns the exponents to label along `cells` cells: as many as leave `space` cells to each.
+    fn ticks(self, cells: i32, space: i32) -> impl Iterator<Item = i32> {
         let fits = |every: &i32| {
             let labels = self.count / every;
-            labels < 1 || (cells - 1) * every / self.count >= room
+            labels < 1 || (cells - 1) * every / self.count >= space
         };
         let every = (1..=self.count).find(fits).unwrap_or(self.count);
         let powers = self.low..=self.low + self.count;
@@ -155,7 +155,7 @@ impl Chart {
             foot: height + 1,
             decades: [level, upright],
             x: CellScale::along(left, right, margin + 1, width, 0.5),
-            y: CellScale::upwards(low, high, 1 + height - shown, shown, 0.5),
+            y: CellScale::perpendicular_up(low, high, 1 + height - shown, shown, 0.5),
             strokes: FrameGlyphs::of(glyphs),
         };
         painter.frame(&mut raster);
@@ -186,14 +186,14 @@ struct ChartPainter<'a> {
 impl ChartPainter<'_> {
     fn frame(&self, raster: &mut Raster) {
         let y = &self.chart.y;
-        self.strokes.put_upright(self.axis, 1..self.foot, raster);
+        self.strokes.draw_upright(self.axis, 1..self.foot, raster);
         self.strokes
-            .put_level(self.axis..self.end, self.foot, raster);
+            .draw_level(self.axis..self.end, self.foot, raster);
         write(raster, 0, 0, &y.title, Role::Axis);
         for power in self.decades[1].ticks(self.foot - 1, LABEL_ROWS) {
             let row = cell(&self.y, f64::from(power));
             self.strokes
-                .put_label((self.axis, row), &(y.label)(power), raster);
+                .draw_label((self.axis, row), &(y.label)(power), raster);
         }
         self.level_labels(raster);
     }
@@ -210,7 +210,7 @@ impl ChartPainter<'_> {
         for power in ticks {
             let label = (x.label)(power);
             let col = cell(&self.x, f64::from(power));
-            raster.put(col, self.foot, self.strokes.tick, Role::Axis);
+            raster.set_cell(col, self.foot, self.strokes.tick, Role::Axis);
             let from = (col - length(&label) / 2).min(end - length(&label));
             if from >= free {
                 write(raster, from, self.foot + 1, &label, Role::Axis);
@@ -246,10 +246,10 @@ impl ChartPainter<'_> {
         for pair in cells.windows(2) {
             let [(col, row), (next_col, next_row)] = [pair[0], pair[1]];
             for row in row.min(next_row)..=row.max(next_row) {
-                raster.put(next_col, row, down, Role::Front);
+                raster.set_cell(next_col, row, down, Role::Front);
             }
             for col in col..=next_col {
-                raster.put(col, row, along, Role::Front);
+                raster.set_cell(col, row, along, Role::Front);
             }
         }
     }
@@ -270,7 +270,7 @@ impl ChartPainter<'_> {
             };
             taken.push(place);
             let role = if datum.best { Role::Front } else { Role::Datum };
-            raster.put(place.0, place.1, datum.letter, role);
+            raster.set_cell(place.0, place.1, datum.letter, role);
         }
     }
 }

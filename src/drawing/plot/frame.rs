@@ -19,7 +19,7 @@ pub(super) struct FrameGlyphs {
 
 impl FrameGlyphs {
     pub(super) fn of(glyphs: Glyphs) -> FrameGlyphs {
-        let [upright, level, corner, nought, cursor, sample] = match glyphs {
+        let [upright, level, corner, zero, cursor, sample] = match glyphs {
             Glyphs::Ascii => ['|', '-', '+', '.', ':', '*'],
             // Every console font has these glyphs; not all have the half-crossings.
             Glyphs::Line => [
@@ -34,30 +34,30 @@ impl FrameGlyphs {
             level,
             corner,
             tick: '+',
-            nought,
+            nought: zero,
             cursor,
             sample,
         }
     }
 
     /// Draws the horizontal axis in a row, with the corner in the first column.
-    pub(super) fn put_level(&self, columns: Range<i32>, row: i32, raster: &mut Raster) {
+    pub(super) fn draw_level(&self, columns: Range<i32>, row: i32, raster: &mut Raster) {
         for col in columns.clone() {
-            raster.put(col, row, self.level, Role::Axis);
+            raster.set_cell(col, row, self.level, Role::Axis);
         }
-        raster.put(columns.start, row, self.corner, Role::Axis);
+        raster.set_cell(columns.start, row, self.corner, Role::Axis);
     }
 
-    pub(super) fn put_upright(&self, col: i32, rows: Range<i32>, raster: &mut Raster) {
+    pub(super) fn draw_upright(&self, col: i32, rows: Range<i32>, raster: &mut Raster) {
         for row in rows {
-            raster.put(col, row, self.upright, Role::Axis);
+            raster.set_cell(col, row, self.upright, Role::Axis);
         }
     }
 
     /// Draws a tick of the vertical axis with its label to the left.
-    pub(super) fn put_label(&self, (col, row): (i32, i32), label: &str, raster: &mut Raster) {
+    pub(super) fn draw_label(&self, (col, row): (i32, i32), label: &str, raster: &mut Raster) {
         write(raster, col - length(label), row, label, Role::Axis);
-        raster.put(col, row, self.tick, Role::Axis);
+        raster.set_cell(col, row, self.tick, Role::Axis);
     }
 }
 
@@ -68,6 +68,6 @@ pub(super) fn length(text: &str) -> i32 {
 
 pub(super) fn write(raster: &mut Raster, col: i32, row: i32, text: &str, role: Role) {
     for (col, glyph) in (col..).zip(text.chars()) {
-        raster.put(col, row, glyph, role);
+        raster.set_cell(col, row, glyph, role);
     }
 }

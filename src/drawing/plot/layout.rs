@@ -22,7 +22,7 @@ const MAX_STRETCH: f64 = 0.4;
 /// Maximum relative lengthening beyond the shortest axis in exchange for more ticks.
 const LONGER: f64 = 0.15;
 /// Number of round steps to try, from the first that fits.
-const TRIED: usize = 3;
+const STEP_TRIALS: usize = 3;
 /// Relative tolerances. A range smaller than `FLAT` times its values has no ticks. An end that
 /// misses a value by less than `ROUNDED` of the range misses it by a rounding error.
 const FLAT: f64 = 1e-12;
@@ -87,7 +87,13 @@ impl CellScale {
         }
     }
 
-    pub(super) fn upwards(low: f64, high: f64, top: i32, cells: i32, inset: f64) -> CellScale {
+    pub(super) fn perpendicular_up(
+        low: f64,
+        high: f64,
+        top: i32,
+        cells: i32,
+        inset: f64,
+    ) -> CellScale {
         let length = f64::from(cells) - 2.0 * inset;
         CellScale {
             low,
@@ -140,8 +146,8 @@ impl CellScale {
 
 /// Returns how many of `panels` panels fit into `rows` rows; at least one.
 fn shown(panels: usize, rows: i32) -> usize {
-    let room = (rows - FOOT) / (LEGEND + MIN_BODY);
-    panels.min(usize::try_from(room).unwrap_or(0).max(1))
+    let space = (rows - FOOT) / (LEGEND + MIN_BODY);
+    panels.min(usize::try_from(space).unwrap_or(0).max(1))
 }
 
 impl Plot {
@@ -153,7 +159,7 @@ impl Plot {
 
     /// Returns the number of rows in which all panels are visible.
     #[must_use]
-    pub fn least_rows(&self) -> u16 {
+    pub fn min_rows(&self) -> u16 {
         let panels = i32::try_from(self.panels.len())
             .unwrap_or(0)
             .min(MAX_PANELS);
@@ -163,24 +169,24 @@ impl Plot {
 
     /// Returns `true` if the plot fits into the cells.
     #[must_use]
-    pub fn fits(&self, look: &PlotStyle) -> bool {
-        self.layout(look).is_some()
+    pub fn fits(&self, style: &PlotStyle) -> bool {
+        self.layout(style).is_some()
     }
 
     /// Returns the x value in the middle of a column; `None` outside the curves.
     #[must_use]
-    pub fn along(&self, look: &PlotStyle, column: u16) -> Option<f64> {
-        self.layout(look)?.x.value(f64::from(column) + 0.5)
+    pub fn along(&self, style: &PlotStyle, column: u16) -> Option<f64> {
+        self.layout(style)?.x.value(f64::from(column) + 0.5)
     }
 
     /// Computes the layout; `None` if the cells do not suffice.
-    pub(super) fn layout(&self, look: &PlotStyle) -> Option<PlotLayout> {
-        let (cols, rows) = (i32::from(look.cols), i32::from(look.rows));
+    pub(super) fn layout(&self, style: &PlotStyle) -> Option<PlotLayout> {
+        let (cols, rows) = (i32::from(style.cols), i32::from(style.rows));
         if self.panels.is_empty() || rows < MIN_ROWS || cols < MIN_COLS {
             return None;
         }
         let count = shown(self.panels.len(), rows);
-        let first = look.first.min(self.panels.len() - count);
+        let first = style.first.min(self.panels.len() - count);
         // Ticks and marks keep their cells for every set of glyphs.
         let inset = Vec2::new(INSET, INSET);
         let body = rows - FOOT;
@@ -228,9 +234,10 @@ impl Plot {
             let y = &self.panels[*number].y;
             let height = frame.block.height;
             let cells = Vec2::new(f64::from(width), f64::from(height)) - inset * 2.0;
-            let ends = true_ends((low, high), (y.low, y.high), cells, look.aspect);
+            let ends = true_ends((low, high), (y.low, y.high), cells, style.aspect);
             (low, high) = ends[0];
-            frame.y = CellScale::upwards(ends[1].0, ends[1].1, frame.block.top, height, inset.y);
+            frame.y =
+                CellScale::perpendicular_up(ends[1].0, ends[1].1, frame.block.top, height, inset.y);
             let ticks = Ticks::between(ends[1].0, ends[1].1, y.is_angle, labels(height));
             let ticks = thinned(&frame.y, ticks);
             // The left margin was computed for the previous labels, so longer ones do not fit.
@@ -261,7 +268,8 @@ fn upright_axis(y: &Axis, top: i32, height: i32) -> (CellScale, Ticks) {
     let found = (LABEL_ROWS..height).flat_map(|every| aligned(y, height, every));
     let found: Vec<AlignedAxis> = found.filter(|axis| axis.longer <= MAX_STRETCH).collect();
     let shortest = found.iter().map(|axis| axis.longer).reduce(f64::min);
-    let near = |axis: &&AlignedAxis| shortest.is_some_and(|least| axis.longer <= least + LONGER);
+    let near =
+        |axis: &&AlignedAxis| shortest.is_some_and(|minimum| axis.longer <= minimum + LONGER);
     let order = |a: &&AlignedAxis, b: &&AlignedAxis| {
         let shorter = b.longer.total_cmp(&a.longer);
         a.count.cmp(&b.count).then(shorter)
@@ -272,10 +280,13 @@ fn upright_axis(y: &Axis, top: i32, height: i32) -> (CellScale, Ticks) {
         let values = || ticks.values.iter().copied();
         let low = values().fold(best.low.min(y.low), f64::min);
         let high = values().fold(best.high.max(y.high), f64::max);
-        return (CellScale::upwards(low, high, top, height, INSET), ticks);
+        return (
+            CellScale::perpendicular_up(low, high, top, height, INSET),
+            ticks,
+        );
     }
     let usual = Ticks::between(y.low, y.high, y.is_angle, labels(height));
-    let scale = CellScale::upwards(y.low, y.high, top, height, INSET);
+    let scale = CellScale::perpendicular_up(y.low, y.high, top, height, INSET);
     (scale, thinned(&scale, usual))
 }
 
@@ -299,10 +310,10 @@ fn aligned(y: &Axis, height: i32, every: i32) -> impl Iterator<Item = AlignedAxi
     let (size, gaps) = (y.high - y.low, f64::from(height - 1));
     let rows = f64::from(every);
     // The smallest step that fits, and a few larger ones.
-    let least = size / gaps * rows;
-    let is_some = size > y.low.abs().max(y.high.abs()) * FLAT && least.is_normal();
-    let least = if is_some { least } else { 1.0 };
-    let candidates = steps(least, y.is_angle).skip_while(move |&step| step < least);
+    let minimum = size / gaps * rows;
+    let is_some = size > y.low.abs().max(y.high.abs()) * FLAT && minimum.is_normal();
+    let minimum = if is_some { minimum } else { 1.0 };
+    let candidates = steps(minimum, y.is_angle).skip_while(move |&step| step < minimum);
     let axis = move |step: f64| {
         let row = step / rows;
         // Spare rows are split between both sides, but not below zero if zero is the end.
@@ -329,9 +340,9 @@ fn aligned(y: &Axis, height: i32, every: i32) -> impl Iterator<Item = AlignedAxi
         let slack = size * ROUNDED;
         axis.low <= y.low + slack && axis.high >= y.high - slack
     };
-    let most = labels(height) as i64;
-    let fits = move |axis: &AlignedAxis| (2..=most).contains(&axis.count) && holds(axis);
-    let tried = candidates.take(if is_some { TRIED } else { 0 });
+    let maximum = labels(height) as i64;
+    let fits = move |axis: &AlignedAxis| (2..=maximum).contains(&axis.count) && holds(axis);
+    let tried = candidates.take(if is_some { STEP_TRIALS } else { 0 });
     tried.map(axis).filter(fits)
 }
 
@@ -374,9 +385,9 @@ fn level_ticks(x: &CellScale, is_angle: bool, unit: &str, cells: Range<i32>) -> 
         let mut pairs = labels.iter().zip(taken);
         pairs.all(|(label, next)| label.end() + LABEL_GAP <= next)
     };
-    let most = usize::try_from((cells.end - cells.start) / 4).unwrap_or(0);
-    let tried = (2..=most.clamp(2, 25)).rev();
-    let mut tried = tried.map(|most| Ticks::between(low, high, is_angle, most));
+    let maximum = usize::try_from((cells.end - cells.start) / 4).unwrap_or(0);
+    let tried = (2..=maximum.clamp(2, 25)).rev();
+    let mut tried = tried.map(|maximum| Ticks::between(low, high, is_angle, maximum));
     let few = || Ticks::between(low, high, is_angle, 2);
     tried.find(fits).unwrap_or_else(few)
 }
@@ -410,9 +421,9 @@ pub(super) fn level_labels(ticks: &Ticks, x: &CellScale, end: i32) -> Vec<LevelL
 /// Returns the column up to which the labels before the last one may extend, and the first column
 /// of the unit. The unit follows the last label, or precedes it if that is at the edge.
 pub(super) fn unit_place(last: &LevelLabel, unit: &str, end: i32) -> (i32, i32) {
-    let behind = last.end() + 1;
-    if behind + length(unit) <= end {
-        return (last.from, behind);
+    let after = last.end() + 1;
+    if after + length(unit) <= end {
+        return (last.from, after);
     }
     let before = last.from - length(unit) - UNIT_GAP;
     (before, before)
@@ -420,8 +431,8 @@ pub(super) fn unit_place(last: &LevelLabel, unit: &str, end: i32) -> (i32, i32) 
 
 /// Returns the maximum number of labels next to a vertical axis of `height` rows.
 fn labels(height: i32) -> usize {
-    let most = usize::try_from((height + 1) / LABEL_ROWS).unwrap_or(0);
-    most.clamp(2, MAX_LABELS)
+    let maximum = usize::try_from((height + 1) / LABEL_ROWS).unwrap_or(0);
+    maximum.clamp(2, MAX_LABELS)
 }
 
 /// Returns the ranges along x and y, one of them enlarged so that lengths have the same scale along

@@ -22,9 +22,9 @@ use std::collections::HashMap;
 /// The shades from low to high; a missing value is blank.
 const SHADES: [char; 9] = ['.', ':', '-', '=', '+', '*', '#', '%', '@'];
 /// Columns of the text next to the map in addition to its labels: the axis, and space at the edge.
-const BESIDE: usize = 4;
+const COLUMNS_AROUND_MAP: usize = 4;
 /// Rows of the text above and below the map: names, the axis and its labels, the legend.
-const ABOVE_AND_BELOW: usize = 8;
+const ROWS_AROUND_MAP: usize = 8;
 /// Minimum columns and rows of a map.
 const MIN_SIDE: usize = 4;
 
@@ -44,7 +44,7 @@ pub struct GridMap {
 struct GridAxis {
     name: String,
     unit: String,
-    places: Vec<f64>,
+    coordinates: Vec<f64>,
 }
 
 /// An edge of the grid that a line crosses: from the node of this column and row, to the right if
@@ -61,9 +61,9 @@ impl GridMap {
         up: ([&str; 2], Vec<f64>),
         heights: &[Option<f64>],
     ) -> GridMap {
-        let order = |places: &[f64]| {
-            let mut order: Vec<usize> = (0..places.len()).collect();
-            order.sort_by(|&a, &b| places[a].total_cmp(&places[b]));
+        let order = |coordinates: &[f64]| {
+            let mut order: Vec<usize> = (0..coordinates.len()).collect();
+            order.sort_by(|&a, &b| coordinates[a].total_cmp(&coordinates[b]));
             order
         };
         let (columns, rows) = (order(&along.1), order(&up.1));
@@ -73,11 +73,12 @@ impl GridMap {
                 .iter()
                 .map(move |&column| height(row, column).flatten())
         });
-        let axis = |([name, unit], places): &([&str; 2], Vec<f64>), order: &[usize]| GridAxis {
-            name: (*name).to_owned(),
-            unit: (*unit).to_owned(),
-            places: order.iter().map(|&k| places[k]).collect(),
-        };
+        let axis =
+            |([name, unit], coordinates): &([&str; 2], Vec<f64>), order: &[usize]| GridAxis {
+                name: (*name).to_owned(),
+                unit: (*unit).to_owned(),
+                coordinates: order.iter().map(|&k| coordinates[k]).collect(),
+            };
         GridMap {
             title: title.map(str::to_owned),
             heights: all.collect(),
@@ -88,7 +89,7 @@ impl GridMap {
 
     fn height(&self, column: usize, row: usize) -> Option<f64> {
         self.heights
-            .get(row * self.along.places.len() + column)
+            .get(row * self.along.coordinates.len() + column)
             .copied()
             .flatten()
     }
@@ -112,10 +113,10 @@ impl GridMap {
         let ends = self.up.ends().map(|end| style.text(end));
         let labels = ends.iter().map(String::len).max().unwrap_or(0) + 2;
         let width = usize::from(cols)
-            .saturating_sub(labels + BESIDE)
+            .saturating_sub(labels + COLUMNS_AROUND_MAP)
             .max(MIN_SIDE);
         let height = usize::from(rows)
-            .saturating_sub(ABOVE_AND_BELOW)
+            .saturating_sub(ROWS_AROUND_MAP)
             .max(MIN_SIDE);
         let mut text = format!("{}\n{}\n", self.titled(), self.up.title());
         for line in 0..height {
@@ -235,24 +236,28 @@ impl GridMap {
     /// Returns the contour line of a level as connected pieces (marching squares). At a saddle, the
     /// mean of the four corners decides which corners are connected.
     fn line_at(&self, level: f64) -> Vec<Vec<Vec2>> {
-        let mut ways: HashMap<GridEdge, Vec<GridEdge>> = HashMap::new();
+        let mut paths: HashMap<GridEdge, Vec<GridEdge>> = HashMap::new();
         let mut order = Vec::new();
-        for row in 1..self.up.places.len() {
-            for column in 1..self.along.places.len() {
+        for row in 1..self.up.coordinates.len() {
+            for column in 1..self.along.coordinates.len() {
                 for [a, b] in self.segments(column - 1, row - 1, level) {
                     order.extend([a, b]);
-                    ways.entry(a).or_default().push(b);
-                    ways.entry(b).or_default().push(a);
+                    paths.entry(a).or_default().push(b);
+                    paths.entry(b).or_default().push(a);
                 }
             }
         }
         // Lines that end at an edge of the grid come first; the others are closed.
-        let is_end = |edge: &GridEdge, ways: &HashMap<GridEdge, Vec<GridEdge>>| {
-            ways.get(edge).is_some_and(|to| to.len() == 1)
+        let is_end = |edge: &GridEdge, paths: &HashMap<GridEdge, Vec<GridEdge>>| {
+            paths.get(edge).is_some_and(|to| to.len() == 1)
         };
-        let ends: Vec<GridEdge> = order.iter().copied().filter(|e| is_end(e, &ways)).collect();
+        let ends: Vec<GridEdge> = order
+            .iter()
+            .copied()
+            .filter(|e| is_end(e, &paths))
+            .collect();
         let starts = ends.into_iter().chain(order);
-        let pieces = starts.map(|start| walk(start, &mut ways));
+        let pieces = starts.map(|start| walk(start, &mut paths));
         let pieces = pieces.filter(|piece| piece.len() > 1);
         pieces
             .map(|piece| {
@@ -302,8 +307,9 @@ impl GridMap {
         };
         let (from, to) = (self.height(column, row)?, self.height(right, above)?);
         let part = (level - from) / (to - from);
-        let node =
-            |column: usize, row: usize| Vec2::new(self.along.places[column], self.up.places[row]);
+        let node = |column: usize, row: usize| {
+            Vec2::new(self.along.coordinates[column], self.up.coordinates[row])
+        };
         let (a, b) = (node(column, row), node(right, above));
         Some(a + (b - a) * part)
     }
@@ -318,8 +324,8 @@ impl GridMap {
 
 impl GridAxis {
     fn ends(&self) -> [f64; 2] {
-        let first = self.places.first().copied().unwrap_or(0.0);
-        [first, self.places.last().copied().unwrap_or(first)]
+        let first = self.coordinates.first().copied().unwrap_or(0.0);
+        [first, self.coordinates.last().copied().unwrap_or(first)]
     }
 
     fn title(&self) -> String {
@@ -336,8 +342,8 @@ impl GridAxis {
     fn nearest(&self, cell: usize, cells: usize) -> usize {
         let [low, high] = self.ends();
         let at = low + (high - low) * (cell as f64 / (cells - 1).max(1) as f64);
-        let off = |k: &usize| (self.places[*k] - at).abs();
-        let nearest = (0..self.places.len()).min_by(|a, b| off(a).total_cmp(&off(b)));
+        let off = |k: &usize| (self.coordinates[*k] - at).abs();
+        let nearest = (0..self.coordinates.len()).min_by(|a, b| off(a).total_cmp(&off(b)));
         nearest.unwrap_or(0)
     }
 }
@@ -349,14 +355,14 @@ fn band(height: f64, levels: &Ticks) -> usize {
 }
 
 /// Follows a line from one of its edges to its end, and removes the visited parts.
-fn walk(start: GridEdge, ways: &mut HashMap<GridEdge, Vec<GridEdge>>) -> Vec<GridEdge> {
+fn walk(start: GridEdge, paths: &mut HashMap<GridEdge, Vec<GridEdge>>) -> Vec<GridEdge> {
     let mut line = vec![start];
     let mut here = start;
-    while let Some(next) = ways.get_mut(&here).and_then(Vec::pop) {
-        if let Some(back) = ways.get_mut(&next)
-            && let Some(way) = back.iter().position(|edge| *edge == here)
+    while let Some(next) = paths.get_mut(&here).and_then(Vec::pop) {
+        if let Some(back) = paths.get_mut(&next)
+            && let Some(path) = back.iter().position(|edge| *edge == here)
         {
-            back.remove(way);
+            back.remove(path);
         }
         line.push(next);
         here = next;
@@ -399,8 +405,11 @@ mod tests {
         let pieces = plane().line_at(1.5);
         assert_eq!(pieces.len(), 1, "{pieces:?}");
         assert_eq!(pieces[0].len(), 3);
-        for place in &pieces[0] {
-            assert!((place.x + place.y - 1.5).abs() < 1e-12, "{place:?}");
+        for position in &pieces[0] {
+            assert!(
+                (position.x + position.y - 1.5).abs() < 1e-12,
+                "{position:?}"
+            );
         }
         assert!(plane().line_at(9.0).is_empty());
     }

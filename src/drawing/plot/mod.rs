@@ -138,7 +138,7 @@ pub struct PlotStyle {
 /// The margin around a constant value, relative to the value; for zero the margin is 1.
 const ROOM: f64 = 0.5;
 /// Maximum relative growth of an axis for a band, which grows without bound near a dead point.
-const BAND_ROOM: f64 = 0.25;
+const MAX_BAND_GROWTH: f64 = 0.25;
 
 impl Plot {
     /// Creates the plot of sampled curves, with one panel per unit, in the order of first
@@ -156,16 +156,16 @@ impl Plot {
         };
         let mut panels: Vec<Panel> = Vec::new();
         let mut ranges: Vec<Option<(f64, f64)>> = Vec::new();
-        for (figure, curve) in curves.curves.iter().enumerate() {
+        for (index, curve) in curves.curves.iter().enumerate() {
             let unit = &curve.quantity.unit;
             let known = panels.iter().position(|panel| panel.y.unit == *unit);
-            let place = known.unwrap_or_else(|| {
+            let place_index = known.unwrap_or_else(|| {
                 panels.push(Panel::of(unit));
                 ranges.push(None);
                 panels.len() - 1
             });
-            panels[place].curves.push(line(curves, figure));
-            ranges[place] = union(ranges[place], curve.range());
+            panels[place_index].curves.push(line(curves, index));
+            ranges[place_index] = union(ranges[place_index], curve.range());
         }
         for (panel, range) in panels.iter_mut().zip(ranges) {
             (panel.y.low, panel.y.high) = spread(range);
@@ -179,7 +179,7 @@ impl Plot {
     #[must_use]
     pub fn over(
         [name, unit]: [&str; 2],
-        places: &[f64],
+        coordinates: &[f64],
         figures: &[([&str; 2], Vec<Option<f64>>)],
     ) -> Plot {
         let range = |values: &mut dyn Iterator<Item = f64>| {
@@ -187,18 +187,18 @@ impl Plot {
                 .map(|v| (v, v))
                 .fold(None, |all, one| union(all, Some(one)))
         };
-        let (low, high) = spread(range(&mut places.iter().copied()));
+        let (low, high) = spread(range(&mut coordinates.iter().copied()));
         let mut panels: Vec<Panel> = Vec::new();
         for (number, ([name, unit], values)) in figures.iter().enumerate() {
             let known = panels.iter().position(|panel| panel.y.unit == *unit);
-            let place = known.unwrap_or_else(|| {
+            let index = known.unwrap_or_else(|| {
                 panels.push(Panel::of(unit));
                 panels.len() - 1
             });
-            panels[place].curves.push(PlotCurve {
+            panels[index].curves.push(PlotCurve {
                 name: (*name).to_owned(),
                 figure: Some(number),
-                pieces: pieces(places, values),
+                pieces: pieces(coordinates, values),
                 turns: Vec::new(),
                 is_dotted: false,
                 link: None,
@@ -262,11 +262,11 @@ impl Plot {
             return;
         };
         let places = places.iter().map(|&(x, y)| Vec2::new(x, y));
-        let places: Vec<Vec2> = places.filter(|place| place.is_finite()).collect();
-        for place in &places {
-            (self.x.low, self.x.high) = (self.x.low.min(place.x), self.x.high.max(place.x));
-            panel.y.low = panel.y.low.min(place.y);
-            panel.y.high = panel.y.high.max(place.y);
+        let places: Vec<Vec2> = places.filter(|position| position.is_finite()).collect();
+        for position in &places {
+            (self.x.low, self.x.high) = (self.x.low.min(position.x), self.x.high.max(position.x));
+            panel.y.low = panel.y.low.min(position.y);
+            panel.y.high = panel.y.high.max(position.y);
         }
         panel.curves.push(PlotCurve {
             name: name.to_owned(),
@@ -274,7 +274,10 @@ impl Plot {
             turns: Vec::new(),
             is_dotted: true,
             // A line from a point to itself is a single point.
-            pieces: places.into_iter().map(|place| vec![place, place]).collect(),
+            pieces: places
+                .into_iter()
+                .map(|position| vec![position, position])
+                .collect(),
             link: None,
             band: None,
         });
@@ -285,11 +288,11 @@ impl Plot {
     pub fn add_band(
         &mut self,
         curves: &Curves,
-        figure: usize,
+        index: usize,
         offsets: &[Option<[f64; 2]>],
         name: String,
     ) {
-        let is_of = |line: &PlotCurve| line.figure == Some(figure);
+        let is_of = |line: &PlotCurve| line.figure == Some(index);
         let mut panels = self.panels.iter_mut();
         let Some((panel, at)) = panels.find_map(|panel| {
             let at = panel.curves.iter().position(is_of)?;
@@ -298,7 +301,7 @@ impl Plot {
             return;
         };
         let edge = |side: usize| {
-            curves.pieces_beside(figure, |i| {
+            curves.shifted_pieces(index, |i| {
                 offsets.get(i).copied().flatten().map(|o| o[side])
             })
         };
@@ -306,14 +309,14 @@ impl Plot {
         let pieces = edge(0).into_iter().chain(edge(1));
         let pieces = pieces.map(|piece| places(piece).filter(|p| p.is_finite()).collect());
         let (low, high) = (panel.y.low, panel.y.high);
-        let most = BAND_ROOM * (high - low);
-        let values = curves.curves[figure].values.iter().zip(offsets);
+        let maximum = MAX_BAND_GROWTH * (high - low);
+        let values = curves.curves[index].values.iter().zip(offsets);
         for (value, offset) in values {
             // Only where the curve itself is visible.
             let shown = value.filter(|value| (low..=high).contains(value));
             if let (Some(value), Some([below, above])) = (shown, offset) {
-                panel.y.low = panel.y.low.min((value + below).max(low - most));
-                panel.y.high = panel.y.high.max((value + above).min(high + most));
+                panel.y.low = panel.y.low.min((value + below).max(low - maximum));
+                panel.y.high = panel.y.high.max((value + above).min(high + maximum));
             }
         }
         let role = panel.role(at);
@@ -428,10 +431,10 @@ impl Axis {
     }
 }
 
-fn line(curves: &Curves, figure: usize) -> PlotCurve {
-    let curve = &curves.curves[figure];
+fn line(curves: &Curves, index: usize) -> PlotCurve {
+    let curve = &curves.curves[index];
     let place = |[x, y]: [f64; 2]| Vec2::new(x, y);
-    let pieces = curves.pieces(figure).into_iter();
+    let pieces = curves.pieces(index).into_iter();
     let finite = |piece: Vec<[f64; 2]>| -> Vec<Vec2> {
         let places = piece.into_iter().map(place);
         places.filter(|p| p.is_finite()).collect()
@@ -443,7 +446,7 @@ fn line(curves: &Curves, figure: usize) -> PlotCurve {
     });
     PlotCurve {
         name: curve.quantity.name.clone(),
-        figure: Some(figure),
+        figure: Some(index),
         pieces: pieces
             .map(finite)
             .filter(|piece| !piece.is_empty())
@@ -456,9 +459,9 @@ fn line(curves: &Curves, figure: usize) -> PlotCurve {
 }
 
 /// Returns the connected parts of a curve between places without a value.
-fn pieces(places: &[f64], values: &[Option<f64>]) -> Vec<Vec<Vec2>> {
+fn pieces(coordinates: &[f64], values: &[Option<f64>]) -> Vec<Vec<Vec2>> {
     let mut pieces = vec![Vec::new()];
-    for (&x, value) in places.iter().zip(values) {
+    for (&x, value) in coordinates.iter().zip(values) {
         match (value, pieces.last_mut()) {
             (Some(y), Some(piece)) => piece.push(Vec2::new(x, *y)),
             _ => pieces.push(Vec::new()),
@@ -500,6 +503,6 @@ fn spread(range: Option<(f64, f64)>) -> (f64, f64) {
     if high - low > size * 1e-12 && (high - low).is_finite() {
         return (low, high);
     }
-    let room = if size > 0.0 { size * ROOM } else { 1.0 };
-    (low - room, high + room)
+    let space = if size > 0.0 { size * ROOM } else { 1.0 };
+    (low - space, high + space)
 }

@@ -11,7 +11,7 @@ use crate::drawing::figure::Role;
 use crate::drawing::labels::free_places;
 use crate::drawing::raster::Raster;
 use crate::drawing::render::Glyphs;
-use crate::quantity::Here;
+use crate::quantity::StateValues;
 use crate::wording::words;
 
 /// Symbols of curves, in their order in a panel; they repeat after the last.
@@ -37,24 +37,24 @@ const FLATTEST: i32 = 10;
 impl Plot {
     /// Renders the plot in cells, with the cursor in a state; empty if the cells do not suffice.
     #[must_use]
-    pub fn render(&self, look: &PlotStyle, here: Option<&Here>) -> Raster {
+    pub fn render(&self, style: &PlotStyle, here: Option<&StateValues>) -> Raster {
         let mut raster = Raster::new();
-        raster.reset(look.cols, look.rows);
-        if let Some(layout) = self.layout(look) {
+        raster.reset(style.cols, style.rows);
+        if let Some(layout) = self.layout(style) {
             let painter = PlotPainter {
                 plot: self,
-                look,
+                look: style,
                 here,
-                strokes: FrameGlyphs::of(look.glyphs),
+                strokes: FrameGlyphs::of(style.glyphs),
                 layout: &layout,
             };
-            let seats = look
+            let seats = style
                 .glyphs
                 .is_dotted()
-                .then(|| self.plain_seats(look, &layout, here));
+                .then(|| self.plain_seats(style, &layout, here));
             painter.paint(&mut raster, seats.as_deref());
         }
-        settle(&mut raster, look.glyphs);
+        settle(&mut raster, style.glyphs);
         raster
     }
 
@@ -62,21 +62,21 @@ impl Plot {
     /// more cells, which would leave fewer places.
     fn plain_seats(
         &self,
-        look: &PlotStyle,
+        style: &PlotStyle,
         layout: &PlotLayout,
-        here: Option<&Here>,
+        here: Option<&StateValues>,
     ) -> Vec<WrittenTurn> {
-        let look = &PlotStyle {
+        let style = &PlotStyle {
             glyphs: Glyphs::Ascii,
-            ..*look
+            ..*style
         };
         let mut raster = Raster::new();
-        raster.reset(look.cols, look.rows);
+        raster.reset(style.cols, style.rows);
         let painter = PlotPainter {
             plot: self,
-            look,
+            look: style,
             here,
-            strokes: FrameGlyphs::of(look.glyphs),
+            strokes: FrameGlyphs::of(style.glyphs),
             layout,
         };
         painter.paint(&mut raster, None)
@@ -93,7 +93,7 @@ struct WrittenTurn {
 struct PlotPainter<'a> {
     plot: &'a Plot,
     look: &'a PlotStyle,
-    here: Option<&'a Here>,
+    here: Option<&'a StateValues>,
     strokes: FrameGlyphs,
     layout: &'a PlotLayout,
 }
@@ -132,10 +132,10 @@ impl PlotPainter<'_> {
         let PlotLayout {
             axis, foot, end, ..
         } = *self.layout;
-        self.strokes.put_level(axis..end, foot, raster);
+        self.strokes.draw_level(axis..end, foot, raster);
         let mut labels = level_labels(&self.layout.x_ticks, &self.layout.x, end);
         for label in &labels {
-            raster.put(label.tick, foot, self.strokes.tick, Role::Axis);
+            raster.set_cell(label.tick, foot, self.strokes.tick, Role::Axis);
         }
         let Some(last) = labels.pop() else { return };
         let unit = &self.plot.x.unit;
@@ -160,7 +160,7 @@ impl PlotPainter<'_> {
         let panel = &self.plot.panels[*number];
         let entries = (0..panel.curves.len()).map(|i| self.entry(panel, frame, i, true));
         let wanted: i32 = entries.map(|entry| length(&entry) + ENTRY + GAP).sum();
-        let room = (end - self.legend_start(panel) - wanted).max(0);
+        let space = (end - self.legend_start(panel) - wanted).max(0);
         let x = &self.plot.x;
         let style = TickStyle::of_range(x.low, x.high);
         let width = [x.low, x.high].map(|v| style.text(v).len());
@@ -173,7 +173,7 @@ impl PlotPainter<'_> {
         let title = titles
             .into_iter()
             .flatten()
-            .find(|title| length(title) <= room);
+            .find(|title| length(title) <= space);
         let Some(title) = title else {
             return end;
         };
@@ -209,24 +209,24 @@ impl PlotPainter<'_> {
         let axis = self.layout.axis;
         let block = frame.block;
         let rows = block.top..block.top + block.height;
-        self.strokes.put_upright(axis, rows.clone(), raster);
+        self.strokes.draw_upright(axis, rows.clone(), raster);
         let mut free = rows.end;
         for (value, label) in frame.ticks.labels() {
             let Some(row) = frame.y.cell(value).filter(|&row| row < free) else {
                 continue;
             };
-            self.strokes.put_label((axis, row), &label, raster);
+            self.strokes.draw_label((axis, row), &label, raster);
             free = row;
         }
         if let Some(row) = frame.y.cell(0.0).filter(|_| frame.y.crosses(0.0)) {
             for col in (block.left..block.left + block.width).step_by(2) {
-                raster.put(col, row, self.strokes.nought, Role::Ghost);
+                raster.set_cell(col, row, self.strokes.nought, Role::Ghost);
             }
         }
         let along = self.here.and_then(|here| here.along);
         if let Some(col) = along.and_then(|x| self.layout.x.cell(x)) {
             for row in rows {
-                raster.put(col, row, self.strokes.cursor, Role::Ghost);
+                raster.set_cell(col, row, self.strokes.cursor, Role::Ghost);
             }
         }
     }
@@ -265,9 +265,9 @@ impl PlotPainter<'_> {
             if !fits(&text, col, row) {
                 text = self.entry(panel, frame, i, false);
             }
-            raster.put(col, row, self.symbol(panel, i), panel.role(i));
-            let room = usize::try_from(end(row) - col - ENTRY).unwrap_or(0);
-            let text: String = text.chars().take(room).collect();
+            raster.set_cell(col, row, self.symbol(panel, i), panel.role(i));
+            let space = usize::try_from(end(row) - col - ENTRY).unwrap_or(0);
+            let text: String = text.chars().take(space).collect();
             write(raster, col + ENTRY, row, &text, Role::Label);
             col += ENTRY + length(&text) + GAP;
         }
@@ -349,7 +349,7 @@ impl PlotPainter<'_> {
     fn mark_turns(&self, panel: &Panel, frame: &PanelArea, raster: &mut Raster) {
         for (turn, _, (col, row)) in self.turns(panel, frame) {
             let glyph = if turn.is_peak { PEAK } else { DIP };
-            raster.put(col, row, glyph, Role::Front);
+            raster.set_cell(col, row, glyph, Role::Front);
         }
     }
 
@@ -391,9 +391,9 @@ impl PlotPainter<'_> {
             return;
         };
         let figures = panel.curves.iter().filter_map(|line| line.figure);
-        for value in figures.filter_map(|figure| here.values.get(figure).copied().flatten()) {
+        for value in figures.filter_map(|index| here.values.get(index).copied().flatten()) {
             if let Some(row) = frame.y.cell(value) {
-                raster.put(col, row, CURSOR, Role::Front);
+                raster.set_cell(col, row, CURSOR, Role::Front);
             }
         }
     }

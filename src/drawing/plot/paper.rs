@@ -5,7 +5,7 @@ use super::ticks::{TickStyle, Ticks};
 use super::{Panel, Plot, PlotCurve};
 use crate::Vec2;
 use crate::page::{Artwork, StyleSheet, SvgGround, TextAnchor};
-use crate::quantity::Here;
+use crate::quantity::StateValues;
 use crate::wording::words;
 
 /// The margins around the panels; the left one holds the labels of the vertical axes.
@@ -56,14 +56,26 @@ impl Plot {
     /// Returns the plot as an SVG document. `size` is in user units; the cursor shows the state
     /// `here`.
     #[must_use]
-    pub fn svg(&self, title: &str, size: Vec2, extrema: bool, here: Option<&Here>) -> String {
+    pub fn svg(
+        &self,
+        title: &str,
+        size: Vec2,
+        extrema: bool,
+        here: Option<&StateValues>,
+    ) -> String {
         let art = self.artwork(title, size, extrema, here);
         art.svg(SvgGround::Preferred)
     }
 
     /// Returns the plot as a picture for a page.
     #[must_use]
-    pub fn artwork(&self, title: &str, size: Vec2, extrema: bool, here: Option<&Here>) -> Artwork {
+    pub fn artwork(
+        &self,
+        title: &str,
+        size: Vec2,
+        extrema: bool,
+        here: Option<&StateValues>,
+    ) -> Artwork {
         let mut sheet = PaperSheet {
             plot: self,
             art: Artwork::new(size, title, SHEET),
@@ -87,7 +99,7 @@ struct PaperSheet<'a> {
     plot: &'a Plot,
     art: Artwork,
     extrema: bool,
-    here: Option<&'a Here>,
+    here: Option<&'a StateValues>,
     x: CellScale,
 }
 
@@ -104,14 +116,14 @@ impl PaperSheet<'_> {
             y = self.true_scales(panel, top, bottom);
         }
         let digits = TickStyle::of_range(axis.low, axis.high);
-        let most = ((bottom - top) / LABEL_APART.y).clamp(2.0, 12.0) as usize;
+        let maximum = ((bottom - top) / LABEL_APART.y).clamp(2.0, 12.0) as usize;
         let (low, high) = y.ends();
-        let ticks = Ticks::between(low, high, axis.is_angle, most);
+        let ticks = Ticks::between(low, high, axis.is_angle, maximum);
         for (value, label) in ticks.labels() {
             let at = y.place(value);
             self.line(Vec2::new(LEFT, at), Vec2::new(self.right(), at), "grid");
-            let place = Vec2::new(LEFT - TICK - 3.0, at + HALF_TEXT);
-            self.art.text(place, TextAnchor::End, "label", &label);
+            let position = Vec2::new(LEFT - TICK - 3.0, at + HALF_TEXT);
+            self.art.text(position, TextAnchor::End, "label", &label);
         }
         let corner = Vec2::new(LEFT, bottom);
         let ends = [
@@ -152,8 +164,8 @@ impl PaperSheet<'_> {
 
     fn legend(&mut self, panel: &Panel, digits: TickStyle, base: f64) {
         let unit = &panel.y.unit;
-        let place = Vec2::new(LEFT - TICK - 3.0, base);
-        self.art.text(place, TextAnchor::End, "label", unit);
+        let position = Vec2::new(LEFT - TICK - 3.0, base);
+        self.art.text(position, TextAnchor::End, "label", unit);
         let mut x = LEFT + TICK;
         for (i, line) in panel.curves.iter().enumerate() {
             let middle = base - HALF_TEXT;
@@ -165,8 +177,8 @@ impl PaperSheet<'_> {
             let value = line.figure.and_then(|i| self.here?.values.get(i).copied());
             let value = value.map(|v| v.map_or(" -".into(), |v| format!(" {}", digits.text(v))));
             let text = format!("{}{}", line.name, value.unwrap_or_default());
-            let place = Vec2::new(x + SAMPLE + TICK, base);
-            self.art.text(place, TextAnchor::Start, "label", &text);
+            let position = Vec2::new(x + SAMPLE + TICK, base);
+            self.art.text(position, TextAnchor::Start, "label", &text);
             x += SAMPLE + TICK + CHARACTER * (text.chars().count() as f64 + 2.0);
         }
     }
@@ -176,10 +188,10 @@ impl PaperSheet<'_> {
         let (low, high) = y.ends();
         for piece in &line.pieces {
             let inside = piece.iter().map(|p| {
-                let place = Vec2::new(self.x.place(p.x), y.place(p.y));
+                let position = Vec2::new(self.x.place(p.x), y.place(p.y));
                 let seen = (low..=high).contains(&p.y);
                 if seen {
-                    place
+                    position
                 } else {
                     Vec2::new(f64::NAN, 0.0)
                 }
@@ -201,12 +213,12 @@ impl PaperSheet<'_> {
             if !(self.x.holds(turn.at.x) && y.holds(turn.at.y)) {
                 continue;
             }
-            let place = Vec2::new(self.x.place(turn.at.x), y.place(turn.at.y));
-            self.art.circle(place, MARK, "mark");
+            let position = Vec2::new(self.x.place(turn.at.x), y.place(turn.at.y));
+            self.art.circle(position, MARK, "mark");
             let text = words().extremum(&digits.text(turn.at.y), &along.text(turn.at.x));
-            let (value, x) = (turn.at.y, place.x);
-            let room = CHARACTER * text.chars().count() as f64;
-            let anchor = if x + room > self.right() {
+            let (value, x) = (turn.at.y, position.x);
+            let space = CHARACTER * text.chars().count() as f64;
+            let anchor = if x + space > self.right() {
                 TextAnchor::End
             } else {
                 TextAnchor::Start
@@ -215,20 +227,20 @@ impl PaperSheet<'_> {
             let down = if turn.is_peak { 14.0 } else { -6.0 };
             debug_assert!(value.is_finite());
             self.art
-                .text(place + Vec2::new(aside, down), anchor, "label", &text);
+                .text(position + Vec2::new(aside, down), anchor, "label", &text);
         }
     }
 
     fn foot(&mut self, foot: f64) {
         let axis = &self.plot.x;
-        let most = ((self.right() - LEFT) / LABEL_APART.x).clamp(2.0, 25.0) as usize;
+        let maximum = ((self.right() - LEFT) / LABEL_APART.x).clamp(2.0, 25.0) as usize;
         let (low, high) = self.x.ends();
         let base = foot - BELOW;
-        for (value, label) in Ticks::between(low, high, axis.is_angle, most).labels() {
+        for (value, label) in Ticks::between(low, high, axis.is_angle, maximum).labels() {
             let x = self.x.place(value);
             self.line(Vec2::new(x, base), Vec2::new(x, base + TICK), "axis");
-            let place = Vec2::new(x, base + TICK + 14.0);
-            self.art.text(place, TextAnchor::Middle, "label", &label);
+            let position = Vec2::new(x, base + TICK + 14.0);
+            self.art.text(position, TextAnchor::Middle, "label", &label);
         }
         let here = self.here.and_then(|here| here.along);
         let digits = TickStyle::of_range(axis.low, axis.high);

@@ -45,13 +45,13 @@ fn ways(points: &[Vec2], block: &CellBlock, (across, down): Grain) -> Vec<Vec<(i
     let times = |v: f64, by: i32| (v * f64::from(by)).clamp(f64::MIN, f64::MAX);
     let fine = |p: Vec2| Vec2::new(times(p.x, across), times(p.y, down));
     let [low, high] = block.ends().map(fine);
-    let most = (high.x as i32 - 1, high.y as i32 - 1);
+    let maximum = (high.x as i32 - 1, high.y as i32 - 1);
     let cell = |p: Vec2| {
         // The block begins at 0 or later, so truncation equals `floor` inside it.
-        let inside = |v: f64, low: f64, most: i32| (v as i32).clamp(low as i32, most);
-        (inside(p.x, low.x, most.0), inside(p.y, low.y, most.1))
+        let inside = |v: f64, low: f64, maximum: i32| (v as i32).clamp(low as i32, maximum);
+        (inside(p.x, low.x, maximum.0), inside(p.y, low.y, maximum.1))
     };
-    let mut ways: Vec<Vec<(i32, i32)>> = Vec::new();
+    let mut paths: Vec<Vec<(i32, i32)>> = Vec::new();
     let points: Vec<Vec2> = points.iter().map(|&p| fine(p)).collect();
     // A piece of one sample is a segment from the sample to itself.
     let only = points.first().copied();
@@ -62,20 +62,20 @@ fn ways(points: &[Vec2], block: &CellBlock, (across, down): Grain) -> Vec<Vec<(i
             continue;
         };
         let (from, to) = (cell(a), cell(b));
-        match ways.last_mut() {
-            Some(way) if way.last() == Some(&from) => march(from, to, way),
+        match paths.last_mut() {
+            Some(path) if path.last() == Some(&from) => march(from, to, path),
             _ => {
-                let mut way = vec![from];
-                march(from, to, &mut way);
-                ways.push(way);
+                let mut path = vec![from];
+                march(from, to, &mut path);
+                paths.push(path);
             }
         }
     }
-    ways
+    paths
 }
 
 /// Appends the cells after `from` up to `to` (Bresenham 1965).
-fn march(from: (i32, i32), to: (i32, i32), way: &mut Vec<(i32, i32)>) {
+fn march(from: (i32, i32), to: (i32, i32), path: &mut Vec<(i32, i32)>) {
     let (wide, high) = ((to.0 - from.0).abs(), (to.1 - from.1).abs());
     let sense = ((to.0 - from.0).signum(), (to.1 - from.1).signum());
     let (mut at, mut error) = (from, wide - high);
@@ -89,7 +89,7 @@ fn march(from: (i32, i32), to: (i32, i32), way: &mut Vec<(i32, i32)>) {
             error += wide;
             at.1 += sense.1;
         }
-        way.push(at);
+        path.push(at);
     }
 }
 
@@ -116,32 +116,32 @@ impl Pen {
     /// Draws a piece of a curve; `points` are in cell coordinates.
     pub(super) fn draw(&self, points: &[Vec2], block: &CellBlock, raster: &mut Raster) {
         if self.dotted && is_place(points) {
-            for way in ways(points, block, WHOLE) {
-                self.cells(&way, PLACE, raster);
+            for path in ways(points, block, WHOLE) {
+                self.cells(&path, PLACE, raster);
             }
             return;
         }
         match self.glyphs {
             Glyphs::Ascii => {
                 let glyph = if self.dotted { '.' } else { self.symbol };
-                for way in ways(points, block, WHOLE) {
-                    self.cells(&way, glyph, raster);
+                for path in ways(points, block, WHOLE) {
+                    self.cells(&path, glyph, raster);
                 }
             }
             Glyphs::Line if self.dotted => {
-                for way in ways(points, block, WHOLE) {
-                    self.cells(&way, '\u{b7}', raster);
+                for path in ways(points, block, WHOLE) {
+                    self.cells(&path, '\u{b7}', raster);
                 }
             }
             Glyphs::Line => {
-                for way in ways(points, block, WHOLE) {
-                    self.strokes(&way, raster);
+                for path in ways(points, block, WHOLE) {
+                    self.strokes(&path, raster);
                 }
             }
             Glyphs::Braille | Glyphs::Blocks(_) => {
                 let spacing = if self.dotted { SPARSE } else { 1 };
-                for way in ways(points, block, DOTS) {
-                    for &(x, y) in way.iter().step_by(spacing) {
+                for path in ways(points, block, DOTS) {
+                    for &(x, y) in path.iter().step_by(spacing) {
                         dot(raster, x, y, self.role);
                     }
                 }
@@ -154,25 +154,25 @@ impl Pen {
         let (Some((every, first)), false) = (self.marks, self.glyphs == Glyphs::Ascii) else {
             return;
         };
-        for way in ways(points, block, WHOLE) {
-            let first = first.min(way.len() / 2);
-            for &(col, row) in way.iter().skip(first).step_by(every.max(1)) {
-                raster.put(col, row, self.symbol, self.role);
+        for path in ways(points, block, WHOLE) {
+            let first = first.min(path.len() / 2);
+            for &(col, row) in path.iter().skip(first).step_by(every.max(1)) {
+                raster.set_cell(col, row, self.symbol, self.role);
             }
         }
     }
 
-    fn cells(&self, way: &[(i32, i32)], glyph: char, raster: &mut Raster) {
+    fn cells(&self, path: &[(i32, i32)], glyph: char, raster: &mut Raster) {
         let spacing = if self.dotted { SPARSE } else { 1 };
-        for &(col, row) in way.iter().step_by(spacing) {
-            raster.put(col, row, glyph, self.role);
+        for &(col, row) in path.iter().step_by(spacing) {
+            raster.set_cell(col, row, glyph, self.role);
         }
     }
 
     /// Draws box-drawing strokes from cell to cell; a diagonal step goes up or down first.
-    fn strokes(&self, way: &[(i32, i32)], raster: &mut Raster) {
-        let mut steps: Vec<(i32, i32)> = Vec::with_capacity(way.len() * 2);
-        for &(col, row) in way {
+    fn strokes(&self, path: &[(i32, i32)], raster: &mut Raster) {
+        let mut steps: Vec<(i32, i32)> = Vec::with_capacity(path.len() * 2);
+        for &(col, row) in path {
             if let Some(&(last_col, last_row)) = steps.last()
                 && last_col != col
                 && last_row != row
@@ -181,11 +181,11 @@ impl Pen {
             }
             steps.push((col, row));
         }
-        let beside = |i: Option<usize>| i.and_then(|i| steps.get(i)).copied();
+        let nearby = |i: Option<usize>| i.and_then(|i| steps.get(i)).copied();
         for (i, &(col, row)) in steps.iter().enumerate() {
-            let sides = [beside(i.checked_sub(1)), beside(Some(i + 1))];
+            let sides = [nearby(i.checked_sub(1)), nearby(Some(i + 1))];
             let sides = sides.map(|side| side.map(|(c, r)| (c - col, r - row)));
-            raster.put(col, row, stroke(sides), self.role);
+            raster.set_cell(col, row, stroke(sides), self.role);
         }
     }
 }

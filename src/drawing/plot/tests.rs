@@ -1,14 +1,14 @@
 //! Tests plots of made-up curves and of presets, in three kinds of glyphs.
 
 use super::*;
-use crate::quantity::{Catalogue, Here};
+use crate::quantity::{Catalogue, StateValues};
 use crate::scene::{Scene, presets};
 use crate::solver::Solver;
 use proptest::prelude::*;
 
 const GLYPHS: [Glyphs; 3] = [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille];
 
-fn look(cols: u16, rows: u16, glyphs: Glyphs) -> PlotStyle {
+fn plot_style(cols: u16, rows: u16, glyphs: Glyphs) -> PlotStyle {
     PlotStyle {
         cols,
         rows,
@@ -29,13 +29,13 @@ fn opened(preset: &str) -> (Scene, Solver) {
 fn curves(preset: &str, columns: &[&str], along: Option<&str>) -> Curves {
     let (scene, solver) = opened(preset);
     let catalogue = Catalogue::new(&scene);
-    let figures = catalogue.select(columns).unwrap();
+    let quantities = catalogue.select(columns).unwrap();
     let abscissa = match along {
         None => Abscissa::Driver,
         Some("time") => Abscissa::Time,
         Some(name) => Abscissa::Figure(catalogue.select(&[name]).unwrap().remove(0)),
     };
-    Curves::new(&scene, &solver, &figures, abscissa, None).unwrap()
+    Curves::new(&scene, &solver, &quantities, abscissa, None).unwrap()
 }
 
 fn plot(preset: &str, columns: &[&str], along: Option<&str>) -> Plot {
@@ -84,22 +84,24 @@ fn made(lines: Vec<PlotCurve>) -> Plot {
 #[test]
 fn small_plots_match_snapshots() {
     let pair = plot("four-bar", &["C.v*", "r4.omega"], None);
-    let here = Here {
+    let here = StateValues {
         along: Some(60.0),
         values: vec![Some(-722.630_802), Some(-273.816_684), Some(3.094)],
     };
     for (glyphs, name) in GLYPHS.into_iter().zip(["ascii", "line", "braille"]) {
-        let text = pair.render(&look(64, 20, glyphs), Some(&here)).text();
+        let text = pair.render(&plot_style(64, 20, glyphs), Some(&here)).text();
         insta::assert_snapshot!(format!("plot-four-bar-{name}-64x20"), text);
-        let text = pair.render(&look(40, 10, glyphs), Some(&here)).text();
+        let text = pair.render(&plot_style(40, 10, glyphs), Some(&here)).text();
         insta::assert_snapshot!(format!("plot-four-bar-{name}-40x10"), text);
     }
     // A coupler curve with equal scales, and a direction that wraps at 360 deg.
     let curve = plot("hoecken", &["P.y"], Some("P.x"));
-    let text = curve.render(&look(60, 14, Glyphs::Braille), None).text();
+    let text = curve
+        .render(&plot_style(60, 14, Glyphs::Braille), None)
+        .text();
     insta::assert_snapshot!("plot-coupler-curve-60x14", text);
     let angle = plot("drag-link", &["r4.angle"], Some("time"));
-    let text = angle.render(&look(60, 14, Glyphs::Line), None).text();
+    let text = angle.render(&plot_style(60, 14, Glyphs::Line), None).text();
     insta::assert_snapshot!("plot-direction-60x14", text);
 }
 
@@ -109,7 +111,7 @@ fn angle_wrap_at_360_deg_is_a_gap() {
     let pieces = &plot.panels[0].curves[0].pieces;
     assert_eq!(pieces.len(), 2, "one gap in a turn");
     for glyphs in GLYPHS {
-        let raster = plot.render(&look(80, 24, glyphs), None);
+        let raster = plot.render(&plot_style(80, 24, glyphs), None);
         for col in 0..80 {
             let rows = (0..24).filter(|&row| {
                 raster
@@ -134,7 +136,7 @@ fn compared_curve_is_dotted_and_has_no_value() {
     assert_eq!(roles[0], roles[1]);
     assert!(both.panels[0].y.high >= other.panels[0].y.high);
     for glyphs in GLYPHS {
-        let text = both.render(&look(70, 16, glyphs), None).text();
+        let text = both.render(&plot_style(70, 16, glyphs), None).text();
         assert!(text.contains("r4.omega before"), "{text}");
     }
 }
@@ -183,7 +185,7 @@ fn equal_scale_plot_keeps_squares() {
     let mut plot = made(vec![line(&square)]);
     plot.is_true = true;
     for (cols, rows) in [(80, 24), (40, 40), (200, 12)] {
-        let raster = plot.render(&look(cols, rows, Glyphs::Ascii), None);
+        let raster = plot.render(&plot_style(cols, rows, Glyphs::Ascii), None);
         let drawn = |row: i32, col: i32| {
             raster
                 .cell(col, row)
@@ -212,9 +214,9 @@ proptest! {
     ) {
         let plot = made(vec![line(&points), line(&more)]);
         for glyphs in GLYPHS {
-            let look = look(cols, rows, glyphs);
-            let raster = plot.render(&look, None);
-            let Some(layout) = plot.layout(&look) else {
+            let style = plot_style(cols, rows, glyphs);
+            let raster = plot.render(&style, None);
+            let Some(layout) = plot.layout(&style) else {
                 return Ok(());
             };
             let frame = &layout.panels[0].1;
@@ -245,10 +247,10 @@ proptest! {
         (plot.panels[0].y.low, plot.panels[0].y.high) = spread(Some((y0.min(y1), y0.max(y1))));
         plot.panels[0].curves.push(curve);
         plot.is_true = is_true;
-        let here = Here { along: Some(x0), values: vec![Some(y0)] };
+        let here = StateValues { along: Some(x0), values: vec![Some(y0)] };
         for glyphs in GLYPHS {
-            let look = PlotStyle { first, ..look(cols, rows, glyphs) };
-            let raster = plot.render(&look, Some(&here));
+            let style = PlotStyle { first, ..plot_style(cols, rows, glyphs) };
+            let raster = plot.render(&style, Some(&here));
             prop_assert_eq!((raster.cols(), raster.rows()), (cols, rows));
             prop_assert!(glyphs != Glyphs::Ascii || raster.text().is_ascii());
         }

@@ -18,7 +18,7 @@ impl Ticks {
     /// Returns the multiples from `low` to `high` of the smallest round step with at most `most`
     /// multiples. Round steps are 1, 2 or 5 times a power of ten; for angles also 15, 30, 45, 60,
     /// 90 degrees and more. Returns no ticks for a range that is too small for doubles.
-    pub(super) fn between(low: f64, high: f64, is_angle: bool, most: usize) -> Ticks {
+    pub(super) fn between(low: f64, high: f64, is_angle: bool, maximum: usize) -> Ticks {
         let none = Ticks {
             values: Vec::new(),
             style: TickStyle::of_ticks(0.0, 1.0),
@@ -27,16 +27,16 @@ impl Ticks {
         let largest = low.abs().max(high.abs());
         // Doubles do not resolve multiples of smaller ranges.
         let is_some = size > largest * MIN_PART && size.is_finite();
-        if !is_some || most == 0 {
+        if !is_some || maximum == 0 {
             return none;
         }
-        let few = |step: &f64| count(low, high, *step) <= most as f64;
-        let Some(step) = steps(size / most as f64, is_angle).find(few) else {
+        let few = |step: &f64| count(low, high, *step) <= maximum as f64;
+        let Some(step) = steps(size / maximum as f64, is_angle).find(few) else {
             return none;
         };
         let first = multiple((low / step).ceil(), (low / step).round(), low / step);
-        let values = (0..most).map(|k| (first + k as f64) * step);
-        let end = high + step * SLACK;
+        let values = (0..maximum).map(|k| (first + k as f64) * step);
+        let end = high + step * MULTIPLE_TOLERANCE;
         // Far from 0 a multiple may round by more than the slack, out of the axis.
         let inside = |v: f64| v.clamp(low, high);
         let values: Vec<f64> = values.take_while(|&v| v <= end).map(inside).collect();
@@ -72,11 +72,11 @@ impl Ticks {
 const MIN_PART: f64 = 1e-13;
 
 /// Tolerance, in steps, within which an end counts as a multiple.
-const SLACK: f64 = 1e-9;
+const MULTIPLE_TOLERANCE: f64 = 1e-9;
 
 /// Returns `near` if it equals the quotient up to rounding error, or else `inside`.
 fn multiple(inside: f64, near: f64, quotient: f64) -> f64 {
-    if (near - quotient).abs() <= SLACK {
+    if (near - quotient).abs() <= MULTIPLE_TOLERANCE {
         near
     } else {
         inside
@@ -91,8 +91,8 @@ fn count(low: f64, high: f64, step: f64) -> f64 {
 }
 
 /// Returns round steps in ascending order, from below `least` on.
-pub(super) fn steps(least: f64, is_angle: bool) -> impl Iterator<Item = f64> {
-    let power = least.log10().floor().clamp(-320.0, 308.0) as i32;
+pub(super) fn steps(minimum: f64, is_angle: bool) -> impl Iterator<Item = f64> {
+    let power = minimum.log10().floor().clamp(-320.0, 308.0) as i32;
     // Degrees have steps of their own above 5.
     let end = if is_angle { 0 } else { *POWERS.end() };
     let powers = (power - 1).max(*POWERS.start())..=end;
@@ -101,7 +101,7 @@ pub(super) fn steps(least: f64, is_angle: bool) -> impl Iterator<Item = f64> {
     let decimal = decimal.filter(move |&s| s > 0.0 && s.is_finite() && !(is_angle && s > 5.0));
     let doubled = (1..64).map(|k| 360.0 * f64::from(k).exp2());
     let angles = ANGLES.into_iter().chain(doubled);
-    decimal.chain(angles.filter(move |&s| is_angle && s >= least / 2.0))
+    decimal.chain(angles.filter(move |&s| is_angle && s >= minimum / 2.0))
 }
 
 /// The number format of an axis.
@@ -167,7 +167,7 @@ impl TickStyle {
         };
         let is_nought = !text.contains(|c: char| ('1'..='9').contains(&c));
         match text.strip_prefix('-') {
-            Some(bare) if is_nought => bare.to_owned(),
+            Some(plain) if is_nought => plain.to_owned(),
             Some(_) | None => text,
         }
     }
@@ -192,8 +192,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn labels(low: f64, high: f64, is_angle: bool, most: usize) -> Vec<String> {
-        let ticks = Ticks::between(low, high, is_angle, most);
+    fn labels(low: f64, high: f64, is_angle: bool, maximum: usize) -> Vec<String> {
+        let ticks = Ticks::between(low, high, is_angle, maximum);
         ticks.labels().map(|(_, label)| label).collect()
     }
 
@@ -267,8 +267,8 @@ mod tests {
     fn ticks_far_from_zero_stay_in_range() {
         let low = -450_234_668.079_885;
         let high = low + 10_f64.powf(-4.073_692_900_992_865);
-        for most in 1..20 {
-            let ticks = Ticks::between(low, high, false, most);
+        for maximum in 1..20 {
+            let ticks = Ticks::between(low, high, false, maximum);
             assert!(ticks.values.iter().all(|v| (low..=high).contains(v)));
         }
     }
@@ -279,17 +279,17 @@ mod tests {
             low in -1e9..1e9_f64,
             power in -9.0..9.0_f64,
             is_angle: bool,
-            most in 1..20_usize,
+            maximum in 1..20_usize,
         ) {
             let high = low + 10_f64.powf(power);
-            let ticks = Ticks::between(low, high, is_angle, most);
-            prop_assert!(ticks.values.len() <= most);
+            let ticks = Ticks::between(low, high, is_angle, maximum);
+            prop_assert!(ticks.values.len() <= maximum);
             let slack = (high - low) * 1e-6;
             prop_assert!(ticks.values.iter().all(|&v| low - slack <= v && v <= high + slack));
             // At least a fifth of the permitted ticks: angle steps are farther apart than decimal
             // ones.
-            if most >= 5 && (high - low) > 1e-6 * low.abs() {
-                prop_assert!(ticks.values.len() >= most / 5, "{ticks:?}");
+            if maximum >= 5 && (high - low) > 1e-6 * low.abs() {
+                prop_assert!(ticks.values.len() >= maximum / 5, "{ticks:?}");
             }
             for pair in ticks.values.windows(2) {
                 let step = pair[1] - pair[0];
@@ -301,8 +301,8 @@ mod tests {
                 let decimal = [1.0, 2.0, 5.0, 10.0].iter().any(|n| (lead - n).abs() < 1e-3);
                 let angle = is_angle && (step.rem_euclid(15.0).min(15.0 - step.rem_euclid(15.0))) < 1e-3;
                 prop_assert!(decimal || angle, "{step}");
-                let whole = pair[0] / step;
-                prop_assert!((whole - whole.round()).abs() < 1e-3);
+                let complete = pair[0] / step;
+                prop_assert!((complete - complete.round()).abs() < 1e-3);
             }
         }
 
@@ -310,9 +310,9 @@ mod tests {
         fn any_number_is_formatted(value: f64, low: f64, high: f64) {
             let text = TickStyle::of_range(low.min(high), low.max(high)).text(value);
             prop_assert!(text.is_ascii() && !text.is_empty());
-            for most in 0..9 {
-                let _ = Ticks::between(low.min(high), low.max(high), false, most);
-                let _ = Ticks::between(low.min(high), low.max(high), true, most);
+            for maximum in 0..9 {
+                let _ = Ticks::between(low.min(high), low.max(high), false, maximum);
+                let _ = Ticks::between(low.min(high), low.max(high), true, maximum);
             }
         }
     }

@@ -25,17 +25,19 @@ fn planned(stage: &DrawingStage, view: &WorldView, glyphs: Glyphs) -> Labels {
 
 /// Returns the number of names that hide a part of a bar, a mark or an arrow.
 fn covering(figure: &Figure, view: &WorldView, glyphs: Glyphs, labels: &Labels) -> usize {
-    let mut bare = Raster::new();
-    crate::drawing::render::render_bare(figure, view, glyphs, &mut bare);
+    let mut plain = Raster::new();
+    crate::drawing::render::render_bare(figure, view, glyphs, &mut plain);
     let covers = |(text, at, right, down): &(&str, Vec2, i32, i32)| {
         let (col, row) = cell(view, *at);
         let mut cells = (0..).zip(text.chars());
         cells.any(|(k, _)| {
-            let role = bare.cell(col + right + k, row + down).map(|cell| cell.role);
+            let role = plain
+                .cell(col + right + k, row + down)
+                .map(|cell| cell.role);
             role.is_some_and(|role| !role.is_behind() && role != Role::Empty && role != Role::Guide)
         })
     };
-    labels.standing(figure, view).filter(covers).count()
+    labels.placed_names(figure, view).filter(covers).count()
 }
 
 /// Of this many names in frames, at most one hides a part of a bar or has no place for a frame.

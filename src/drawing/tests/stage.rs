@@ -1,7 +1,7 @@
 //! Prepares scenes for the tests of drawings.
 
 use crate::PointId;
-use crate::drawing::{Overlay, Reach, Wanted};
+use crate::drawing::{Extents, Overlay, OverlayRequest};
 use crate::scene::{Scene, presets};
 use crate::solver::{Condition, Order, Range, Solver, State};
 
@@ -10,20 +10,20 @@ pub(in crate::drawing) struct DrawingStage {
     pub(in crate::drawing) name: String,
     pub(in crate::drawing) scene: Scene,
     pub(in crate::drawing) solver: Solver,
-    pub(in crate::drawing) reach: Reach,
+    pub(in crate::drawing) reach: Extents,
 }
 
 impl DrawingStage {
     pub(in crate::drawing) fn of(name: &str, text: &str) -> DrawingStage {
         let scene = Scene::parse(text, name).expect("the scene reads");
         let solver = Solver::new(&scene.mechanism).expect("the scene moves");
-        let reach = Reach::of(&scene, &solver);
+        let extents = Extents::of(&scene, &solver);
         let name = name.to_owned();
         DrawingStage {
             name,
             scene,
             solver,
-            reach,
+            reach: extents,
         }
     }
 
@@ -37,7 +37,7 @@ impl DrawingStage {
         all.map(|preset| DrawingStage::of(preset.name, preset.text))
     }
 
-    pub(in crate::drawing) fn overlay(&self, wanted: &Wanted) -> Overlay {
+    pub(in crate::drawing) fn overlay(&self, wanted: &OverlayRequest) -> Overlay {
         Overlay::of(&self.scene, &self.solver, &self.reach, wanted)
     }
 

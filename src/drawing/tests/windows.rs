@@ -9,7 +9,7 @@ fn joints_stay_inside_view() {
             let view = WorldView::fit(&stage.reach, cols, rows, 2.0);
             let mut raster = Raster::new();
             for state in stage.motion() {
-                let figure = whole(&stage, &state);
+                let figure = full_figure(&stage, &state);
                 render_into(
                     &figure,
                     &view,
@@ -71,14 +71,14 @@ fn linkage_fills_view_throughout_motion() {
     let mut small = Vec::new();
     for stage in DrawingStage::presets() {
         for (cols, rows) in [(80, 24), (120, 40), (200, 60), (44, 21)] {
-            let mut least = 1.0_f64;
+            let mut minimum = 1.0_f64;
             for state in stage.motion().step_by(10) {
                 let figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
                 let view = WorldView::along(&stage.reach, state.at(), cols, rows, 2.0);
-                least = least.min(fill(&render(&figure, &view, Glyphs::Braille)));
+                minimum = minimum.min(fill(&render(&figure, &view, Glyphs::Braille)));
             }
-            if least < 0.6 {
-                small.push(format!("{} in {cols} x {rows}: {least:.2}", stage.name));
+            if minimum < 0.6 {
+                small.push(format!("{} in {cols} x {rows}: {minimum:.2}", stage.name));
             }
         }
     }
@@ -168,13 +168,13 @@ fn following_view_moves_without_jumps() {
                 let after = at(k);
                 let pairs = before.1.iter().zip(&after.1);
                 let own = pairs.map(|(a, b)| share(before.0.cell(*b) - before.0.cell(*a)));
-                let most = MAX_SHARE + own.fold(0.0, f64::max);
+                let maximum = MAX_SHARE + own.fold(0.0, f64::max);
                 for corner in [Vec2::ZERO, Vec2::new(f64::from(cols), f64::from(rows))] {
                     let moved = share(after.0.cell(before.0.world(corner)) - corner);
-                    if moved > most {
+                    if moved > maximum {
                         let name = &stage.name;
                         shaken.push(format!(
-                            "{name} in {cols} x {rows}, {k}: {moved:.3}, {most:.3}"
+                            "{name} in {cols} x {rows}, {k}: {moved:.3}, {maximum:.3}"
                         ));
                     }
                 }
@@ -240,9 +240,9 @@ fn driver_is_visible_in_every_view() {
                     let cells = || raster.lines().flatten();
                     let has_hue = cells().any(|cell| cell.role == Role::DriverPin);
                     // If marks consist of dots, the core of the ring identifies the driver.
-                    let is_told = |cell: &CharCell| cell.glyph == '@';
+                    let is_shown = |cell: &CharCell| cell.glyph == '@';
                     let has_shape = view.weight() > 2 && glyphs.is_dotted()
-                        || cells().filter(|c| c.role == Role::DriverPin).any(is_told);
+                        || cells().filter(|c| c.role == Role::DriverPin).any(is_shown);
                     if !(has_hue && has_shape) {
                         let (name, at) = (&stage.name, state.at());
                         hidden.push(format!("{name} at {at} in {cols} x {rows}, {glyphs:?}"));
@@ -260,23 +260,23 @@ fn arrows_hide_no_pins() {
     let mut hidden = Vec::new();
     for stage in DrawingStage::presets() {
         let points = usual_arrows(&stage.scene.mechanism);
-        let wanted = Wanted {
+        let wanted = OverlayRequest {
             velocities: points.clone(),
             accelerations: points,
             forces: true,
-            ..Wanted::default()
+            ..OverlayRequest::default()
         };
         let overlay = stage.overlay(&wanted);
         for state in stage.motion().step_by(20) {
             let state = stage.state(state.at());
-            let bare = linkage(&stage.scene, &stage.reach, &state, Layers::default());
-            let mut full = bare.clone();
+            let plain = linkage(&stage.scene, &stage.reach, &state, Layers::default());
+            let mut full = plain.clone();
             overlay.add_to(&mut full, &stage.scene, &stage.solver, &state, 1.0);
             for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
                 let view = WorldView::along(&stage.reach, state.at(), cols, rows, 2.0);
                 for glyphs in Glyphs::ALL {
-                    let [without, with] = [&bare, &full].map(|f| render(f, &view, glyphs));
-                    for shape in bare.shapes() {
+                    let [without, with] = [&plain, &full].map(|f| render(f, &view, glyphs));
+                    for shape in plain.shapes() {
                         let Shape::Mark { at, .. } = *shape else {
                             continue;
                         };

@@ -6,7 +6,7 @@
 //! depend on each other would make the window shake.
 
 use super::super::poses::PoseExtents;
-use super::{Margin, Reach, WorldView};
+use super::{Extents, Margin, WorldView};
 use crate::Vec2;
 
 /// Minimum fraction of the window's width or height that a linkage fills.
@@ -22,7 +22,7 @@ const NEARER: [f64; 8] = [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0];
 
 /// The zoom of a window size.
 #[derive(Clone, Copy, Debug)]
-pub(in super::super) struct Nearness {
+pub(in super::super) struct WindowZoom {
     size: WindowSize,
     /// `None` if the window on the whole motion suffices.
     nearer: Option<f64>,
@@ -41,27 +41,27 @@ impl WorldView {
     /// every pose then fills three fifths of the width or the height. If not, the window follows
     /// the linkage at this driver coordinate, as close as necessary.
     #[must_use]
-    pub fn along(reach: &Reach, at: f64, cols: u16, rows: u16, aspect: f64) -> WorldView {
+    pub fn along(extents: &Extents, at: f64, cols: u16, rows: u16, aspect: f64) -> WorldView {
         let size = WindowSize { cols, rows, aspect };
-        let nearness = reach.nearness(
+        let nearness = extents.nearness(
             |known| known.size == size,
-            || Nearness {
+            || WindowZoom {
                 size,
-                nearer: nearer(reach, size),
+                nearer: nearer(extents, size),
             },
         );
-        match (nearness.nearer, reach.poses().room(at)) {
-            (Some(nearer), Some(room)) => near(reach, room, nearer, size),
-            _ => WorldView::fit(reach, cols, rows, aspect),
+        match (nearness.nearer, extents.poses().extents_at(at)) {
+            (Some(nearer), Some(space)) => near(extents, space, nearer, size),
+            _ => WorldView::fit(extents, cols, rows, aspect),
         }
     }
 
     /// Returns the window that follows the linkage most closely, at a driver coordinate.
     #[must_use]
-    pub fn pose(reach: &Reach, at: f64, cols: u16, rows: u16, aspect: f64) -> WorldView {
-        match reach.poses().room(at) {
-            Some(room) => near(reach, room, 1.0, WindowSize { cols, rows, aspect }),
-            None => WorldView::fit(reach, cols, rows, aspect),
+    pub fn pose(extents: &Extents, at: f64, cols: u16, rows: u16, aspect: f64) -> WorldView {
+        match extents.poses().extents_at(at) {
+            Some(space) => near(extents, space, 1.0, WindowSize { cols, rows, aspect }),
+            None => WorldView::fit(extents, cols, rows, aspect),
         }
     }
 
@@ -76,33 +76,33 @@ impl WorldView {
 
 /// Returns how close a window of this size must be for the linkage to be large in every pose;
 /// `None` if the whole motion suffices.
-fn nearer(reach: &Reach, size: WindowSize) -> Option<f64> {
-    let whole = WorldView::fit(reach, size.cols, size.rows, size.aspect);
-    let mut poses = reach.poses().some();
-    if poses.all(|(pose, _)| whole.fill(pose) >= MIN_FILL) {
+fn nearer(extents: &Extents, size: WindowSize) -> Option<f64> {
+    let complete = WorldView::fit(extents, size.cols, size.rows, size.aspect);
+    let mut poses = extents.poses().some();
+    if poses.all(|(pose, _)| complete.fill(pose) >= MIN_FILL) {
         return None;
     }
     let is_large = |nearer: &f64| {
-        let mut poses = reach.poses().some();
-        poses.all(|(pose, room)| near(reach, room, *nearer, size).fill(pose) >= MIN_FILL)
+        let mut poses = extents.poses().some();
+        poses.all(|(pose, space)| near(extents, space, *nearer, size).fill(pose) >= MIN_FILL)
     };
     let found = NEARER.into_iter().find(is_large);
     Some(found.unwrap_or(1.0))
 }
 
 /// Returns the window on extents interpolated by `nearer` between the whole motion and the pose.
-fn near(reach: &Reach, room: PoseExtents, nearer: f64, size: WindowSize) -> WorldView {
+fn near(extents: &Extents, available: PoseExtents, nearer: f64, size: WindowSize) -> WorldView {
     let WindowSize { cols, rows, aspect } = size;
     let [columns, lines] = [cols, rows].map(|cells| f64::from((cells / STEPS_ACROSS).max(1)));
-    let whole = reach.bounds();
-    let space = whole.towards(room.linkage, nearer);
+    let complete = extents.bounds();
+    let space = complete.towards(available.linkage, nearer);
     // The window moves by up to half a step.
-    let parts = reach.parts_near(space, room.tips);
+    let parts = extents.parts_near(space, available.tips);
     let parts = parts.map(|(part, margin)| (part, margin.widened(columns / 2.0, lines / 2.0)));
     let mut view = WorldView::around(&parts, space.centre(), (cols, rows), aspect);
-    let at = view.cell(reach.anchor());
+    let at = view.cell(extents.anchor());
     if at.is_finite() {
-        let steps = (view.scale.x * whole.size().norm()).log2() * STEPS_OF_TWO;
+        let steps = (view.scale.x * complete.size().norm()).log2() * STEPS_OF_TWO;
         let smaller = ((steps.floor() - steps) / STEPS_OF_TWO).exp2();
         // Shrinks towards the anchor, or the nearest visible point, so that nothing else leaves the
         // window.

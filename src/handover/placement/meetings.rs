@@ -1,7 +1,7 @@
 //! Places joints and arms in closed form: at intersections of circles and lines, and in the
 //! direction of an arm that slides through a pin.
 
-use super::super::sides::SideCourse;
+use super::super::sides::SideHistory;
 use super::super::terms::{ScriptTerm, number};
 use super::ScriptPlacement;
 use crate::solver::Known;
@@ -139,7 +139,7 @@ impl ScriptPlacement<'_> {
             self.point(q),
             second.radius
         );
-        self.put(joint, ScriptTerm::of(call));
+        self.place_point(joint, ScriptTerm::of(call));
     }
 
     fn meet_circle_and_line(&mut self, joint: PointId, circle: &JointCircle, line: &JointLine) {
@@ -155,7 +155,7 @@ impl ScriptPlacement<'_> {
             line.through,
             line.direction
         );
-        self.put(joint, ScriptTerm::of(call));
+        self.place_point(joint, ScriptTerm::of(call));
     }
 
     fn meet_lines(&mut self, joint: PointId, first: &JointLine, second: &JointLine) {
@@ -163,7 +163,7 @@ impl ScriptPlacement<'_> {
             "lines({}, {}, {}, {})",
             first.through, first.direction, second.through, second.direction
         );
-        self.put(joint, ScriptTerm::of(call));
+        self.place_point(joint, ScriptTerm::of(call));
     }
 
     /// Places an arm about a known point that slides over a known pin, or whose driven pin is
@@ -204,7 +204,7 @@ impl ScriptPlacement<'_> {
 
     /// Returns the side of a group as an expression of the script.
     fn side(&self, figure: impl Fn(Known<'_>) -> f64) -> String {
-        let course = SideCourse::of(self.solver, figure);
+        let course = SideHistory::of(self.solver, figure);
         let signs = course.signs();
         if let [sign] = signs[..] {
             return sign.to_string();

@@ -114,8 +114,8 @@ fn sections(text: &str) -> Vec<Section> {
             section.rows += 1;
             section.words += &format!("{line} ");
         } else {
-            let begins = is_apart || inner.starts_with("- ");
-            section.passages += usize::from(begins && !inner.is_empty());
+            let starts = is_apart || inner.starts_with("- ");
+            section.passages += usize::from(starts && !inner.is_empty());
             section.words += &format!("{inner} ");
             is_apart = inner.is_empty();
         }
@@ -125,10 +125,10 @@ fn sections(text: &str) -> Vec<Section> {
 
 /// Returns the lines of a TOML file without their comments.
 fn uncommented(lines: &[String]) -> Vec<&str> {
-    let bare = lines
+    let plain = lines
         .iter()
         .map(|line| line.split('#').next().unwrap_or_default());
-    bare.map(str::trim_end).collect()
+    plain.map(str::trim_end).collect()
 }
 
 fn parts() -> impl Iterator<Item = (&'static str, [Vec<Section>; 2])> {
@@ -171,11 +171,11 @@ fn what_is_typed_and_every_figure_are_the_same() {
     let mut missing = Vec::new();
     for (name, [english, turkish]) in parts() {
         for (one, other) in english.iter().zip(&turkish) {
-            let said = |code: &str| {
+            let text = |code: &str| {
                 let of_screen = SCREENS.iter().find(|(english, _)| *english == code);
                 of_screen.map_or(code.to_owned(), |(_, turkish)| (*turkish).to_owned())
             };
-            let wanted: BTreeSet<String> = one.code().into_iter().map(said).collect();
+            let wanted: BTreeSet<String> = one.code().into_iter().map(text).collect();
             let found: BTreeSet<String> = other.code().into_iter().map(str::to_owned).collect();
             let place = format!("{name}: {}", other.heading);
             let odd = wanted.symmetric_difference(&found);
@@ -242,10 +242,14 @@ fn topics_are_asked_for_in_both_languages() {
             assert_eq!(found, Some(topic.name), "{word}");
         }
         Language::Turkish.speak();
-        assert!(topic.told().ends_with(&format!(" ({})", topic.turkish)));
+        assert!(
+            topic
+                .description()
+                .ends_with(&format!(" ({})", topic.turkish))
+        );
         assert_eq!(topic.called(), topic.turkish);
         Language::English.speak();
-        assert_eq!(topic.told(), (topic.about)(words()));
+        assert_eq!(topic.description(), (topic.about)(words()));
     }
     assert!(find("").is_none() && find("sahn").is_none());
 }

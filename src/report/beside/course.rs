@@ -1,8 +1,8 @@
 //! Compares columns over the driver's coordinate: the maximum difference of each, and its place.
 
 use super::DIGITS;
-use super::foreign::ForeignCourse;
-use super::list::{apart, is_rounding};
+use super::foreign::ForeignCurves;
+use super::list::{is_rounding, value_difference};
 use crate::page::{Page, Setting, Table};
 use crate::quantity::Quantity;
 use crate::report::text::number::significant;
@@ -11,7 +11,7 @@ use crate::wording::words;
 
 /// The comparison of a column.
 #[derive(Clone, Copy, Default)]
-struct Furthest {
+struct ColumnComparison {
     rows: usize,
     at: f64,
     off: f64,
@@ -21,20 +21,20 @@ struct Furthest {
     /// The maximum absolute value of krank in the column.
     most: f64,
     /// The number of differences that exceed the rounding of the other value.
-    beyond: usize,
+    exceeding: usize,
 }
 
-pub(super) fn add_to(page: &mut Page, file: &str, course: &ForeignCourse, solver: &Solver) {
+pub(super) fn add_to(page: &mut Page, file: &str, course: &ForeignCurves, solver: &Solver) {
     page.part(&words().beside_file(file));
     add_table(page, file, course, solver);
 }
 
 /// Adds the comparison without its title.
-pub(super) fn add_table(page: &mut Page, file: &str, course: &ForeignCourse, solver: &Solver) {
+pub(super) fn add_table(page: &mut Page, file: &str, course: &ForeignCurves, solver: &Solver) {
     page.text(words().beside_course(file, course.rows.len()));
-    let furthest = furthest(course, solver);
+    let extreme = furthest(course, solver);
     let at = format!("{} [{}]", words().at_driver(), course.driver.unit);
-    let heads = [
+    let headers = [
         words().rows_compared(),
         words().root_mean_square(),
         words().largest_difference(),
@@ -42,23 +42,23 @@ pub(super) fn add_table(page: &mut Page, file: &str, course: &ForeignCourse, sol
         words().of_largest(),
         words().beyond_rounding(),
     ];
-    let mut table = Table::new(words().figure(), heads).set(Setting::default());
-    for (quantity, one) in course.columns.iter().zip(&furthest) {
+    let mut table = Table::new(words().figure(), headers).set(Setting::default());
+    for (quantity, one) in course.columns.iter().zip(&extreme) {
         let name = format!("{} [{}]", quantity.name, quantity.unit);
         table.row(name, one.cells(quantity));
     }
     if !(course.columns.is_empty() || course.rows.is_empty()) {
         page.table(table);
     }
-    if !course.strangers.is_empty() {
-        page.text(words().not_compared(&course.strangers.join(", ")));
+    if !course.unknown_names.is_empty() {
+        page.text(words().not_compared(&course.unknown_names.join(", ")));
     }
     if let Some(left_out) = course.left_out() {
         page.text(left_out);
     }
 }
 
-impl Furthest {
+impl ColumnComparison {
     fn cells(&self, quantity: &Quantity) -> [String; 6] {
         let part = match self.off != 0.0 && self.most > 0.0 && !quantity.is_direction() {
             true => format!("{:.1e}", self.off.abs() / self.most),
@@ -78,35 +78,35 @@ impl Furthest {
             off,
             at,
             part,
-            self.beyond.to_string(),
+            self.exceeding.to_string(),
         ]
     }
 }
 
 /// Compares each column.
-fn furthest(course: &ForeignCourse, solver: &Solver) -> Vec<Furthest> {
+fn furthest(course: &ForeignCurves, solver: &Solver) -> Vec<ColumnComparison> {
     let orders = course.columns.iter().map(|quantity| quantity.order());
     let order = orders.max().unwrap_or(Order::Position);
-    let mut furthest = vec![Furthest::default(); course.columns.len()];
+    let mut extreme = vec![ColumnComparison::default(); course.columns.len()];
     let mut state = solver.state();
     for (at, values) in &course.rows {
         if solver.solve(*at, order, &mut state) == Condition::NoAssembly {
             continue;
         }
-        for ((quantity, value), one) in course.columns.iter().zip(values).zip(&mut furthest) {
+        for ((quantity, value), one) in course.columns.iter().zip(values).zip(&mut extreme) {
             let (Some(foreign), Some(own)) = (value, quantity.value(&state)) else {
                 continue;
             };
-            let foreign = foreign.nearer(|value| apart(quantity, value, own));
-            let off = apart(quantity, foreign.value, own);
+            let foreign = foreign.nearer(|value| value_difference(quantity, value, own));
+            let off = value_difference(quantity, foreign.value, own);
             one.rows += 1;
             one.root = one.root.hypot(off);
             one.most = one.most.max(own.abs());
-            one.beyond += usize::from(!is_rounding(foreign, (own, off)));
+            one.exceeding += usize::from(!is_rounding(foreign, (own, off)));
             if off.abs() > one.off.abs() {
                 (one.off, one.at) = (off, *at);
             }
         }
     }
-    furthest
+    extreme
 }

@@ -34,7 +34,7 @@ pub enum NoFigures {
 /// The interpretation of a table.
 pub(super) enum ForeignTable {
     List(Vec<ForeignRow>),
-    Course(ForeignCourse),
+    CyclePath(ForeignCurves),
 }
 
 /// A value of a list.
@@ -59,24 +59,24 @@ pub(super) struct ForeignValue {
 }
 
 /// Columns over the driver's coordinate.
-pub(super) struct ForeignCourse {
+pub(super) struct ForeignCurves {
     pub(super) driver: Quantity,
     pub(super) columns: Vec<Quantity>,
     /// The coordinate, and the value in each column, if any.
     pub(super) rows: Vec<(f64, Vec<Option<ForeignValue>>)>,
     /// Headers that are not columns of krank.
-    pub(super) strangers: Vec<String>,
+    pub(super) unknown_names: Vec<String>,
     /// Cells that should contain a number but do not: line, column and text.
     pub(super) unread: Vec<(u64, String, String)>,
 }
 
 /// Maximum number of cells listed in a message.
-const LISTED: usize = 5;
+const MAX_LISTED: usize = 5;
 
-impl ForeignCourse {
+impl ForeignCurves {
     /// Returns a sentence about the omitted cells, if any.
     pub(super) fn left_out(&self) -> Option<String> {
-        let listed: Vec<_> = (self.unread.iter().take(LISTED))
+        let listed: Vec<_> = (self.unread.iter().take(MAX_LISTED))
             .map(|(line, column, cell)| (*line, column.as_str(), quoted(cell)))
             .collect();
         let more = self.unread.len() - listed.len();
@@ -140,11 +140,11 @@ impl ForeignFigures {
     /// list.
     pub(super) fn table(&self, catalogue: &Catalogue) -> ForeignTable {
         let driver = catalogue.driver();
-        let heads = self.rows.first().map_or(&[][..], Vec::as_slice);
-        let heads: Vec<(String, String)> = heads.iter().map(|cell| head(cell)).collect();
-        match heads.iter().position(|(name, _)| *name == driver.name) {
-            Some(place) if self.rows.len() > 1 => {
-                ForeignTable::Course(self.course(catalogue, &heads, place))
+        let headers = self.rows.first().map_or(&[][..], Vec::as_slice);
+        let headers: Vec<(String, String)> = headers.iter().map(|cell| head(cell)).collect();
+        match headers.iter().position(|(name, _)| *name == driver.name) {
+            Some(index) if self.rows.len() > 1 => {
+                ForeignTable::CyclePath(self.course(catalogue, &headers, index))
             }
             _ => ForeignTable::List(
                 self.rows
@@ -158,13 +158,13 @@ impl ForeignFigures {
     fn course(
         &self,
         catalogue: &Catalogue,
-        heads: &[(String, String)],
-        place: usize,
-    ) -> ForeignCourse {
+        headers: &[(String, String)],
+        index: usize,
+    ) -> ForeignCurves {
         let driver = catalogue.driver().clone();
         let mut columns = Vec::new();
         let mut strangers = Vec::new();
-        for (k, (name, unit)) in heads.iter().enumerate().filter(|(k, _)| *k != place) {
+        for (k, (name, unit)) in headers.iter().enumerate().filter(|(k, _)| *k != index) {
             let found = catalogue.find(name);
             let factor = found
                 .as_ref()
@@ -182,12 +182,12 @@ impl ForeignFigures {
                 _ => {}
             }
         }
-        let turned = unit_factor(&heads[place].1, &driver.unit);
+        let turned = unit_factor(&headers[index].1, &driver.unit);
         if turned.is_none() {
             strangers.push(driver.name.clone());
         }
         let row = |cells: &Vec<String>| {
-            let at = number(cells.get(place)?)?.value * turned?;
+            let at = number(cells.get(index)?)?.value * turned?;
             let value = |(k, factor, _): &(usize, f64, Quantity)| {
                 Some(number(cells.get(*k)?)?.times(*factor))
             };
@@ -200,8 +200,8 @@ impl ForeignFigures {
             let read = |k: usize| cells.get(k).is_some_and(|cell| number(cell).is_some());
             let cell = |k: usize| cells.get(k).cloned().unwrap_or_default();
             // A row without a coordinate is not read.
-            if is_row && !read(place) {
-                unread.push((*line, driver.name.clone(), cell(place)));
+            if is_row && !read(index) {
+                unread.push((*line, driver.name.clone(), cell(index)));
                 continue;
             }
             let bad = columns
@@ -209,7 +209,7 @@ impl ForeignFigures {
                 .filter(|(k, ..)| is_row && is_there(*k) && !read(*k));
             unread.extend(bad.map(|(k, _, quantity)| (*line, quantity.name.clone(), cell(*k))));
         }
-        ForeignCourse {
+        ForeignCurves {
             unread,
             rows: self.rows.iter().skip(1).filter_map(row).collect(),
             driver,
@@ -217,7 +217,7 @@ impl ForeignFigures {
                 .into_iter()
                 .map(|(_, _, quantity)| quantity)
                 .collect(),
-            strangers,
+            unknown_names: strangers,
         }
     }
 }
@@ -227,20 +227,20 @@ impl ForeignFigures {
 fn listed(catalogue: &Catalogue, cells: &[String]) -> Option<ForeignRow> {
     let (name, unit) = head(cells.first()?);
     let rest = cells.get(1..)?;
-    let place = rest.iter().rposition(|cell| number(cell).is_some())?;
-    let unit = match rest[..place].iter().rfind(|cell| !cell.is_empty()) {
+    let index = rest.iter().rposition(|cell| number(cell).is_some())?;
+    let unit = match rest[..index].iter().rfind(|cell| !cell.is_empty()) {
         Some(cell) => cell.clone(),
         None => unit,
     };
     let figure = catalogue.find(&name).and_then(|quantity| {
-        let value = number(&rest[place])?.times(unit_factor(&unit, &quantity.unit)?);
+        let value = number(&rest[index])?.times(unit_factor(&unit, &quantity.unit)?);
         Some((quantity, value))
     });
     // A unit equal to krank's is already in the row's name; another one is shown with the value.
     let is_own = |(quantity, _): &(Quantity, ForeignValue)| unit == quantity.unit;
     let written = match unit.is_empty() || figure.as_ref().is_some_and(is_own) {
-        true => rest[place].clone(),
-        false => format!("{} {unit}", rest[place]),
+        true => rest[index].clone(),
+        false => format!("{} {unit}", rest[index]),
     };
     (!name.is_empty()).then_some(ForeignRow {
         name,
@@ -281,10 +281,11 @@ impl ForeignValue {
 
     /// Resolves an ambiguous mark, as in `8,259`: takes thousands if the result is closer to
     /// krank's value. `apart` computes the difference from it.
-    pub(super) fn nearer(self, apart: impl Fn(f64) -> f64) -> ForeignValue {
-        let whole = self.thousands.map(|factor| self.times(factor));
-        let is_nearer = |whole: &ForeignValue| apart(whole.value).abs() < apart(self.value).abs();
-        whole.filter(is_nearer).unwrap_or(self)
+    pub(super) fn nearer(self, distance: impl Fn(f64) -> f64) -> ForeignValue {
+        let integer = self.thousands.map(|factor| self.times(factor));
+        let is_nearer =
+            |integer: &ForeignValue| distance(integer.value).abs() < distance(self.value).abs();
+        integer.filter(is_nearer).unwrap_or(self)
     }
 }
 
@@ -302,8 +303,8 @@ mod tests {
         let metres = number("28,160").unwrap().times(1000.0);
         let near = metres.nearer(|value| value - 28_163.0);
         assert!((near.value - 28_160.0).abs() < 1e-9 && (near.rounding - 0.5).abs() < 1e-9);
-        let nought = number("0.000").unwrap();
-        assert!((nought.rounding - 0.0005).abs() < 1e-12, "{nought:?}");
+        let zero = number("0.000").unwrap();
+        assert!((zero.rounding - 0.0005).abs() < 1e-12, "{zero:?}");
         assert_eq!(number("1,2,3"), None);
     }
 

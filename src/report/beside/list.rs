@@ -18,13 +18,13 @@ pub(super) fn add_to(
 ) {
     page.part(&words().beside_file(file));
     page.text(words().beside_list(file));
-    let heads = [
+    let headers = [
         "krank",
         file,
         words().foreign_difference(),
         words().part_of_it(),
     ];
-    let mut table = Table::new(words().figure(), heads).set(Setting::default());
+    let mut table = Table::new(words().figure(), headers).set(Setting::default());
     let mut strangers = Vec::new();
     let mut is_any = false;
     for row in rows {
@@ -36,13 +36,13 @@ pub(super) fn add_to(
             continue;
         };
         is_any = true;
-        let foreign = foreign.nearer(|value| apart(quantity, value, own));
+        let foreign = foreign.nearer(|value| value_difference(quantity, value, own));
         let own_text = match quantity.is_direction() {
             true => direction(own, digits),
             false => significant(own, digits),
         };
-        let off = apart(quantity, foreign.value, own);
-        let [difference, part] = told(quantity, foreign, (own, off));
+        let off = value_difference(quantity, foreign.value, own);
+        let [difference, part] = format_difference(quantity, foreign, (own, off));
         let name = format!("{} [{}]", row.name, quantity.unit);
         table.row(name, [own_text, row.written.clone(), difference, part]);
     }
@@ -55,7 +55,7 @@ pub(super) fn add_to(
 }
 
 /// Returns the difference of two values; for directions, the shorter way around.
-pub(super) fn apart(quantity: &Quantity, foreign: f64, own: f64) -> f64 {
+pub(super) fn value_difference(quantity: &Quantity, foreign: f64, own: f64) -> f64 {
     let half = angle::TURN / 2.0;
     match quantity.is_direction() {
         true => angle::wrapped(foreign - own + half) - half,
@@ -71,7 +71,11 @@ pub(super) fn is_rounding(foreign: ForeignValue, (own, off): (f64, f64)) -> bool
 
 /// Formats the difference, absolute and relative; says that the values agree if it is within
 /// rounding.
-fn told(quantity: &Quantity, foreign: ForeignValue, (own, off): (f64, f64)) -> [String; 2] {
+fn format_difference(
+    quantity: &Quantity,
+    foreign: ForeignValue,
+    (own, off): (f64, f64),
+) -> [String; 2] {
     if is_rounding(foreign, (own, off)) {
         return [words().agrees().to_owned(), "-".into()];
     }

@@ -1,8 +1,8 @@
 //! Compares measurements over the driver's coordinate with krank's values, row by row.
 
 use super::course;
-use super::foreign::{ForeignCourse, ForeignFigures, ForeignTable};
-use super::list::apart;
+use super::foreign::{ForeignCurves, ForeignFigures, ForeignTable};
+use super::list::value_difference;
 use crate::page::{Page, TextStyle};
 use crate::quantity::{Catalogue, Quantity};
 use crate::report::sweep::SweepOutcome;
@@ -15,7 +15,7 @@ use std::io::{self, Write};
 /// Columns measured over the driver's coordinate.
 pub struct Measured {
     file: String,
-    course: ForeignCourse,
+    course: ForeignCurves,
 }
 
 impl ForeignFigures {
@@ -23,7 +23,7 @@ impl ForeignFigures {
     /// `None` if it is not a table over the driver's coordinate, or has none of the values.
     #[must_use]
     pub fn measured(&self, catalogue: &Catalogue, of: Option<&[Quantity]>) -> Option<Measured> {
-        let ForeignTable::Course(mut course) = self.table(catalogue) else {
+        let ForeignTable::CyclePath(mut course) = self.table(catalogue) else {
             return None;
         };
         if let Some(of) = of {
@@ -47,7 +47,7 @@ impl Measured {
     /// Returns headers that are not columns of krank, or whose unit does not fit.
     #[must_use]
     pub fn strangers(&self) -> &[String] {
-        &self.course.strangers
+        &self.course.unknown_names
     }
 
     /// Returns a sentence about cells that are not numbers and were omitted, with line and column;
@@ -59,10 +59,10 @@ impl Measured {
 
     /// Returns the driver's coordinate and the value of every measurement of a quantity.
     #[must_use]
-    pub fn points(&self, figure: usize) -> Vec<(f64, f64)> {
+    pub fn points(&self, index: usize) -> Vec<(f64, f64)> {
         let rows = self.course.rows.iter();
         let value = |(at, values): &(f64, Vec<_>)| {
-            let value: Option<super::foreign::ForeignValue> = *values.get(figure)?;
+            let value: Option<super::foreign::ForeignValue> = *values.get(index)?;
             Some((*at, value?.value))
         };
         rows.filter_map(value).collect()
@@ -99,12 +99,12 @@ impl Measured {
 
     fn columns(&self, units: bool) -> Columns {
         let mut columns = Columns::new(&self.course.driver, &[], units);
-        for figure in &self.course.columns {
+        for quantity in &self.course.columns {
             let named = |ending: &str| Quantity {
-                name: format!("{}.{ending}", figure.name),
-                ..figure.clone()
+                name: format!("{}.{ending}", quantity.name),
+                ..quantity.clone()
             };
-            columns.quantities.push(figure.clone());
+            columns.quantities.push(quantity.clone());
             columns.sources.push(CellSource::Figure);
             columns.quantities.push(named("measured"));
             columns.sources.push(CellSource::Figure);
@@ -121,14 +121,18 @@ impl Measured {
         for (at, values) in &self.course.rows {
             let condition = solver.solve(*at, order.unwrap_or(Order::Position), &mut state);
             let mut cells = vec![Some(*at)];
-            for (figure, value) in self.course.columns.iter().zip(values) {
-                let own = figure.value(&state);
+            for (quantity, value) in self.course.columns.iter().zip(values) {
+                let own = quantity.value(&state);
                 let measured = match (value, own) {
-                    (Some(value), Some(own)) => Some(value.nearer(|v| apart(figure, v, own)).value),
+                    (Some(value), Some(own)) => {
+                        Some(value.nearer(|v| value_difference(quantity, v, own)).value)
+                    }
                     (value, None) => value.map(|value| value.value),
                     (None, Some(_)) => None,
                 };
-                let off = own.zip(measured).map(|(own, it)| apart(figure, it, own));
+                let off = own
+                    .zip(measured)
+                    .map(|(own, it)| value_difference(quantity, it, own));
                 cells.extend([own, measured, off]);
             }
             rows.state_row(&cells, condition)?;

@@ -29,7 +29,7 @@ impl ForeignFigures {
         let catalogue = Catalogue::new(scene);
         match self.table(&catalogue) {
             ForeignTable::List(rows) => list::add_to(page, self.name(), &rows, state, digits),
-            ForeignTable::Course(course) => course::add_to(page, self.name(), &course, solver),
+            ForeignTable::CyclePath(course) => course::add_to(page, self.name(), &course, solver),
         }
     }
 }

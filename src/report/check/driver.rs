@@ -17,7 +17,7 @@ impl CheckedScene<'_> {
         let driver = self.scene.mechanism.driver();
         let inputs = self.scene.mechanism.timed().iter();
         let inputs = inputs.map(|timed| (self.input_json(timed), [self.input_text(timed)]));
-        let inputs = Fact::each(words().fact_driver(), "inputs", inputs).if_any();
+        let inputs = Fact::each(words().fact_driver(), "inputs", inputs).without_empty();
         let mut value = input_json(self.scene, driver.input);
         for (key, rate) in [
             ("start", driver.start),

@@ -25,9 +25,9 @@ impl CheckedScene<'_> {
                 inversion,
             }) => {
                 let lengths = [driven, coupler, follower, frame].map(length);
-                let names = |say| {
-                    let inversion = inversion_word(inversion, grashof, say);
-                    (inversion, grashof_word(grashof, say))
+                let names = |wording| {
+                    let inversion = inversion_word(inversion, grashof, wording);
+                    (inversion, grashof_word(grashof, wording))
                 };
                 let (class, condition) = names(words());
                 let lines = [
@@ -90,22 +90,22 @@ fn slider_crank_words(margin: f64) -> &'static str {
     }
 }
 
-fn grashof_word(grashof: Grashof, say: &dyn Words) -> &'static str {
+fn grashof_word(grashof: Grashof, wording: &dyn Words) -> &'static str {
     match grashof {
-        Grashof::Turning => say.grashof(),
-        Grashof::ChangePoint => say.grashof_change_point(),
-        Grashof::Rocking => say.not_grashof(),
+        Grashof::Turning => wording.grashof(),
+        Grashof::ChangePoint => wording.grashof_change_point(),
+        Grashof::Rocking => wording.not_grashof(),
     }
 }
 
-fn inversion_word(inversion: Inversion, grashof: Grashof, say: &dyn Words) -> &'static str {
+fn inversion_word(inversion: Inversion, grashof: Grashof, wording: &dyn Words) -> &'static str {
     match inversion {
-        Inversion::CrankRocker => say.crank_rocker(),
+        Inversion::CrankRocker => wording.crank_rocker(),
         // A parallelogram is not called a drag link.
-        Inversion::DoubleCrank if grashof == Grashof::ChangePoint => say.double_crank(),
-        Inversion::DoubleCrank => say.drag_link(),
-        Inversion::RockerCrank => say.rocker_crank(),
-        Inversion::DoubleRocker => say.double_rocker(),
-        Inversion::TripleRocker => say.triple_rocker(),
+        Inversion::DoubleCrank if grashof == Grashof::ChangePoint => wording.double_crank(),
+        Inversion::DoubleCrank => wording.drag_link(),
+        Inversion::RockerCrank => wording.rocker_crank(),
+        Inversion::DoubleRocker => wording.double_rocker(),
+        Inversion::TripleRocker => wording.triple_rocker(),
     }
 }

@@ -3,7 +3,7 @@
 use super::{CheckedScene, Fact};
 use crate::assembly::pick_text;
 use crate::report::text::number::concise;
-use crate::solver::{Assemblies, Choice, Group, GroupId, GroupKind, Pick};
+use crate::solver::{Assemblies, AssemblyChoice, Choice, Group, GroupId, GroupKind};
 use crate::wording::words;
 use serde_json::{Map, Value, json};
 
@@ -96,7 +96,7 @@ impl CheckedScene<'_> {
     /// Returns the fact on the assemblies of the whole mechanism.
     pub(super) fn assemblies(&self) -> Fact {
         let all = (self.solver).assemblies(self.solver.mechanism().driver().start);
-        let named = |&(group, pick): &(GroupId, Pick)| {
+        let named = |&(group, pick): &(GroupId, AssemblyChoice)| {
             let name = self.scene.group_name(self.solver.plan().group(group)?);
             Some((name, pick_text(pick)))
         };

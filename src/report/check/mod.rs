@@ -14,7 +14,7 @@ mod stops;
 
 pub(super) use driver::inputs_given;
 pub(super) use first_loop::loop_name;
-pub(super) use motion::{TimedMotion, leaves_text};
+pub(super) use motion::{TimedMotion, describe_out_of_range};
 pub use range::near_misses;
 pub(super) use stops::stops_json;
 pub use stops::{stop_before, stop_name};
@@ -30,7 +30,7 @@ use serde_json::{Map, Value};
 
 /// Widths of the labels, and of the indent of further lines of a fact.
 const LABELS: usize = 11;
-const FURTHER: usize = 2;
+const CONTINUATION_INDENT: usize = 2;
 /// Significant digits of a coordinate in a sentence.
 const PLACES: usize = 9;
 
@@ -127,7 +127,7 @@ impl Fact {
     }
 
     /// Removes empty lists of values, which JSON leaves out.
-    fn if_any(mut self) -> Fact {
+    fn without_empty(mut self) -> Fact {
         let is_empty = |value: &Value| value.as_array().is_some_and(Vec::is_empty);
         self.values.retain(|(_, value)| !is_empty(value));
         self
@@ -209,11 +209,11 @@ impl Check {
     pub fn page(&self) -> Page {
         let mut facts = Facts {
             names: LABELS,
-            hanging: FURTHER,
+            hanging_indent: CONTINUATION_INDENT,
             list: Vec::new(),
         };
         for fact in &self.facts {
-            facts.tell(fact.label, fact.lines.iter().cloned());
+            facts.add(fact.label, fact.lines.iter().cloned());
         }
         let mut page = Page::default();
         page.title(&words().translated_scene_text(&self.scene));

@@ -30,7 +30,9 @@ impl CheckedScene<'_> {
             return fact;
         };
         let leaves = MotionOutOfRange::of(motion.law, self.solver);
-        let text = leaves.as_ref().map(|out| leaves_text(self.scene, out));
+        let text = leaves
+            .as_ref()
+            .map(|out| describe_out_of_range(self.scene, out));
         let leaves = leaves.map(|out| {
             let stop = out.stop.map(|stop| stop_name(self.scene, stop));
             json!({"time": out.time, "at": out.at + 0.0, "stop": stop})
@@ -102,12 +104,12 @@ impl<'a> TimedMotion<'a> {
                 laws.push(name);
             }
         }
-        let mut told = words().motion_in_time(&laws.join(", "), &figure(self.law.period()));
+        let mut text = words().motion_in_time(&laws.join(", "), &figure(self.law.period()));
         if self.peaks.rest > 0.0 {
-            told += &words().motion_rests(&figure(self.peaks.rest));
+            text += &words().motion_rests(&figure(self.peaks.rest));
         }
         let [speed, acceleration] = self.rates();
-        told + &words().motion_at_most(&speed, &acceleration) + &self.jump()
+        text + &words().motion_at_most(&speed, &acceleration) + &self.jump()
     }
 
     /// Returns two short forms, the shorter one last.
@@ -136,7 +138,7 @@ impl<'a> TimedMotion<'a> {
 }
 
 /// Describes where a motion leaves the range.
-pub(in crate::report) fn leaves_text(scene: &Scene, leaves: &MotionOutOfRange) -> String {
+pub(in crate::report) fn describe_out_of_range(scene: &Scene, leaves: &MotionOutOfRange) -> String {
     let catalogue = Catalogue::new(scene);
     let unit = &catalogue.driver().unit;
     let (time, at) = (concise(leaves.time, PLACES), concise(leaves.at, PLACES));
@@ -198,14 +200,14 @@ mod tests {
             let scene = Scene::parse(&text(limits), "test").unwrap();
             let solver = Solver::new(&scene.mechanism).unwrap();
             let check = Check::new(&scene, &solver);
-            let told = check.to_text(true);
-            let words: Vec<&str> = told.split_whitespace().collect();
+            let shown_text = check.to_text(true);
+            let words: Vec<&str> = shown_text.split_whitespace().collect();
             (words.join(" "), check.to_json())
         };
-        let (told, json) = check("rod = [100, 380]\n");
+        let (shown_text, json) = check("rod = [100, 380]\n");
         assert!(
-            told.contains("passes the stop of rod: 32.0734124 deg, at 1.39632938 s"),
-            "{told}"
+            shown_text.contains("passes the stop of rod: 32.0734124 deg, at 1.39632938 s"),
+            "{shown_text}"
         );
         let leaves = &json["motion"]["leaves"];
         assert_eq!(leaves["stop"], "rod");
@@ -218,13 +220,16 @@ mod tests {
         assert_eq!(steps[1]["knots"][1], serde_json::json!([0.5, 30.0]));
         assert_eq!(steps[2]["ramp"], 0.2);
         assert!(steps[0].get("ramp").is_none() && steps[0].get("knots").is_none());
-        let (told, json) = check("rod = [100, 500]\n");
-        assert!(!told.contains("the motion over time passes"), "{told}");
+        let (shown_text, json) = check("rod = [100, 500]\n");
+        assert!(
+            !shown_text.contains("the motion over time passes"),
+            "{shown_text}"
+        );
         assert!(json["motion"]["leaves"].is_null());
         // Neither end of the range is ever reached.
         assert!(
-            told.contains("never reached: rod from 100 to 500 mm"),
-            "{told}"
+            shown_text.contains("never reached: rod from 100 to 500 mm"),
+            "{shown_text}"
         );
         assert_eq!(json["unmet"][0]["name"], "rod");
     }

@@ -31,7 +31,7 @@ impl CheckedScene<'_> {
             }
             (value, [text])
         });
-        Fact::each(words().fact_parameters(), "parameters", items).if_any()
+        Fact::each(words().fact_parameters(), "parameters", items).without_empty()
     }
 
     pub(super) fn parts(&self) -> Fact {

@@ -19,12 +19,12 @@ impl CheckedScene<'_> {
             let group = self.group_name(self.solver.plan().group(found.group)?);
             let extreme = |end: Extreme| json!({"angle": end.angle, "at": end.at + 0.0});
             let ends = [found.smallest, found.largest];
-            let [least, most] = ends.map(|end| format!("{:.DECIMALS$}", end.angle));
+            let [minimum, maximum] = ends.map(|end| format!("{:.DECIMALS$}", end.angle));
             let [at_least, at_most] = ends.map(|end| place(end.at));
-            let text = match least == most {
-                true => words().transmission_throughout(group, &least),
+            let text = match minimum == maximum {
+                true => words().transmission_throughout(group, &minimum),
                 false => {
-                    let ends = [&*least, &at_least, &most, &at_most];
+                    let ends = [&*minimum, &at_least, &maximum, &at_most];
                     words().transmission_between(group, ends, &self.unit)
                 }
             };

@@ -56,11 +56,16 @@ impl CheckedScene<'_> {
     /// Returns the ends of the range at which two assemblies meet, without proof that the motion
     /// can pass.
     pub(super) fn lined_up(&self) -> Fact {
-        let items = self.solver.motion().lined_up.iter().filter_map(|end| {
-            let group = self.group_name(self.solver.plan().group(end.group)?);
-            let text = words().ends_lined_up(&limit_text(end.at), &self.unit, group);
-            Some((json!({"group": group, "at": end.at + 0.0}), [text]))
-        });
+        let items = self
+            .solver
+            .motion()
+            .meeting_assemblies
+            .iter()
+            .filter_map(|end| {
+                let group = self.group_name(self.solver.plan().group(end.group)?);
+                let text = words().ends_lined_up(&limit_text(end.at), &self.unit, group);
+                Some((json!({"group": group, "at": end.at + 0.0}), [text]))
+            });
         Fact::each(words().fact_change(), "lined_up", items)
     }
 

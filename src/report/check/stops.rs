@@ -72,8 +72,8 @@ pub(in crate::report) fn stops_json(scene: &Scene, solver: &Solver) -> Vec<Value
 fn value(scene: &Scene, stop: &EndStop) -> f64 {
     let limit = scene.mechanism.limit(stop.limit);
     match stop.end {
-        StrokeEnd::Least => limit.low,
-        StrokeEnd::Greatest => limit.high,
+        StrokeEnd::Minimum => limit.low,
+        StrokeEnd::Maximum => limit.high,
     }
 }
 
@@ -125,7 +125,7 @@ mod tests {
         r2 = { from = \"A\", to = \"B\", length = 100 }\nr3 = { from = \"B\", to = \"C\", length = 300 }\n[slides]\n\
         rod = { point = \"C\", on = \"ground\", through = \"A\", angle = 0 }\n[start]\nC = [350, 0]\n[limits]\n";
 
-    fn told(limits: &str) -> (String, [String; 2], serde_json::Value) {
+    fn report_limits(limits: &str) -> (String, [String; 2], serde_json::Value) {
         let scene = Scene::parse(&format!("{SLIDER_CRANK}{limits}"), "test").unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
         let check = Check::new(&scene, &solver);
@@ -142,7 +142,7 @@ mod tests {
     /// The positions by the law of cosines: cos(theta) = (r2^2 + s^2 - r3^2) / (2 r2 s).
     #[test]
     fn stops_are_reported_with_their_positions() {
-        let (text, verdict, json) = told("rod = [250, 380]\n");
+        let (text, verdict, json) = report_limits("rod = [250, 380]\n");
         assert!(
             text.contains(
                 "stops      32.073412392109 deg: rod at 380 mm\n           110.487315114723 deg: rod at 250 mm\n"
@@ -159,7 +159,7 @@ mod tests {
 
     #[test]
     fn limits_are_reported_by_name() {
-        let (text, verdict, _) = told(
+        let (text, verdict, _) = report_limits(
             "rod = [200, 380]\nknee = { link = \"r3\", from = \"r2\", angle = [-123, -30] }\n",
         );
         assert!(text.contains(" deg: knee at -123 deg\n"), "{text}");
@@ -171,7 +171,7 @@ mod tests {
 
     #[test]
     fn fully_rotating_crank_reaches_no_stops() {
-        let (text, verdict, json) = told("rod = [100, 500]\n");
+        let (text, verdict, json) = report_limits("rod = [100, 500]\n");
         assert!(
             text.contains("stops      never reached: rod from 100 to 500 mm\n"),
             "{text}"

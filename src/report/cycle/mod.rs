@@ -5,7 +5,7 @@ pub(in crate::report) mod page;
 use crate::Body;
 use crate::quantity::{Catalogue, Quantity, demand, rate_unit};
 use crate::report::check::group_name;
-use crate::report::tables::entry::{NOISE, seen};
+use crate::report::tables::entry::{NOISE, display_value};
 use crate::report::text::csv_dialect::{CsvDialect, CsvSheet, cell};
 use crate::report::text::number::concise;
 use crate::report::text::places::{place_text, range_text};
@@ -45,7 +45,7 @@ impl WorstPlace {
 
 /// A column over the motion.
 #[derive(Clone, Debug)]
-pub struct FollowedFigure {
+pub struct FollowedColumn {
     /// The column.
     pub quantity: Quantity,
     /// Its behaviour.
@@ -56,26 +56,27 @@ pub struct FollowedFigure {
     pub bounds: Vec<(f64, Option<f64>)>,
 }
 
-impl FollowedFigure {
+impl FollowedColumn {
     /// Returns the error bound of its value at a listed place; `None` if nothing was proved.
     pub(in crate::report) fn bound_at(&self, at: f64) -> Option<f64> {
-        let told = self.bounds.iter().find(|(place, _)| *place == at);
-        told.and_then(|(_, bound)| *bound)
+        let text = self.bounds.iter().find(|(place, _)| *place == at);
+        text.and_then(|(_, bound)| *bound)
     }
 
     /// Returns `true` if its extrema are within their bounds, so that its motion is a rounding
     /// error of 0.
     pub(in crate::report) fn is_rounding(&self, excursion: &Excursion) -> bool {
         let ends = [excursion.least, excursion.greatest];
-        let is_nought = |place: &FigurePlace| seen(place.value, self.bound_at(place.at)) == 0.0;
+        let is_nought =
+            |place: &FigurePlace| display_value(place.value, self.bound_at(place.at)) == 0.0;
         ends.iter().all(is_nought)
     }
 
     /// Returns the error bound of its stroke; `None` without a stroke, or if nothing was proved.
     pub(in crate::report) fn stroke_bound(&self, excursion: &Excursion) -> Option<f64> {
-        let [least, greatest] = [excursion.least, excursion.greatest];
+        let [minimum, maximum] = [excursion.least, excursion.greatest];
         excursion.stroke().ok()?;
-        Some((self.bound_at(least.at)? + self.bound_at(greatest.at)?).next_up())
+        Some((self.bound_at(minimum.at)? + self.bound_at(maximum.at)?).next_up())
     }
 }
 
@@ -83,7 +84,7 @@ impl FollowedFigure {
 #[derive(Clone, Debug)]
 pub struct CycleReport {
     /// The values.
-    pub figures: Vec<FollowedFigure>,
+    pub figures: Vec<FollowedColumn>,
     /// Every dyad at the place where its transmission angle deviates most from 90 degrees.
     pub transmission: Vec<WorstPlace>,
     /// Every coupled group with its worst condition.
@@ -97,7 +98,7 @@ pub struct CycleReport {
     /// Whether the scene has a motion over time, which is ignored here.
     pub(in crate::report) is_timed: bool,
     /// Whether bounds are shown.
-    pub(in crate::report) with_bounds: bool,
+    pub(in crate::report) shows_bounds: bool,
 }
 
 /// The properties with known bounds.
@@ -138,12 +139,12 @@ impl CycleReport {
         columns: &[Quantity],
         tolerance: Option<f64>,
     ) -> CycleReport {
-        let wish = ExcursionOptions {
+        let options = ExcursionOptions {
             rates: true,
             dwells: true,
             tolerance,
         };
-        CycleReport::followed(scene, solver, columns, wish)
+        CycleReport::followed(scene, solver, columns, options)
     }
 
     /// Computes strokes, swings, turning places and time ratios of the usual columns only.
@@ -156,19 +157,19 @@ impl CycleReport {
         scene: &Scene,
         solver: &Solver,
         columns: &[Quantity],
-        wish: ExcursionOptions,
+        options: ExcursionOptions,
     ) -> CycleReport {
         let catalogue = Catalogue::new(scene);
-        let found = Excursion::of_all(solver, columns, wish);
+        let found = Excursion::of_all(solver, columns, options);
         let bounds = bounds(solver, columns, &found, false);
-        let figures = columns.iter().zip(found).zip(bounds);
-        let figures = figures.map(|((quantity, excursion), bounds)| FollowedFigure {
+        let quantities = columns.iter().zip(found).zip(bounds);
+        let quantities = quantities.map(|((quantity, excursion), bounds)| FollowedColumn {
             quantity: quantity.clone(),
             excursion,
             bounds,
         });
         CycleReport {
-            figures: figures.collect(),
+            figures: quantities.collect(),
             transmission: Vec::new(),
             condition: Vec::new(),
             scene: scene.name.clone(),
@@ -177,7 +178,7 @@ impl CycleReport {
             driver: catalogue.driver().clone(),
             speed: scene.mechanism.driver().speed,
             is_timed: scene.motion.is_some(),
-            with_bounds: false,
+            shows_bounds: false,
         }
     }
 
@@ -186,13 +187,13 @@ impl CycleReport {
     pub fn with_bounds(mut self, solver: &Solver) -> CycleReport {
         let figures = self.figures.iter();
         let (columns, found): (Vec<_>, Vec<_>) = figures
-            .map(|figure| (figure.quantity.clone(), figure.excursion.clone()))
+            .map(|column| (column.quantity.clone(), column.excursion.clone()))
             .unzip();
         let bounds = bounds(solver, &columns, &found, true);
-        for (figure, bounds) in self.figures.iter_mut().zip(bounds) {
-            figure.bounds = bounds;
+        for (column, bounds) in self.figures.iter_mut().zip(bounds) {
+            column.bounds = bounds;
         }
-        self.with_bounds = true;
+        self.shows_bounds = true;
         self
     }
 
@@ -210,17 +211,17 @@ impl CycleReport {
         })
     }
 
-    fn figure_json(&self, figure: &FollowedFigure) -> Value {
-        let mut all = self.properties_json(figure, &|_| true);
-        let Ok(excursion) = &figure.excursion else {
+    fn figure_json(&self, column: &FollowedColumn) -> Value {
+        let mut all = self.properties_json(column, &|_| true);
+        let Ok(excursion) = &column.excursion else {
             return all;
         };
         if let Some((tolerance, dwells)) = &excursion.dwells {
             all["tolerance"] = json!(tolerance);
             let dwells = dwells.iter().map(|d| {
                 json!({
-                    "from": d.from, "to": d.to, "way": d.way, "seconds": d.seconds,
-                    "there_and_back": d.there_and_back,
+                    "from": d.from, "to": d.to, "way": d.travel, "seconds": d.seconds,
+                    "there_and_back": d.counts_twice,
                     "value": d.about.place.value,
                 })
             });
@@ -234,28 +235,28 @@ impl CycleReport {
         let is_stroke = |name: &str| ["stroke", "least", "greatest", "ratio"].contains(&name);
         let figures = self.figures.iter();
         figures
-            .map(|figure| self.properties_json(figure, &is_stroke))
+            .map(|column| self.properties_json(column, &is_stroke))
             .collect()
     }
 
     /// Returns the wanted properties of a value, and its turning places.
-    fn properties_json(&self, figure: &FollowedFigure, wanted: &dyn Fn(&str) -> bool) -> Value {
-        let mut all = json!({"name": figure.quantity.name, "unit": figure.quantity.unit});
-        let properties = self.properties(figure).into_iter();
+    fn properties_json(&self, column: &FollowedColumn, wanted: &dyn Fn(&str) -> bool) -> Value {
+        let mut all = json!({"name": column.quantity.name, "unit": column.quantity.unit});
+        let properties = self.properties(column).into_iter();
         for property in properties.filter(|property| wanted(&property.name)) {
             all[&property.name] = match (property.value, property.at) {
                 (Ok(value), Some(at)) => json!({"value": value, "at": at + 0.0}),
                 (Ok(value), None) => json!(value),
                 (Err(why), _) => json!({"none": self.reason(why, Language::English)}),
             };
-            if self.with_bounds && BOUNDED.contains(&property.name.as_str()) {
+            if self.shows_bounds && BOUNDED.contains(&property.name.as_str()) {
                 all[format!("{}.bound", property.name)] = json!(property.bound);
             }
         }
-        let Ok(excursion) = &figure.excursion else {
+        let Ok(excursion) = &column.excursion else {
             return all;
         };
-        let turn = |turn: &crate::study::TurningPlace| {
+        let turn = |turn: &crate::study::ExtremumPlace| {
             let mut told = json!({
                 "at": turn.place.at + 0.0,
                 "until": turn.until.map(|at| at + 0.0),
@@ -263,8 +264,8 @@ impl CycleReport {
                 "greatest": turn.is_peak,
                 "limit": turn.is_limit,
             });
-            if self.with_bounds {
-                told["bound"] = json!(figure.bound_at(turn.place.at));
+            if self.shows_bounds {
+                told["bound"] = json!(column.bound_at(turn.place.at));
             }
             told
         };
@@ -279,16 +280,16 @@ impl CycleReport {
     pub fn write_csv(&self, dialect: CsvDialect, out: &mut dyn io::Write) -> io::Result<()> {
         let mut csv = CsvSheet::new(dialect, out);
         let header = ["figure", "property", "value", "unit", "at", "reason"];
-        let bounds = self.with_bounds;
+        let bounds = self.shows_bounds;
         csv.record(header.into_iter().chain(bounds.then_some("bound")))?;
-        for figure in &self.figures {
-            let mut all = self.properties(figure);
-            all.extend(turning_rows(figure));
+        for column in &self.figures {
+            let mut all = self.properties(column);
+            all.extend(turning_rows(column));
             for property in all {
                 let reason = property.value.err();
                 let reason = reason.map(|why| self.reason(why, Language::English));
                 let cells = [
-                    figure.quantity.name.clone(),
+                    column.quantity.name.clone(),
                     property.name,
                     cell(property.value.ok()),
                     property.unit,
@@ -304,9 +305,9 @@ impl CycleReport {
             angles.map(|worst| ("transmission", "deg", &worst.group, worst.least, worst.at));
         let groups = self.condition.iter();
         let groups = groups.map(|worst| ("condition", "", &worst.group, worst.least, worst.at));
-        for (name, unit, group, least, at) in angles.chain(groups) {
-            let [least, at] = [least, at].map(|value| cell(Some(value)));
-            let cells = [name.to_owned(), group.clone(), least, unit.to_owned(), at];
+        for (name, unit, group, minimum, at) in angles.chain(groups) {
+            let [minimum, at] = [minimum, at].map(|value| cell(Some(value)));
+            let cells = [name.to_owned(), group.clone(), minimum, unit.to_owned(), at];
             let cells = cells.into_iter().chain([String::new()]);
             csv.record(cells.chain(bounds.then(String::new)))?;
         }
@@ -314,14 +315,14 @@ impl CycleReport {
     }
 
     /// Returns the properties of a value, or the reasons why they are missing.
-    fn properties(&self, figure: &FollowedFigure) -> Vec<Property> {
-        let unit = &figure.quantity.unit;
+    fn properties(&self, column: &FollowedColumn) -> Vec<Property> {
+        let unit = &column.quantity.unit;
         let rate = rate_unit(unit);
         let alone = |value| (value, None, None);
         let placed = |place: FigurePlace| (place.value, Some(place.at), None);
-        let bounded = |place: FigurePlace| (place.value, Some(place.at), figure.bound_at(place.at));
+        let bounded = |place: FigurePlace| (place.value, Some(place.at), column.bound_at(place.at));
         let row = |name: &str, unit: &str, find: FindProperty<'_>| {
-            let found = figure.excursion.as_ref().map_err(|&why| why).and_then(find);
+            let found = column.excursion.as_ref().map_err(|&why| why).and_then(find);
             let (at, bound) = found.map_or((None, None), |(_, at, bound)| (at, bound));
             Property {
                 name: name.to_owned(),
@@ -333,7 +334,7 @@ impl CycleReport {
         };
         vec![
             row("stroke", unit, &|e| {
-                Ok((e.stroke()?, None, figure.stroke_bound(e)))
+                Ok((e.stroke()?, None, column.stroke_bound(e)))
             }),
             row("least", unit, &|e| e.stroke().map(|_| bounded(e.least))),
             row("greatest", unit, &|e| {
@@ -348,34 +349,34 @@ impl CycleReport {
 
     /// Returns the reason why a value is missing; in English for programs.
     pub(in crate::report) fn reason(&self, why: NoFigure, language: Language) -> String {
-        let told = match language {
+        let wording = match language {
             Language::English => english_words(),
             _ => words(),
         };
-        figure_reason(why, &self.driver.unit, told)
+        figure_reason(why, &self.driver.unit, wording)
     }
 }
 
 /// Returns the reason why a value is missing; `driver` is the unit of the driver's coordinate.
-pub(in crate::report) fn figure_reason(why: NoFigure, driver: &str, told: &dyn Words) -> String {
+pub(in crate::report) fn figure_reason(why: NoFigure, driver: &str, wording: &dyn Words) -> String {
     let place = |at: f64| place_text(at, driver);
     match why {
-        NoFigure::Gap(at) => told.no_value_at(&place(at)),
-        NoFigure::TurnsRound => told.turns_round().into(),
-        NoFigure::NeverTurns => told.never_turns().into(),
-        NoFigure::Stands => told.figure_stands().into(),
-        NoFigure::Rests => told.figure_rests().into(),
-        NoFigure::Leaps => told.figure_leaps().into(),
-        NoFigure::ThereAndBack => told.there_and_back_alike().into(),
-        NoFigure::DriverStands => told.driver_has_no_speed().into(),
-        NoFigure::DriverTurnsBack => told.driver_does_not_come_round().into(),
-        NoFigure::NoRate => told.no_rate_known().into(),
-        NoFigure::Unbounded(at) => told.rate_unbounded(&place(at)),
-        NoFigure::Jumps(at) => told.figure_jumps(&place(at)),
-        NoFigure::NoLimit => told.no_limit().into(),
-        NoFigure::NoDyad => told.no_dyad().into(),
-        NoFigure::NoCoupledGroup => told.no_coupled_group().into(),
-        NoFigure::OutOfReach(at) => told.motion_never_at(&place(at)),
+        NoFigure::Gap(at) => wording.no_value_at(&place(at)),
+        NoFigure::TurnsRound => wording.turns_round().into(),
+        NoFigure::NeverTurns => wording.never_turns().into(),
+        NoFigure::Stands => wording.figure_stands().into(),
+        NoFigure::Rests => wording.figure_rests().into(),
+        NoFigure::Leaps => wording.figure_leaps().into(),
+        NoFigure::ThereAndBack => wording.there_and_back_alike().into(),
+        NoFigure::DriverStands => wording.driver_has_no_speed().into(),
+        NoFigure::DriverTurnsBack => wording.driver_does_not_come_round().into(),
+        NoFigure::NoRate => wording.no_rate_known().into(),
+        NoFigure::Unbounded(at) => wording.rate_unbounded(&place(at)),
+        NoFigure::Jumps(at) => wording.figure_jumps(&place(at)),
+        NoFigure::NoLimit => wording.no_limit().into(),
+        NoFigure::NoDyad => wording.no_dyad().into(),
+        NoFigure::NoCoupledGroup => wording.no_coupled_group().into(),
+        NoFigure::OutOfReach(at) => wording.motion_never_at(&place(at)),
     }
 }
 
@@ -466,10 +467,10 @@ fn bounds_at(solver: &Solver, columns: &[&Quantity], at: f64) -> Vec<Option<f64>
 /// Returns every dyad at the place where its transmission angle deviates most from 90 degrees.
 fn transmission(scene: &Scene, solver: &Solver) -> Vec<WorstPlace> {
     let worst = |found: &Transmission| {
-        let [least, most] = [found.smallest, found.largest];
-        let at = match 90.0 - least.angle < most.angle - 90.0 {
-            true => most.at,
-            false => least.at,
+        let [minimum, maximum] = [found.smallest, found.largest];
+        let at = match 90.0 - minimum.angle < maximum.angle - 90.0 {
+            true => maximum.at,
+            false => minimum.at,
         };
         Some(WorstPlace {
             group: group_name(scene, solver.plan().group(found.group)?).to_owned(),
@@ -495,20 +496,20 @@ pub(in crate::report) fn conditions(scene: &Scene, solver: &Solver) -> Vec<Worst
 fn longest_dwell(excursion: &Excursion) -> Result<f64, NoFigure> {
     excursion.stroke()?;
     let dwells = excursion.dwells.iter().flat_map(|(_, dwells)| dwells);
-    let ways = dwells.map(|dwell| dwell.way);
-    ways.max_by(f64::total_cmp).ok_or(NoFigure::NeverTurns)
+    let paths = dwells.map(|dwell| dwell.travel);
+    paths.max_by(f64::total_cmp).ok_or(NoFigure::NeverTurns)
 }
 
 /// Returns every turning place of a value, and the end of a plateau there.
-fn turning_rows(figure: &FollowedFigure) -> impl Iterator<Item = Property> {
-    let turnings = figure.excursion.iter().flat_map(|found| &found.turnings);
+fn turning_rows(column: &FollowedColumn) -> impl Iterator<Item = Property> {
+    let turnings = column.excursion.iter().flat_map(|found| &found.turnings);
     turnings.zip(1..).flat_map(|(turning, number)| {
         let row = |name: String, at: f64| Property {
             name,
             value: Ok(turning.place.value),
-            unit: figure.quantity.unit.clone(),
+            unit: column.quantity.unit.clone(),
             at: Some(at),
-            bound: figure.bound_at(turning.place.at),
+            bound: column.bound_at(turning.place.at),
         };
         let until = turning.until;
         let until = until.map(|at| row(format!("turn.{number}.until"), at));

@@ -35,7 +35,7 @@ pub struct GoalReport<'a> {
 
 impl GoalReport<'_> {
     /// Returns the designs to list: those that meet the goals, or the closest one that does not.
-    fn told(&self) -> impl Iterator<Item = &FoundDesign> {
+    fn listed_designs(&self) -> impl Iterator<Item = &FoundDesign> {
         self.outcome.solutions.iter().chain(&self.outcome.nearest)
     }
 
@@ -51,16 +51,16 @@ impl GoalReport<'_> {
         let mut page = Page::aligned();
         page.title(&self.space.scene().title());
         let mut facts = Facts::default();
-        let wishes = self.goals.iter().map(written);
-        facts.tell(words().to_be_met(), wishes);
+        let preferences = self.goals.iter().map(written);
+        facts.add(words().to_be_met(), preferences);
         let family = self.outcome.freedoms();
         let family = (family > 0).then(|| words().family_of_designs(family));
-        facts.tell(
+        facts.add(
             words().designs_found(),
             std::iter::once(self.verdict()).chain(family),
         );
-        facts.tell(words().given_lacks(), self.reasons());
-        facts.tell(words().kind_of_motion(), self.other_motions());
+        facts.add(words().given_lacks(), self.reasons());
+        facts.add(words().kind_of_motion(), self.other_motions());
         page.add(Content::Facts(facts));
         page.table(self.table());
         page
@@ -69,8 +69,8 @@ impl GoalReport<'_> {
     /// Describes the motion of every listed design that differs from that of the given one, and the
     /// given motion.
     fn other_motions(&self) -> Vec<String> {
-        let shown = self.told().take(MAX_SHOWN).zip(self.heads());
-        let others = shown.filter(|(found, _)| !found.moves_as_given);
+        let shown = self.listed_designs().take(MAX_SHOWN).zip(self.heads());
+        let others = shown.filter(|(found, _)| !found.is_same_motion_kind);
         let others = others.map(|(found, head)| (head, &found.design));
         other_motions(self.space, others)
     }
@@ -78,16 +78,16 @@ impl GoalReport<'_> {
     /// Returns the reasons why the given design cannot be opened, and why values are missing in it.
     #[must_use]
     pub fn reasons(&self) -> Vec<String> {
-        let lacks = self.lacks(words()).into_iter();
-        let lacks = lacks.map(|(name, why)| format!("{name}: {why}"));
-        let unopened = self.outcome.unopened.as_ref().map(NoDesign::reason);
-        unopened.into_iter().chain(lacks).collect()
+        let missing = self.missing_values(words()).into_iter();
+        let missing = missing.map(|(name, why)| format!("{name}: {why}"));
+        let unopened = self.outcome.open_error.as_ref().map(NoDesign::reason);
+        unopened.into_iter().chain(missing).collect()
     }
 
     /// Returns the missing values of the given design, each with the reason.
-    fn lacks(&self, told: &dyn Words) -> Vec<(String, String)> {
-        let asked = self.goals.iter().map(|goal| &goal.figure);
-        lacks(self.space, asked, self.given.as_deref(), told)
+    fn missing_values(&self, wording: &dyn Words) -> Vec<(String, String)> {
+        let requested = self.goals.iter().map(|goal| &goal.figure);
+        missing_values(self.space, requested, self.given.as_deref(), wording)
     }
 
     fn verdict(&self) -> String {
@@ -113,12 +113,17 @@ impl GoalReport<'_> {
     }
 
     fn table(&self) -> Table {
-        let heads = self.heads();
-        let heads = heads.iter().map(String::as_str);
-        let designs = self.told().take(MAX_SHOWN);
+        let headers = self.heads();
+        let headers = headers.iter().map(String::as_str);
+        let designs = self.listed_designs().take(MAX_SHOWN);
         let designs = designs.map(|found| (&*found.numbers, &*found.figures));
-        let asked = self.goals.iter().map(|goal| &goal.figure);
-        table(self.space, self.given.as_deref(), asked, heads.zip(designs))
+        let requested = self.goals.iter().map(|goal| &goal.figure);
+        table(
+            self.space,
+            self.given.as_deref(),
+            requested,
+            headers.zip(designs),
+        )
     }
 
     /// Returns the whole result for programs.
@@ -130,7 +135,7 @@ impl GoalReport<'_> {
                 "figures": self.figures(&found.figures),
                 "distance": found.distance,
                 "freedoms": found.freedoms,
-                "motion": motion(&found.design, found.moves_as_given),
+                "motion": motion(&found.design, found.is_same_motion_kind),
             })
         };
         json!({
@@ -138,7 +143,7 @@ impl GoalReport<'_> {
             "goals": self.goals.iter().map(written).collect::<Vec<_>>(),
             "given": named(self.space, &self.space.given()),
             "lacks": Value::Object(
-                (self.lacks(english_words()).into_iter())
+                (self.missing_values(english_words()).into_iter())
                     .map(|(name, why)| (name, json!(why)))
                     .collect()
             ),
@@ -157,19 +162,22 @@ impl GoalReport<'_> {
 }
 
 /// Returns the missing values of a design, each with the reason.
-fn lacks<'f>(
+fn missing_values<'f>(
     space: &DesignSpace,
-    asked: impl Iterator<Item = &'f CycleFigure>,
+    requested: impl Iterator<Item = &'f CycleFigure>,
     found: Option<&[Result<f64, NoFigure>]>,
-    told: &dyn Words,
+    wording: &dyn Words,
 ) -> Vec<(String, String)> {
     let driver = Catalogue::new(space.scene()).driver().unit.clone();
     let found = found.unwrap_or_default().iter();
-    let lacks = asked.zip(found).filter_map(|(figure, value)| {
+    let missing = requested.zip(found).filter_map(|(figure, value)| {
         let why = value.err()?;
-        Some((figure.name().to_owned(), figure_reason(why, &driver, told)))
+        Some((
+            figure.name().to_owned(),
+            figure_reason(why, &driver, wording),
+        ))
     });
-    lacks.collect()
+    missing.collect()
 }
 
 /// The varied numbers of a design, and the requested values.
@@ -179,24 +187,24 @@ type ShownDesign<'d> = (&'d [f64], &'d [Result<f64, NoFigure>]);
 fn table<'d>(
     space: &DesignSpace,
     given: Option<&[Result<f64, NoFigure>]>,
-    asked: impl Iterator<Item = &'d CycleFigure>,
+    requested: impl Iterator<Item = &'d CycleFigure>,
     others: impl IntoIterator<Item = (&'d str, ShownDesign<'d>)>,
 ) -> Table {
-    let (heads, designs): (Vec<&str>, Vec<ShownDesign<'_>>) = others.into_iter().unzip();
-    let mut table = Table::new("", [words().given_design()].into_iter().chain(heads));
+    let (headers, designs): (Vec<&str>, Vec<ShownDesign<'_>>) = others.into_iter().unzip();
+    let mut table = Table::new("", [words().given_design()].into_iter().chain(headers));
     for (i, value) in space.values().iter().enumerate() {
         let numbers = designs.iter().map(|(numbers, _)| trimmed(numbers[i], FINE));
         let cells = [concise(value.number, FINE)].into_iter().chain(numbers);
         let name = with_unit(&value.dotted(), &value.shown_unit());
-        table.row(name, cells.map(Cell::sure));
+        table.row(name, cells.map(Cell::proved));
     }
-    for (i, asked) in asked.enumerate() {
+    for (i, requested) in requested.enumerate() {
         let figures = designs.iter().map(|(_, figures)| figures.get(i));
         let figures = [given.and_then(|given| given.get(i))]
             .into_iter()
             .chain(figures);
-        let name = with_unit(asked.name(), asked.unit());
-        table.row(name, figures.map(|found| Cell::sure(figure(found))));
+        let name = with_unit(requested.name(), requested.unit());
+        table.row(name, figures.map(|found| Cell::proved(figure(found))));
     }
     table
 }
@@ -207,13 +215,13 @@ fn other_motions<'d>(
     space: &DesignSpace,
     others: impl Iterator<Item = (String, &'d Design)>,
 ) -> Vec<String> {
-    let told =
+    let text =
         |head: &str, scene, solver| words().motion_of_design(head, &motion_text(scene, solver));
     let mut lines: Vec<String> = others
-        .map(|(head, design)| told(&head, &design.scene, &design.solver))
+        .map(|(head, design)| text(&head, &design.scene, &design.solver))
         .collect();
     if !lines.is_empty() {
-        let given = told(words().given_design(), space.scene(), space.solver());
+        let given = text(words().given_design(), space.scene(), space.solver());
         lines.insert(0, given);
     }
     lines
@@ -240,9 +248,9 @@ pub fn no_best(
     figures: &[CycleFigure],
     given: Option<&[Result<f64, NoFigure>]>,
 ) -> String {
-    let lacks = lacks(space, figures.iter(), given, words()).into_iter();
-    let lacks = lacks.map(|(name, why)| format!("; {name}: {why}"));
-    words().keeps_nothing().to_owned() + &lacks.collect::<String>()
+    let missing = missing_values(space, figures.iter(), given, words()).into_iter();
+    let missing = missing.map(|(name, why)| format!("; {name}: {why}"));
+    words().keeps_nothing().to_owned() + &missing.collect::<String>()
 }
 
 /// The best design.
@@ -280,19 +288,19 @@ impl BestReport<'_> {
         let mut page = Page::aligned();
         page.title(&self.space.scene().title());
         let mut facts = Facts::default();
-        let wish = match self.greatest {
+        let options = match self.greatest {
             true => words().greatest_wished(self.figure.name()),
             false => words().least_wished(self.figure.name()),
         };
-        facts.tell(words().to_be_best(), [wish]);
-        facts.tell(words().to_be_kept(), self.constraints.iter().map(written));
+        facts.add(words().to_be_best(), [options]);
+        facts.add(words().to_be_kept(), self.constraints.iter().map(written));
         let settled = words().generations_made(self.best.generations, self.best.settled);
         let polished = words().polished_best(self.best.stationary);
-        facts.tell(words().designs_found(), [settled, polished]);
+        facts.add(words().designs_found(), [settled, polished]);
         let head = words().best_design().to_owned();
         let other = (!self.moves_as_given()).then_some((head, self.design));
         let motions = other_motions(self.space, other.into_iter());
-        facts.tell(words().kind_of_motion(), motions);
+        facts.add(words().kind_of_motion(), motions);
         page.add(Content::Facts(facts));
         page.table(self.table());
         page
@@ -303,10 +311,10 @@ impl BestReport<'_> {
     }
 
     fn table(&self) -> Table {
-        let asked = self.constraints.iter().map(|goal| &goal.figure);
-        let asked = std::iter::once(self.figure).chain(asked);
+        let requested = self.constraints.iter().map(|goal| &goal.figure);
+        let requested = std::iter::once(self.figure).chain(requested);
         let best = (words().best_design(), (&*self.best.numbers, &*self.figures));
-        table(self.space, self.given.as_deref(), asked, [best])
+        table(self.space, self.given.as_deref(), requested, [best])
     }
 
     /// Returns the whole result for programs.

@@ -29,13 +29,13 @@ struct DesignExtremes {
 impl DesignSummary {
     /// Creates an empty summary for so many values.
     #[must_use]
-    pub fn new(figures: usize) -> DesignSummary {
+    pub fn new(count: usize) -> DesignSummary {
         DesignSummary {
             rows: 0,
             valued: 0,
             open: 0,
             unreadable: 0,
-            extremes: vec![None; figures],
+            extremes: vec![None; count],
         }
     }
 
@@ -45,8 +45,8 @@ impl DesignSummary {
         self.valued += u64::from(row.figures.iter().any(Result::is_ok));
         self.open += u64::from(row.state == DesignState::NoAssembly);
         self.unreadable += u64::from(row.state == DesignState::Unreadable);
-        for (figure, known) in self.extremes.iter_mut().enumerate() {
-            if let Some(value) = row.figure(figure) {
+        for (index, known) in self.extremes.iter_mut().enumerate() {
+            if let Some(value) = row.figure(index) {
                 DesignExtremes::note(known, value, &row.numbers);
             }
         }
@@ -57,7 +57,7 @@ impl DesignSummary {
     #[must_use]
     pub fn lines(&self, table: &DesignTable, digits: usize) -> Vec<String> {
         let (numbers, figures) = table.columns();
-        let told = figures.iter().zip(&self.extremes);
+        let text = figures.iter().zip(&self.extremes);
         let line = |(figure, found): (&RowColumn, &Option<DesignExtremes>)| {
             let Some(found) = found else {
                 return words().has_no_value_in_designs(&figure.name);
@@ -68,10 +68,10 @@ impl DesignSummary {
                 let at: Vec<String> = at.collect();
                 (figure.text(*value, digits), at.join(", "))
             };
-            let ((least, low), (greatest, high)) = (end(&found.least), end(&found.greatest));
-            words().designs_from_to(&figure.name, [&least, &low], [&greatest, &high])
+            let ((minimum, low), (maximum, high)) = (end(&found.least), end(&found.greatest));
+            words().designs_from_to(&figure.name, [&minimum, &low], [&maximum, &high])
         };
-        told.map(line).collect()
+        text.map(line).collect()
     }
 }
 

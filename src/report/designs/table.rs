@@ -61,7 +61,7 @@ impl DesignTable {
     #[must_use]
     pub fn line(&self, row: &DesignRow, is_first: bool) -> String {
         let numbers = row.numbers.iter().copied().map(Some);
-        let figures = (0..self.figures).map(|figure| row.figure(figure));
+        let figures = (0..self.figures).map(|index| row.figure(index));
         let words = [row.state.word().into(), self.reason(row).into()];
         let cells = numbers.chain(figures).map(RowCell::Number);
         let mut line = String::new();
@@ -80,7 +80,7 @@ impl DesignTable {
     #[must_use]
     pub fn reason(&self, row: &DesignRow) -> String {
         let (_, columns) = self.columns();
-        let lacking = columns
+        let missing = columns
             .iter()
             .zip(&row.figures)
             .filter_map(|(column, figure)| {
@@ -88,7 +88,7 @@ impl DesignTable {
                 Some(format!("{}: {why}", column.name))
             });
         let own = Some(row.reason.clone()).filter(|reason| !reason.is_empty());
-        let all: Vec<String> = own.into_iter().chain(lacking).collect();
+        let all: Vec<String> = own.into_iter().chain(missing).collect();
         all.join("; ").replace(['\n', '\r'], " ")
     }
 }

@@ -7,7 +7,7 @@ use crate::report::tables::{ORDERS, Tables, shared_body};
 use crate::report::working::Working;
 use crate::scene::{Scene, VectorKind};
 use crate::solver::{Order, Solver, State};
-use crate::study::{AnswerKey, AskedFigure, LinkPoints, SolutionChain};
+use crate::study::{AnswerKey, LinkPoints, RequiredValue, SolutionChain};
 
 /// Values below this fraction of the largest value of their kind are 0.
 const NOUGHT: f64 = 1e-9;
@@ -42,8 +42,8 @@ pub fn answer_key(
     // A point at rest has no vector to draw.
     let of_points = point_names(&tables);
     let of_points = of_points.iter().filter_map(of_name);
-    quantities.extend(of_points.filter(|quantity| !scales.is_nought(quantity, enclosure)));
-    let asked = quantities.len();
+    quantities.extend(of_points.filter(|quantity| !scales.is_zero_value(quantity, enclosure)));
+    let requested = quantities.len();
     for quantity in more.iter().filter_map(of_name) {
         if !quantities.contains(&quantity) {
             quantities.push(quantity);
@@ -56,20 +56,20 @@ pub fn answer_key(
             continue;
         };
         // Values that are 0 up to rounding errors become 0.
-        let is_nought = !quantity.is_direction() && scales.is_nought(&quantity, enclosure);
+        let is_nought = !quantity.is_direction() && scales.is_zero_value(&quantity, enclosure);
         let exact = if is_nought { 0.0 } else { value };
-        let figure = AskedFigure {
+        let figure = RequiredValue {
             exact,
             bound: quantity.bound(state, enclosure),
             scale: scales.of(&quantity),
             quantity,
         };
-        match number < asked {
+        match number < requested {
             true => asked_for.push(figure),
             false => besides.push(figure),
         }
     }
-    let asked = asked_for.len();
+    let requested = asked_for.len();
     asked_for.extend(besides);
     let chain = working.chain(scene, solver, state);
     let others = chain.as_ref().map(|chain| {
@@ -82,7 +82,7 @@ pub fn answer_key(
     });
     AnswerKey {
         figures: asked_for,
-        asked,
+        required: requested,
         others: others.unwrap_or_default(),
         chain,
         bodies: link_points(scene),
@@ -223,7 +223,7 @@ impl FigureScales<'_> {
 
     /// Returns `true` if a value is 0: negligible compared with others of its kind, or within its
     /// error bound.
-    fn is_nought(&self, quantity: &Quantity, enclosure: &State<Ball>) -> bool {
+    fn is_zero_value(&self, quantity: &Quantity, enclosure: &State<Ball>) -> bool {
         // A direction is negligible if its magnitude is.
         let size_of = quantity.name.strip_suffix(".angle");
         let size = size_of.and_then(|name| self.catalogue.find(name));

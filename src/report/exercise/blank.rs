@@ -31,7 +31,7 @@ pub fn blank_answers(
     rows.record(HEADS)?;
     rows.record([SHEET, "", sheet])?;
     rows.record([STUDENT, "", ""])?;
-    for figure in key.figures.iter().take(key.asked) {
+    for figure in key.figures.iter().take(key.required) {
         rows.record([figure.quantity.name.as_str(), &figure.quantity.unit, ""])?;
     }
     rows.finish()
@@ -164,15 +164,15 @@ impl AnswerFile {
     }
 
     fn take(&mut self, cells: &[String], line: u64, places: &RowPlaces) {
-        let cell = |place: usize| cells.get(place).map_or("", String::as_str);
+        let cell = |index: usize| cells.get(index).map_or("", String::as_str);
         let name = cell(places.figure);
         let answer = places.answer_in(cells);
-        let told = || Some(answer.clone()).filter(|text| !text.is_empty());
+        let shown_text = || Some(answer.clone()).filter(|text| !text.is_empty());
         let is = |head: &str| name.eq_ignore_ascii_case(head);
         if is(SHEET) {
-            self.sheet = told();
+            self.sheet = shown_text();
         } else if is(STUDENT) {
-            self.student = told();
+            self.student = shown_text();
         } else if !(is(HEADS[0]) || name.is_empty() && answer.is_empty()) {
             self.answers.push(AnsweredRow {
                 line,
@@ -194,8 +194,8 @@ impl AnswerFile {
     /// answers counts.
     #[must_use]
     pub fn given(&self, key: &AnswerKey) -> Vec<(String, GivenAnswer)> {
-        let figures = key.figures.iter().map(|figure| &figure.quantity);
-        let given = figures.map(|quantity| match self.row(&quantity.name) {
+        let quantities = key.figures.iter().map(|figure| &figure.quantity);
+        let given = quantities.map(|quantity| match self.row(&quantity.name) {
             Some(row) => (row.answer.clone(), row.given(&quantity.unit)),
             None => (String::new(), GivenAnswer::Empty),
         });
@@ -205,8 +205,8 @@ impl AnswerFile {
     /// Returns unknown or unsuitable units, in their own cells or after the numbers.
     #[must_use]
     pub fn strange_units(&self, key: &AnswerKey) -> Vec<InvalidCell> {
-        let figures = key.figures.iter().map(|figure| &figure.quantity);
-        let strange = figures.filter_map(|quantity| {
+        let quantities = key.figures.iter().map(|figure| &figure.quantity);
+        let strange = quantities.filter_map(|quantity| {
             let row = self.row(&quantity.name)?;
             let unit = row.strange_unit(&quantity.unit)?;
             Some(row.strange(unit))
@@ -273,8 +273,8 @@ impl AnsweredRow {
 
     /// Returns the unit after the number or in its cell, if it is unknown or unsuitable.
     fn strange_unit(&self, unit: &str) -> Option<String> {
-        let (_, behind) = WrittenFigure::read(&self.answer)?;
-        let written = [behind, self.unit.clone()];
+        let (_, after) = WrittenFigure::read(&self.answer)?;
+        let written = [after, self.unit.clone()];
         let mut strange = written.into_iter().filter(|own| !own.is_empty());
         strange.find(|own| unit_factor(own, unit).is_none())
     }
@@ -285,13 +285,13 @@ impl AnsweredRow {
         if self.answer.is_empty() {
             return GivenAnswer::Empty;
         }
-        let Some((face, behind)) = WrittenFigure::read(&self.answer) else {
+        let Some((face, after)) = WrittenFigure::read(&self.answer) else {
             return GivenAnswer::Unreadable;
         };
-        let factor = match unit_factor(&behind, unit) {
-            Some(factor) if !behind.is_empty() => factor,
+        let factor = match unit_factor(&after, unit) {
+            Some(factor) if !after.is_empty() => factor,
             // A known unit of another quantity makes the answer invalid.
-            None if known_unit(&behind).is_some() => return GivenAnswer::Unreadable,
+            None if known_unit(&after).is_some() => return GivenAnswer::Unreadable,
             _ => unit_factor(&self.unit, unit).unwrap_or(1.0),
         };
         if factor == 1.0 {
@@ -330,7 +330,7 @@ impl RowPlaces {
     /// Returns the answer. A decimal comma may have split it into two cells, so that the row has
     /// one cell more than the header.
     fn answer_in(&self, cells: &[String]) -> String {
-        let cell = |place: usize| cells.get(place).map_or("", String::as_str);
+        let cell = |index: usize| cells.get(index).map_or("", String::as_str);
         let (whole, decimals) = (cell(self.answer), cell(self.answer + 1));
         let are_digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
         let sign = |c: char| matches!(c, '-' | '+' | '\u{2212}');

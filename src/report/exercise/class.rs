@@ -38,7 +38,7 @@ const COLUMNS: [ClassColumn; 24] = [
     ("unknown_units", |one| in_cell(&one.remarks.strange_units)),
     ("no_numbers", |one| in_cell(&one.remarks.unreadable)),
     ("repeated", |one| in_cell(&one.remarks.repeated)),
-    ("unknown_rows", |one| in_cell(&one.remarks.strangers)),
+    ("unknown_rows", |one| in_cell(&one.remarks.unknown_names)),
     ("encoding", |one| one.remarks.encoding.name().to_owned()),
     ("misread", |one| {
         let misread = one.misread.as_ref();
@@ -90,19 +90,19 @@ fn in_cell(cells: &[InvalidCell]) -> String {
 #[must_use]
 pub fn class_page(class: &[GradedAnswers]) -> Page {
     let mut page = Page::default();
-    let heads = [
+    let headers = [
         words().points_head(),
         words().figures_head(),
         words().first_mistake_head(),
         words().judged(),
         words().file_head(),
     ];
-    let mut table = Table::new(words().student(), heads);
+    let mut table = Table::new(words().student(), headers);
     for one in class {
         let points = one.points().to_string();
         let mistake = one.mistake();
         let [name, verdict] = match mistake {
-            Some(figure) => [figure.quantity.name.clone(), one.told(figure)],
+            Some(figure) => [figure.quantity.name.clone(), one.describe_verdict(figure)],
             None => ["-".to_owned(), "-".to_owned()],
         };
         let figures = one.figures.len().to_string();

@@ -32,7 +32,7 @@ pub struct GradedAnswers {
 #[derive(Clone, Debug, Default)]
 pub struct FileRemarks {
     /// Rows whose name is not a value of the scene.
-    pub strangers: Vec<InvalidCell>,
+    pub unknown_names: Vec<InvalidCell>,
     /// Unknown or unsuitable units.
     pub strange_units: Vec<InvalidCell>,
     /// Answers that are not numbers.
@@ -59,7 +59,7 @@ pub struct GradedFigure {
 impl FileRemarks {
     fn new(key: &AnswerKey, file: &AnswerFile) -> FileRemarks {
         FileRemarks {
-            strangers: file.strangers(key),
+            unknown_names: file.strangers(key),
             strange_units: file.strange_units(key),
             unreadable: file.unreadable(key),
             repeated: file.repeated(),
@@ -75,19 +75,21 @@ impl FileRemarks {
         };
         let of_encoding = (self.encoding == TextEncoding::Windows1254)
             .then(|| words().decoded_as(self.encoding.name()));
-        let kinds: [(&[InvalidCell], SayOfCells); 4] = [
+        let kinds: [(&[InvalidCell], CellMessage); 4] = [
             (&self.strange_units, |units| words().strange_units(units)),
             (&self.unreadable, |answers| words().answers_unread(answers)),
             (&self.repeated, |answers| words().answered_again(answers)),
-            (&self.strangers, |rows| words().no_figures_of_scene(rows)),
+            (&self.unknown_names, |rows| {
+                words().no_figures_of_scene(rows)
+            }),
         ];
         let kinds = kinds.into_iter().filter(|(cells, _)| !cells.is_empty());
-        let of_cells = kinds.map(|(cells, say)| say(&listed(cells)));
+        let of_cells = kinds.map(|(cells, wording)| wording(&listed(cells)));
         of_encoding.into_iter().chain(of_cells).collect()
     }
 }
 
-type SayOfCells = fn(&str) -> String;
+type CellMessage = fn(&str) -> String;
 
 fn in_words(cell: &InvalidCell) -> String {
     let InvalidCell { line, figure, text } = cell;
@@ -127,7 +129,7 @@ impl GradedAnswers {
                 verdict,
             })
             .collect();
-        let besides = figures.split_off(key.asked.min(figures.len()));
+        let besides = figures.split_off(key.required.min(figures.len()));
         GradedAnswers {
             student: file.student.clone().unwrap_or_else(own_name),
             sheet: sheet.to_owned(),
@@ -150,16 +152,14 @@ impl GradedAnswers {
     #[must_use]
     pub fn mistake(&self) -> Option<&GradedFigure> {
         let mut figures = self.figures.iter();
-        figures.find(|figure| !figure.verdict.is_worth_a_point())
+        figures.find(|figure| !figure.verdict.earns_point())
     }
 
     /// Returns the number of values worth a point: right, apart from rounding and from earlier
     /// mistakes.
     pub(super) fn points(&self) -> usize {
         let verdicts = self.figures.iter().map(|figure| figure.verdict);
-        verdicts
-            .filter(|verdict| verdict.is_worth_a_point())
-            .count()
+        verdicts.filter(|verdict| verdict.earns_point()).count()
     }
 
     /// Formats all answers in a table, with remarks on the whole.
@@ -175,9 +175,12 @@ impl GradedAnswers {
             .filter(|verdict| *verdict == FigureVerdict::Right)
             .count();
         page.text(words().points_of(points, self.figures.len(), right, points - right));
-        for (figure, say) in [(self.first(), FIRST), (self.mistake(), MISTAKE)] {
+        for (figure, wording) in [(self.first(), FIRST), (self.mistake(), MISTAKE)] {
             if let Some(figure) = figure {
-                page.text_below(say(&figure.quantity.name, &self.told(figure)));
+                page.text_below(wording(
+                    &figure.quantity.name,
+                    &self.describe_verdict(figure),
+                ));
             }
         }
         if let Some(misread) = &self.misread {
@@ -197,21 +200,24 @@ impl GradedAnswers {
     }
 
     fn table(&self, figures: &[GradedFigure]) -> Table {
-        let heads = [words().answer(), words().exact_figure(), words().judged()];
-        let mut table = Table::new(words().figure(), heads).set(Setting::default());
+        let headers = [words().answer(), words().exact_figure(), words().judged()];
+        let mut table = Table::new(words().figure(), headers).set(Setting::default());
         for figure in figures {
             let written = match figure.written.as_str() {
                 "" => "-".to_owned(),
                 text => shortened(text),
             };
             let name = format!("{} [{}]", figure.quantity.name, figure.quantity.unit);
-            table.row(name, [written, figure.exact_text(), self.told(figure)]);
+            table.row(
+                name,
+                [written, figure.exact_text(), self.describe_verdict(figure)],
+            );
         }
         table
     }
 
     /// Describes a verdict.
-    pub(super) fn told(&self, figure: &GradedFigure) -> String {
+    pub(super) fn describe_verdict(&self, figure: &GradedFigure) -> String {
         let name = |number: usize| {
             let of = self.figures.iter().chain(&self.besides).nth(number);
             of.map_or_else(Default::default, |f| {
@@ -239,9 +245,9 @@ impl GradedAnswers {
     }
 }
 
-type SayOfFigure = fn(&str, &str) -> String;
-const FIRST: SayOfFigure = |name, verdict| words().first_that_differs(name, verdict);
-const MISTAKE: SayOfFigure = |name, verdict| words().first_mistake(name, verdict);
+type FigureMessage = fn(&str, &str) -> String;
+const FIRST: FigureMessage = |name, verdict| words().first_that_differs(name, verdict);
+const MISTAKE: FigureMessage = |name, verdict| words().first_mistake(name, verdict);
 
 impl GradedFigure {
     fn exact_text(&self) -> String {

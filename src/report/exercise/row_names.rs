@@ -27,15 +27,15 @@ const TWO_DOTS: char = '\u{308}';
 /// if the scene has no such column.
 pub(super) fn column_named(row: &str, catalogue: &Catalogue) -> Option<String> {
     let is_known = |name: &String| catalogue.find(name).is_some();
-    columns_meant(row).into_iter().find(is_known)
+    candidate_columns(row).into_iter().find(is_known)
 }
 
 /// Returns the columns that a row may name, independent of the scene.
-fn columns_meant(row: &str) -> Vec<String> {
+fn candidate_columns(row: &str) -> Vec<String> {
     let (name, _) = parted(row);
     let mut columns = vec![row.to_owned(), name.to_owned(), name.to_lowercase()];
     columns.extend(capitalised(name));
-    columns.extend(meant_by_symbol(&plain(name)));
+    columns.extend(columns_of_symbol(&plain(name)));
     columns
 }
 
@@ -77,7 +77,7 @@ fn plain(name: &str) -> String {
 }
 
 /// Returns the columns that a symbol may denote.
-fn meant_by_symbol(symbol: &str) -> Vec<String> {
+fn columns_of_symbol(symbol: &str) -> Vec<String> {
     let (inner, order) = derivative(symbol);
     let mut columns = Vec::new();
     let lower = inner.to_lowercase();

@@ -11,7 +11,7 @@ use crate::wording::words;
 use crate::{Body, Input, LinkId, SlideId, Slider, Vec2};
 
 /// Mark of an unknown value.
-const SOUGHT: &str = "?";
+const UNKNOWN_MARK: &str = "?";
 /// Digits of computed given values, such as the length of the frame.
 const DIGITS: usize = 9;
 /// Maximum number of digits of a typed value; longer ones were computed from typed values.
@@ -42,13 +42,13 @@ impl Report {
         page.part(words().asked_part());
         page.text(words().what_is_asked());
         if reported.has_loops() {
-            for (order, told) in [
+            for (order, text) in [
                 (Order::Position, words().positions_asked()),
                 (Order::Velocity, words().velocities_asked()),
                 (Order::Acceleration, words().accelerations_asked()),
             ] {
-                page.text(told);
-                reported.asked_tables(order, key, &mut page);
+                page.text(text);
+                reported.question_tables(order, key, &mut page);
             }
         }
         points(key, &mut page);
@@ -59,7 +59,7 @@ impl Report {
 }
 
 /// Returns the names of the requested points.
-fn asked_points(key: &AnswerKey) -> Vec<&str> {
+fn requested_points(key: &AnswerKey) -> Vec<&str> {
     let mut names: Vec<&str> = Vec::new();
     for figure in &key.figures {
         let name = figure.quantity.name.as_str();
@@ -74,7 +74,7 @@ fn asked_points(key: &AnswerKey) -> Vec<&str> {
 /// Explains the names in the answer file. Those of points follow from their table, so one example
 /// is given.
 fn names_in_answers(key: &AnswerKey, page: &mut Page) {
-    let points = asked_points(key);
+    let points = requested_points(key);
     let is_of_point = |name: &str| {
         let mut all = POINT_ENDS.iter().filter_map(|end| name.strip_suffix(end));
         all.any(|point| points.contains(&point))
@@ -92,7 +92,7 @@ fn names_in_answers(key: &AnswerKey, page: &mut Page) {
 
 /// Adds the table of requested points, with their velocities and accelerations.
 fn points(key: &AnswerKey, page: &mut Page) {
-    let names = asked_points(key);
+    let names = requested_points(key);
     if names.is_empty() {
         return;
     }
@@ -110,7 +110,7 @@ fn points(key: &AnswerKey, page: &mut Page) {
     for name in names {
         let cells = ["v", "v.angle", "a", "a.angle"].map(|end| {
             let is_asked = unit(format!("{name}.{end}")).is_some();
-            if is_asked { SOUGHT } else { "-" }.to_owned()
+            if is_asked { UNKNOWN_MARK } else { "-" }.to_owned()
         });
         table.row(name, cells);
     }
@@ -125,25 +125,28 @@ fn given(scene: &Scene, solver: &Solver, state: &State, reported: &ReportedState
     let unit = scene.unit.symbol();
     for point in mechanism.point_ids() {
         if let (Some(name), Some(at)) = (scene.point_name(point), mechanism.point(point).ground) {
-            facts.tell(name, [words().fixed_at(&place(at), unit)]);
+            facts.add(name, [words().fixed_at(&place(at), unit)]);
         }
     }
     for link in mechanism.link_ids() {
-        facts.tell(scene.link_name(link), link_told(scene, link));
+        facts.add(scene.link_name(link), describe_link(scene, link));
     }
     for slide in mechanism.slide_ids() {
-        facts.tell(scene.slide_name(slide), slide_told(scene, slide, reported));
+        facts.add(
+            scene.slide_name(slide),
+            describe_slide(scene, slide, reported),
+        );
     }
     let inputs = inputs_given(&CheckedScene::new(scene, solver));
-    facts.tell(
+    facts.add(
         words().driver(),
-        [driver_told(scene, state)].into_iter().chain(inputs),
+        [describe_driver(scene, state)].into_iter().chain(inputs),
     );
     facts
 }
 
 /// Describes the position and the speed of the driver.
-fn driver_told(scene: &Scene, state: &State) -> String {
+fn describe_driver(scene: &Scene, state: &State) -> String {
     let unit = scene.unit.symbol();
     let (name, [at, speed, acceleration]) = match scene.mechanism.driver().input {
         input @ Input::Turn(_) => (
@@ -160,21 +163,21 @@ fn driver_told(scene: &Scene, state: &State) -> String {
     words().driver_stands(
         &name,
         &format!("{} {at}", figure(state.at())),
-        &rate_told(scene, rates, state.driver_speed(), &speed),
-        &rate_told(scene, second, state.driver_acceleration(), &acceleration),
+        &describe_rate(scene, rates, state.driver_speed(), &speed),
+        &describe_rate(scene, second, state.driver_acceleration(), &acceleration),
     )
 }
 
 /// Formats a rate of the driver as given, and in the unit of the tables if that differs.
-fn rate_told(scene: &Scene, measures: [Measure; 2], value: f64, unit: &str) -> String {
+fn describe_rate(scene: &Scene, measures: [Measure; 2], value: f64, unit: &str) -> String {
     let is_it = |v: &Value| v.owner == ValueOwner::Driver && measures.contains(&v.measure);
     match scene.values().into_iter().find(is_it) {
         Some(given) if given.unit != unit => {
-            let told = match given.formula {
+            let text = match given.formula {
                 Some(_) => format!("{} {}", figure(given.number), given.unit),
                 None => given.text(),
             };
-            format!("{told} ({} {unit})", concise(value, SPEED_DIGITS))
+            format!("{text} ({} {unit})", concise(value, SPEED_DIGITS))
         }
         _ => format!("{} {unit}", figure(value)),
     }
@@ -191,16 +194,16 @@ fn place(at: Vec2) -> String {
 }
 
 /// Describes a link: its ends and its length, then its further points.
-fn link_told(scene: &Scene, link: LinkId) -> Vec<String> {
+fn describe_link(scene: &Scene, link: LinkId) -> Vec<String> {
     let of = scene.mechanism.link(link);
     let unit = scene.unit.symbol();
     let name = |point| scene.point_name(point).unwrap_or_default();
-    let mut told = Vec::new();
+    let mut lines = Vec::new();
     if let Some((from, to)) = of.ends
         && let Some(local) = of.local(to)
     {
         let length = figure(local.norm());
-        told.push(words().link_from_to(name(from), name(to), &length, unit));
+        lines.push(words().link_from_to(name(from), name(to), &length, unit));
     }
     for member in &of.members {
         let is_end = of.ends.is_some_and(|(a, b)| [a, b].contains(&member.point));
@@ -208,7 +211,7 @@ fn link_told(scene: &Scene, link: LinkId) -> Vec<String> {
         if is_end || its.is_empty() {
             continue;
         }
-        told.push(match member.polar {
+        lines.push(match member.polar {
             Some(polar) => {
                 let base = polar.from.or(of.ends.map(|(from, _)| from)).map(name);
                 let base = base.unwrap_or_else(|| words().the_origin());
@@ -218,11 +221,11 @@ fn link_told(scene: &Scene, link: LinkId) -> Vec<String> {
             None => words().point_on_link(its, &place(member.local), unit),
         });
     }
-    told
+    lines
 }
 
 /// Describes a slide: slider, guide, and the angle between a sliding link and its guide.
-fn slide_told(scene: &Scene, slide: SlideId, reported: &ReportedState<'_>) -> Vec<String> {
+fn describe_slide(scene: &Scene, slide: SlideId, reported: &ReportedState<'_>) -> Vec<String> {
     let of = scene.mechanism.slide(slide);
     let (what, turn) = match of.slider {
         Slider::Pin(point) => (scene.point_name(point).unwrap_or_default(), 0.0),
@@ -237,9 +240,9 @@ fn slide_told(scene: &Scene, slide: SlideId, reported: &ReportedState<'_>) -> Ve
         Some(_) => point.to_owned(),
         None => format!("{point} {} {}", place(of.through), scene.unit.symbol()),
     };
-    let mut told = vec![words().slides_along(what, on, through.trim_start(), &figure(of.angle))];
+    let mut lines = vec![words().slides_along(what, on, through.trim_start(), &figure(of.angle))];
     if turn != 0.0 {
-        told.push(words().lies_to_guide(what, &figure(turn)));
+        lines.push(words().lies_to_guide(what, &figure(turn)));
     }
-    told
+    lines
 }

@@ -72,17 +72,21 @@ fn graded_by((scene, solver): &(Scene, Solver), at: f64, bytes: &[u8]) -> Graded
 }
 
 /// Returns the answers with their verdicts as text.
-fn told(name: &str, answers: &str) -> Vec<String> {
-    told_of(&graded(name, answers))
+fn verdict_lines(name: &str, answers: &str) -> Vec<String> {
+    verdict_texts(&graded(name, answers))
 }
 
-fn told_of(graded: &GradedAnswers) -> Vec<String> {
+fn verdict_texts(graded: &GradedAnswers) -> Vec<String> {
     let all = graded.figures.iter().chain(&graded.besides);
     let answered = all.filter(|figure| figure.verdict != FigureVerdict::Empty);
     answered
         .map(|figure| {
             let name = &figure.quantity.name;
-            format!("{name} {}: {}", figure.written, graded.told(figure))
+            format!(
+                "{name} {}: {}",
+                figure.written,
+                graded.describe_verdict(figure)
+            )
         })
         .collect()
 }
@@ -96,7 +100,7 @@ fn week_4_deviations_follow_from_rounded_angle() {
         r3.alpha 8259
         r4.accel -459977,6";
     assert_eq!(
-        told("slider-crank", notes),
+        verdict_lines("slider-crank", notes),
         [
             "r3.angle 345,5: right",
             "r4.length 28,0: right",
@@ -112,7 +116,7 @@ fn week_4_deviations_follow_from_rounded_angle() {
 fn week_4_wrong_sign_is_recognized() {
     let notes = "r4.length -28\nr3.angle -14.47";
     assert_eq!(
-        told("slider-crank", notes),
+        verdict_lines("slider-crank", notes),
         [
             "r3.angle -14.47: cut off, not rounded",
             "r4.length -28: wrong sign",
@@ -142,23 +146,23 @@ fn weeks_3_and_7_are_right_except_known_deviations() {
         r3.com.a.angle 222.68
         r4.com.a 11997.09
         r4.com.a.angle 206.47";
-    let told = told("four-bar", notes);
+    let lines = verdict_lines("four-bar", notes);
     let rounded = [
         "C.a 23994.18: rounded early: r4.alpha as 95.5",
         "r4.com.a 11997.09: rounded early: r4.alpha as 95.5",
         "C.a.t 22495: wrong",
     ];
-    for line in &told {
+    for line in &lines {
         assert!(
             line.ends_with(": right") || rounded.contains(&line.as_str()),
             "{line}"
         );
     }
     for line in rounded {
-        assert!(told.contains(&line.to_owned()), "{line}: {told:#?}");
+        assert!(lines.contains(&line.to_owned()), "{line}: {lines:#?}");
     }
     let drawn = "r3.angle 29.3795\nr4.angle 290.7520";
-    let drawn = self::told("four-bar", drawn);
+    let drawn = self::verdict_lines("four-bar", drawn);
     let expected = [
         "r3.angle 29.3795: rounded early",
         "r4.angle 290.7520: rounded early",
@@ -197,13 +201,16 @@ fn each_kind_of_mistake_has_its_verdict() {
         ("C.a 2e4", "wrong"),
         ("C.a 23990", "rounded early"),
     ] {
-        let told = told("four-bar", answer);
+        let lines = verdict_lines("four-bar", answer);
         let (written, _) = answer.split_once(' ').unwrap();
         assert!(
-            told[0].ends_with(&format!(": {verdict}")),
-            "{answer}: {told:?}"
+            lines[0].ends_with(&format!(": {verdict}")),
+            "{answer}: {lines:?}"
         );
-        assert!(told[0].starts_with(written) && told.len() == 1, "{told:?}");
+        assert!(
+            lines[0].starts_with(written) && lines.len() == 1,
+            "{lines:?}"
+        );
     }
 }
 
@@ -230,7 +237,7 @@ fn consequences_of_a_mistake_are_right() {
     let w3 = -100.0 * w2 * sin(t2 - t4) / (300.0 * sin(t3 - t4));
     let w4 = -100.0 * w2 * sin(t2 - t3) / (250.0 * sin(t4 - t3));
     let again = format!("r3.angle 39.379\nr4.angle 290.7525\nr3.omega {w3:.4}\nr4.omega {w4:.4}");
-    let again = told("four-bar", &again);
+    let again = verdict_lines("four-bar", &again);
     assert_eq!(again[2], format!("r3.omega {w3:.4}: right given r3.angle"));
     assert_eq!(again[3], format!("r4.omega {w4:.4}: right given r3.angle"));
     assert!(matches!(
@@ -248,9 +255,9 @@ fn unrounded_consequences_of_a_mistake_are_right() {
     let w3 = -100.0 * w2 * sin(t2 - t4) / (300.0 * sin(t3 - t4));
     let w4 = -100.0 * w2 * sin(t2 - t3) / (250.0 * sin(t4 - t3));
     let answers = format!("r3.angle 39.38\nr4.angle 290.75\nr3.omega {w3:.5}\nr4.omega {w4:.5}");
-    let told = told("four-bar", &answers);
-    for line in &told[2..] {
-        assert!(line.ends_with(": right given r3.angle"), "{told:#?}");
+    let lines = verdict_lines("four-bar", &answers);
+    for line in &lines[2..] {
+        assert!(line.ends_with(": right given r3.angle"), "{lines:#?}");
     }
 }
 
@@ -265,14 +272,11 @@ fn nonsense_values_earn_no_points() {
             .map(|f| format!("{};;{nonsense}\n", f.quantity.name))
             .collect();
         let graded = graded_rows("press", None, &rows);
-        let worth = graded
-            .figures
-            .iter()
-            .filter(|f| f.verdict.is_worth_a_point());
-        let worth: Vec<_> = worth
+        let value = graded.figures.iter().filter(|f| f.verdict.earns_point());
+        let value: Vec<_> = value
             .map(|f| (&f.quantity.name, f.exact, f.verdict))
             .collect();
-        assert!(worth.is_empty(), "{nonsense}: {worth:?}");
+        assert!(value.is_empty(), "{nonsense}: {value:?}");
     }
 }
 
@@ -286,7 +290,7 @@ fn unasked_answers_earn_no_points() {
     assert_eq!((graded.figures.len(), graded.points()), (22, 1));
     assert_eq!(graded.besides.len(), 3);
     assert_eq!(
-        told_of(&graded),
+        verdict_texts(&graded),
         [
             "r3.angle 29.38: right",
             "A.x 0: right",
@@ -295,9 +299,9 @@ fn unasked_answers_earn_no_points() {
         ]
     );
     let page = graded.page().to_text(crate::page::TextStyle::plain(true));
-    let (asked, besides) = page.split_once("not asked").unwrap();
+    let (requested, besides) = page.split_once("not asked").unwrap();
     assert!(
-        asked.contains("1 points of 22") && !asked.contains("A.x"),
+        requested.contains("1 points of 22") && !requested.contains("A.x"),
         "{page}"
     );
     assert!(
@@ -321,10 +325,10 @@ fn unit_column_applies_to_answer() {
         ("C.v;m/s;5", "wrong"),
     ] {
         let graded = graded_rows("four-bar", None, row);
-        let told = told_of(&graded);
+        let lines = verdict_texts(&graded);
         assert!(
-            told[0].ends_with(&format!(": {verdict}")),
-            "{row}: {told:?}"
+            lines[0].ends_with(&format!(": {verdict}")),
+            "{row}: {lines:?}"
         );
         let strange: Vec<_> = graded
             .remarks
@@ -357,12 +361,12 @@ fn small_direction_prefers_exact_sign_and_unit() {
         (format!("{:.8}", small.to_radians()), "in rad"),
         (format!("{:.6}", 1.4 * small), "rounded early"),
     ] {
-        let told = told_of(&graded_rows(
+        let lines = verdict_texts(&graded_rows(
             "slider-crank",
             at,
             &format!("r3.angle;;{answer}\n"),
         ));
-        assert_eq!(told, [format!("r3.angle {answer}: {verdict}")]);
+        assert_eq!(lines, [format!("r3.angle {answer}: {verdict}")]);
     }
 }
 
@@ -370,12 +374,12 @@ fn small_direction_prefers_exact_sign_and_unit() {
 #[test]
 fn comma_may_separate_thousands() {
     for written in ["8,259", "8.259", "8259"] {
-        let told = told(
+        let lines = verdict_lines(
             "slider-crank",
             &format!("r3.angle 345,5\nr3.alpha {written}"),
         );
         let expected = format!("r3.alpha {written}: rounded early: r3.angle as 345,5");
-        assert_eq!(told[1..], [expected]);
+        assert_eq!(lines[1..], [expected]);
     }
 }
 
@@ -399,9 +403,9 @@ fn key_has_zero_instead_of_rounding_errors() {
 fn values_depend_only_on_preceding_loops() {
     let hangs_on = |name: &str, figure: &str| {
         let key = key(name, &[]);
-        let asked = key.figures.iter().find(|f| f.quantity.name == figure);
+        let requested = key.figures.iter().find(|f| f.quantity.name == figure);
         let chain = key.chain.unwrap();
-        chain.variables_of(&asked.unwrap().quantity).len()
+        chain.variables_of(&requested.unwrap().quantity).len()
     };
     // The crank, r3 and r4; the ram depends on its own loop, too.
     assert_eq!(hangs_on("press", "r3.angle"), 3);
@@ -418,8 +422,8 @@ fn other_assembly_of_four_bar_is_recognized() {
     let other = choices.iter().find(|choice| !choice.is_current).unwrap();
     let r3 = scene.mechanism.link_ids().nth(1).unwrap();
     let angle = other.state.angle(r3).unwrap();
-    let told = told("four-bar", &format!("r3.angle {angle:.3}"));
-    assert_eq!(told, [format!("r3.angle {angle:.3}: other assembly")]);
+    let lines = verdict_lines("four-bar", &format!("r3.angle {angle:.3}"));
+    assert_eq!(lines, [format!("r3.angle {angle:.3}: other assembly")]);
 }
 
 /// The exact values of every preset, rounded to six digits, are right, and none is asked twice.
@@ -435,13 +439,13 @@ fn exact_values_are_right_in_every_preset() {
         let rows = rows.collect::<String>();
         let file = AnswerFile::read(rows.as_bytes()).unwrap();
         let graded = graded_rows(preset.name, None, &rows);
-        assert!(graded.remarks.strangers.is_empty(), "{}", preset.name);
-        for (figure, asked) in graded.figures.iter().zip(&key.figures) {
+        assert!(graded.remarks.unknown_names.is_empty(), "{}", preset.name);
+        for (figure, requested) in graded.figures.iter().zip(&key.figures) {
             // Six digits leave at least three decimals of an angle.
             assert_eq!(
                 figure.verdict,
                 FigureVerdict::Right,
-                "{} {asked:?}",
+                "{} {requested:?}",
                 preset.name
             );
         }
@@ -527,7 +531,7 @@ fn sheet_does_not_reveal_answers() {
         for piece in ["= ?", "answers.csv", "1 Given", "2 Asked"] {
             assert!(text.contains(piece), "{name}: {piece}\n{text}");
         }
-        let (_, told) = text.split_once("1 Given").unwrap();
+        let (_, shown_text) = text.split_once("1 Given").unwrap();
         let given = scene.values();
         for figure in &key.figures {
             let exact = format!("{:.3e}", figure.exact.abs());
@@ -536,11 +540,11 @@ fn sheet_does_not_reveal_answers() {
             let is_given = given
                 .iter()
                 .any(|v| format!("{:.3e}", v.number.abs()).starts_with(&exact[..5]));
-            let words = told.split(|c: char| !(c.is_ascii_digit() || c == '.'));
-            let mut bare = words.map(|word| word.replace('.', ""));
-            let is_told = bare.any(|word| word.trim_start_matches('0').starts_with(&digits));
+            let words = shown_text.split(|c: char| !(c.is_ascii_digit() || c == '.'));
+            let mut plain = words.map(|word| word.replace('.', ""));
+            let is_shown = plain.any(|word| word.trim_start_matches('0').starts_with(&digits));
             assert!(
-                is_given || !is_told,
+                is_given || !is_shown,
                 "{name}: {} is told\n{text}",
                 figure.quantity.name
             );
@@ -561,8 +565,8 @@ fn sheet_of(scene: &Scene) -> String {
     let key = answer_key(scene, &solver, state.state(), enclosure.state(), &[]);
     let sheet = Report::sheet(scene, &solver, state.state(), &key, "answers.csv");
     let text = sheet.written(ReportFormat::Text, false);
-    let (_, told) = text.split_once("1 Given").unwrap();
-    told.split_whitespace().collect::<Vec<_>>().join(" ")
+    let (_, shown_text) = text.split_once("1 Given").unwrap();
+    shown_text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// The sheet shows given values in the form of the scene, in full and without digits that nobody
@@ -635,7 +639,7 @@ fn sheet_names_every_asked_value() {
             );
         }
         assert!(longest_number(&sheet) <= 12, "{}: {sheet}", preset.name);
-        let (given, asked) = sheet.split_once("2 Asked").unwrap();
+        let (given, requested) = sheet.split_once("2 Asked").unwrap();
         // A point of the scene may have such a name, too; then it is not invented.
         let own: Vec<&str> = scene
             .mechanism
@@ -647,7 +651,7 @@ fn sheet_names_every_asked_value() {
             .filter(|name| !own.contains(name))
         {
             let ends = |word: &&str| word.ends_with(made_up) || word.starts_with(made_up);
-            let is_used = asked.split(' ').any(|word| ends(&word));
+            let is_used = requested.split(' ').any(|word| ends(&word));
             let is_given = given.contains(&format!("through {made_up} ("));
             assert!(is_given || !is_used, "{}: {made_up}\n{sheet}", preset.name);
         }
@@ -666,7 +670,7 @@ fn sheet_in_tests(name: &str) -> String {
 /// Returns the names of values without a point.
 fn lost(graded: &GradedAnswers) -> Vec<&str> {
     let figures = graded.figures.iter();
-    let lost = figures.filter(|f| !f.verdict.is_worth_a_point());
+    let lost = figures.filter(|f| !f.verdict.earns_point());
     lost.map(|f| f.quantity.name.as_str()).collect()
 }
 
@@ -754,7 +758,7 @@ fn symbols_from_notes_name_rows() {
     for name in ["r3.angle", "r4.angle", "r3.omega"] {
         assert_eq!(verdict_of(&graded, name), FigureVerdict::Right, "{name}");
     }
-    assert_eq!(cells(&graded.remarks.strangers), [(3, "foo", "3")]);
+    assert_eq!(cells(&graded.remarks.unknown_names), [(3, "foo", "3")]);
     let repeated = [(4, "r4.angle", "277.17")];
     assert_eq!(cells(&graded.remarks.repeated), repeated);
 }
@@ -767,7 +771,7 @@ fn last_answer_counts() {
     assert_eq!(verdict_of(&graded, "r3.angle"), FigureVerdict::Right);
     assert_eq!(verdict_of(&graded, "r4.angle"), FigureVerdict::Right);
     assert_eq!(cells(&graded.remarks.repeated), [(1, "r3.angle", "35")]);
-    assert_eq!(cells(&graded.remarks.strangers), [(5, "", "5")]);
+    assert_eq!(cells(&graded.remarks.unknown_names), [(5, "", "5")]);
 }
 
 #[test]
@@ -844,7 +848,9 @@ fn every_misread_value_costs_one_point() {
         let value = scene.values().into_iter().find(|v| v.name == name).unwrap();
         let other = scene.with_value(&value, &value.with_number(number));
         let (other, _) = opened(&other);
-        let solver = solver.carried_over(start, &other.mechanism).unwrap();
+        let solver = solver
+            .with_dimensions_in_assembly(start, &other.mechanism)
+            .unwrap();
         let at = other.mechanism.driver().start;
         let by = key_of(&other, &solver, at, &[]);
         for digits in [4, 6] {
@@ -869,11 +875,11 @@ fn unrelated_mistakes_are_not_a_misread_value() {
     let opened = opened(preset("four-bar"));
     let start = opened.0.mechanism.driver().start;
     let key = key_of(&opened.0, &opened.1, start, &[]);
-    let mut chance = crate::numeric::SeededRng::new(5);
+    let mut rng = crate::numeric::SeededRng::new(5);
     let mut points = 0;
     for _ in 0..20 {
         let rows = key.figures.iter().map(|f| {
-            let factor = f64::from(chance.between(600, 900)) / 1000.0;
+            let factor = f64::from(rng.between(600, 900)) / 1000.0;
             format!("{};;{:.3e}\n", f.quantity.name, f.exact * factor)
         });
         let rows: String = rows.collect();
@@ -892,13 +898,13 @@ fn two_unrelated_mistakes_are_rarely_a_misread_value() {
     let start = opened.0.mechanism.driver().start;
     let key = key_of(&opened.0, &opened.1, start, &[]);
     let last = u32::try_from(key.figures.len() - 1).unwrap();
-    let mut chance = crate::numeric::SeededRng::new(7);
+    let mut rng = crate::numeric::SeededRng::new(7);
     let mut explained = 0;
     for _ in 0..100 {
-        let wrong = [chance.between(0, last), chance.between(0, last)];
+        let wrong = [rng.between(0, last), rng.between(0, last)];
         let rows = (0..).zip(&key.figures).map(|(number, f)| {
             let factor = match wrong.contains(&number) {
-                true => f64::from(chance.between(600, 900)) / 1000.0,
+                true => f64::from(rng.between(600, 900)) / 1000.0,
                 false => 1.0,
             };
             format!("{};;{:.3e}\n", f.quantity.name, f.exact * factor)
@@ -921,10 +927,10 @@ fn zero_answer_earns_a_point() {
 }
 
 /// Returns the symbols of the unknowns on a sheet.
-fn asked_symbols(sheet: &str) -> Vec<&str> {
+fn requested_symbols(sheet: &str) -> Vec<&str> {
     let words: Vec<&str> = sheet.split_whitespace().collect();
-    let asked = words.windows(3).filter(|three| three[1..] == ["=", "?"]);
-    asked.map(|three| three[0]).collect()
+    let requested = words.windows(3).filter(|three| three[1..] == ["=", "?"]);
+    requested.map(|three| three[0]).collect()
 }
 
 /// The sheet and the answer file ask for the same values, for every seed.
@@ -941,12 +947,12 @@ fn sheet_and_answer_file_ask_for_same_values() {
         let is_lecture = ["four-bar", "slider-crank", "press"].contains(&preset.name);
         for seed in 1..=if is_lecture { 120 } else { 4 } {
             let made = maker.exercise(seed, &titles).unwrap();
-            same_is_asked(&made, &format!("{} {seed}", preset.name));
+            assert_same_questions(&made, &format!("{} {seed}", preset.name));
         }
     }
 }
 
-fn same_is_asked(made: &Exercise, name: &str) {
+fn assert_same_questions(made: &Exercise, name: &str) {
     let Exercise { scene, solver } = made;
     let at = scene.mechanism.driver().start;
     let key = key_of(scene, solver, at, &[]);
@@ -967,11 +973,11 @@ fn same_is_asked(made: &Exercise, name: &str) {
     let loops = working.loop_vectors(scene, solver, state.state(), 6);
     let vectors = loops.iter().flat_map(|of| &of.vectors);
     let cells: Vec<_> = vectors.flat_map(|v| v.figures.iter().flatten()).collect();
-    let mut asked = Vec::new();
-    for symbol in asked_symbols(&sheet) {
+    let mut requested = Vec::new();
+    for symbol in requested_symbols(&sheet) {
         let cell = cells.iter().find(|cell| cell.symbol == symbol);
         let cell = cell.unwrap_or_else(|| panic!("{name}: {symbol}"));
-        asked.push(cell.column.as_str());
+        requested.push(cell.column.as_str());
         assert!(
             rows.contains(&cell.column.as_str()),
             "{name}: {symbol}\n{sheet}"
@@ -979,7 +985,7 @@ fn same_is_asked(made: &Exercise, name: &str) {
     }
     for row in rows {
         assert!(
-            loops.is_empty() || asked.contains(&row),
+            loops.is_empty() || requested.contains(&row),
             "{name}: {row}\n{sheet}"
         );
     }

@@ -8,14 +8,14 @@ use crate::solver::{Indeterminate, LeastNorm, Solver, State};
 /// The reactions of equally compliant pins and guides: one of all solutions in equilibrium. The
 /// values have no bounds.
 #[derive(Clone, Debug)]
-pub struct Least {
+pub struct LeastNormReactions {
     /// The indeterminate joints.
     pub joints: Vec<JointRow>,
     /// The indeterminate guides, together with their determinate values.
     pub guides: Vec<GuideRow>,
 }
 
-impl Least {
+impl LeastNormReactions {
     /// Computes the reactions at the state's coordinate, from the rows of all joints and guides.
     /// Returns `None` if none is indeterminate, or if there are no reactions.
     pub(in crate::report) fn new(
@@ -23,9 +23,9 @@ impl Least {
         solver: &Solver,
         state: &State,
         (joints, guides): (&[JointRow], &[GuideRow]),
-    ) -> Option<Least> {
+    ) -> Option<LeastNormReactions> {
         let found = solver.least_norm(state.at())?;
-        let mut least = Least {
+        let mut minimum = LeastNormReactions {
             joints: Vec::new(),
             guides: Vec::new(),
         };
@@ -38,22 +38,22 @@ impl Least {
                         .find(|row| (row.link.as_str(), Some(row.point.as_str())) == names);
                     let force = found.joint_force(link, point);
                     let force = force.map(|force| PlaneVector::new(force, [None; 2]));
-                    least.joints.extend(row.map(|row| JointRow {
+                    minimum.joints.extend(row.map(|row| JointRow {
                         force,
                         ..row.clone()
                     }));
                 }
                 Indeterminate::Normal(slide) | Indeterminate::Moment(slide) => {
                     let name = scene.slide_name(slide);
-                    if least.guides.iter().all(|row| row.name != name) {
+                    if minimum.guides.iter().all(|row| row.name != name) {
                         let row = guides.iter().find(|row| row.name == name);
                         let completed = |row: &GuideRow| completed(row, slide, &found);
-                        least.guides.extend(row.map(completed));
+                        minimum.guides.extend(row.map(completed));
                     }
                 }
             }
         }
-        Some(least)
+        Some(minimum)
     }
 
     /// Returns every value with its column name.

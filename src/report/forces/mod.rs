@@ -5,7 +5,7 @@ pub(in crate::report) mod least;
 pub(in crate::report) mod page;
 
 use crate::quantity::{Aspect, Catalogue, Hidden, Share, Subject, value};
-use crate::report::forces::least::Least;
+use crate::report::forces::least::LeastNormReactions;
 use crate::report::tables::ProvedState;
 use crate::report::tables::entry::{Entry, PlaneVector};
 use crate::scene::Scene;
@@ -103,7 +103,7 @@ pub struct Forces {
     /// `r6.normal`.
     pub indeterminate: Vec<String>,
     /// The indeterminate reactions of least norm.
-    pub least: Option<Least>,
+    pub least: Option<LeastNormReactions>,
 }
 
 /// The available part of the forces.
@@ -114,7 +114,7 @@ pub enum Existence {
     /// Only the driver's effort, without reactions.
     DriveAlone,
     /// Computed, but not shown; the checks say why.
-    Withheld,
+    WithheldReason,
     /// No force.
     Nothing,
 }
@@ -140,7 +140,7 @@ impl Forces {
         };
         let (joints, guides) = (joints(scene, &reading), guides(scene, &reading));
         Some(Forces {
-            least: Least::new(scene, solver, state, (&joints, &guides)),
+            least: LeastNormReactions::new(scene, solver, state, (&joints, &guides)),
             condition: state.condition(),
             unit: scene.unit.symbol(),
             drive: drive(scene, &reading),
@@ -160,7 +160,7 @@ impl Forces {
     #[must_use]
     pub fn existence(&self) -> Existence {
         match (self.drive.total.value, self.frame.force) {
-            _ if self.withheld.is_some() => Existence::Withheld,
+            _ if self.withheld.is_some() => Existence::WithheldReason,
             (None, _) => Existence::Nothing,
             (Some(_), None) => Existence::DriveAlone,
             (Some(_), Some(_)) => Existence::Everything,
@@ -173,7 +173,7 @@ impl Forces {
         let mut remarks: Vec<String> = Vec::new();
         match (self.existence(), self.condition) {
             (Existence::Everything, _) => {}
-            (Existence::Withheld, _) => remarks.extend(self.withheld.clone()),
+            (Existence::WithheldReason, _) => remarks.extend(self.withheld.clone()),
             (Existence::DriveAlone, _) => {
                 remarks.push(words().driver_alone_has_value(self.effort()));
             }
@@ -245,7 +245,7 @@ pub(in crate::report) fn withheld(scene: &Scene, state: &State) -> Option<String
 
 /// Capitalizes a clause as a sentence of its own.
 pub(in crate::report) fn sentence(text: &str) -> String {
-    Language::spoken().capitalised(text) + "."
+    Language::current_language().capitalised(text) + "."
 }
 
 /// Returns the word for the driver's effort.

@@ -30,15 +30,15 @@ impl TablesWriter<'_> {
         let mut tables = Vec::new();
         match forces.existence() {
             Existence::Nothing => {}
-            Existence::Withheld => tables.push(self.check_table(forces)),
+            Existence::WithheldReason => tables.push(self.check_table(forces)),
             Existence::DriveAlone => tables.push(self.drive_table(forces)),
             Existence::Everything => {
                 tables.push(self.drive_table(forces));
                 tables.extend(self.joint_table(words().force_at_joints(), &forces.joints));
                 tables.extend(self.guide_table(words().force_of_guides(), &forces.guides));
-                if let Some(least) = &forces.least {
-                    tables.extend(self.joint_table(words().of_least_norm(), &least.joints));
-                    tables.extend(self.guide_table(words().of_least_norm(), &least.guides));
+                if let Some(minimum) = &forces.least {
+                    tables.extend(self.joint_table(words().of_least_norm(), &minimum.joints));
+                    tables.extend(self.guide_table(words().of_least_norm(), &minimum.guides));
                 }
                 tables.push(self.frame_table(forces));
                 tables.push(self.check_table(forces));
@@ -54,7 +54,7 @@ impl TablesWriter<'_> {
 
     fn drive_table(&self, forces: &Forces) -> Table {
         let drive = &forces.drive;
-        let heads = [
+        let headers = [
             words().in_all(),
             words().loads(),
             words().gravity(),
@@ -62,7 +62,7 @@ impl TablesWriter<'_> {
         ];
         let title = words().driver_named(&drive.name);
         let setting = set(VECTOR_LABELS, self.style.digits + 3);
-        let mut table = Table::new(title, heads.map(|head| format!("{head} "))).set(setting);
+        let mut table = Table::new(title, headers.map(|head| format!("{head} "))).set(setting);
         let entries = || std::iter::once(drive.total).chain(drive.parts);
         let label = self.label(effort_word(drive.aspect), drive.aspect);
         self.entries(&mut table, label, entries(), drive.aspect, " ");
@@ -77,9 +77,9 @@ impl TablesWriter<'_> {
 
     /// Returns the table of joints; `None` if there is no joint to list.
     fn joint_table(&self, title: &str, joints: &[JointRow]) -> Option<Table> {
-        let heads = ["fx", "fy", "f"].map(|name| self.label(name, Aspect::Fx));
-        let heads = heads.into_iter().chain([self.direction()]);
-        let mut table = Table::new(title, heads).set(set(point_labels(), self.style.digits + 2));
+        let headers = ["fx", "fy", "f"].map(|name| self.label(name, Aspect::Fx));
+        let headers = headers.into_iter().chain([self.direction()]);
+        let mut table = Table::new(title, headers).set(set(point_labels(), self.style.digits + 2));
         for joint in joints.iter().filter(|joint| !joint.repeats) {
             let name = match &joint.by {
                 Some(by) => {
@@ -95,13 +95,13 @@ impl TablesWriter<'_> {
 
     /// Returns the table of guides; `None` if there is no guide.
     fn guide_table(&self, title: &str, guides: &[GuideRow]) -> Option<Table> {
-        let heads = [
+        let headers = [
             (words().normal(), Aspect::Normal),
             (words().at(), Aspect::Length),
             (words().moment(), Aspect::Moment),
         ];
-        let heads = heads.map(|(name, aspect)| self.label(name, aspect));
-        let mut table = Table::new(title, heads).set(set(point_labels(), self.style.digits + 2));
+        let headers = headers.map(|(name, aspect)| self.label(name, aspect));
+        let mut table = Table::new(title, headers).set(set(point_labels(), self.style.digits + 2));
         for guide in guides {
             let name = words().guide_on(&guide.name, &guide.slider);
             let cells = [Some(guide.normal), guide.at, guide.moment];
@@ -116,13 +116,13 @@ impl TablesWriter<'_> {
     }
 
     fn frame_table(&self, forces: &Forces) -> Table {
-        let heads = ["fx", "fy", "f"].map(|name| self.label(name, Aspect::Fx));
+        let headers = ["fx", "fy", "f"].map(|name| self.label(name, Aspect::Fx));
         let others = [
             self.direction(),
             self.label(words().moment(), Aspect::Moment),
         ];
-        let heads = heads.into_iter().chain(others);
-        let mut table = Table::new(words().on_the_frame(), heads).set(self.of_frame());
+        let headers = headers.into_iter().chain(others);
+        let mut table = Table::new(words().on_the_frame(), headers).set(self.of_frame());
         let frame = &forces.frame;
         let moment = [frame.moment];
         self.plane(
@@ -136,14 +136,14 @@ impl TablesWriter<'_> {
 
     fn check_table(&self, forces: &Forces) -> Table {
         let drive = forces.drive.aspect;
-        let heads = [
+        let headers = [
             (effort_word(drive), drive),
             ("fx", Aspect::Fx),
             ("fy", Aspect::Fy),
             (words().moment(), Aspect::Moment),
         ];
-        let heads = heads.map(|(name, aspect)| self.label(name, aspect));
-        let mut table = Table::new(words().checks_miss_by(), heads).set(self.of_frame());
+        let headers = headers.map(|(name, aspect)| self.label(name, aspect));
+        let mut table = Table::new(words().checks_miss_by(), headers).set(self.of_frame());
         let entries = std::iter::once(forces.checks.drive).chain(forces.checks.frame);
         table.row("", entries.map(|entry| missed(&entry)));
         table
@@ -162,13 +162,13 @@ impl TablesWriter<'_> {
         label: String,
         entries: impl IntoIterator<Item = Entry>,
         aspect: Aspect,
-        behind: &str,
+        after: &str,
     ) {
         let entries: Vec<Entry> = entries.into_iter().collect();
-        let cells = entries.iter().map(|&e| self.figure(e, aspect) + behind);
+        let cells = entries.iter().map(|&e| self.figure(e, aspect) + after);
         table.row(label, cells);
         if self.style.bounds {
-            let bounds = entries.iter().map(|&entry| shown_bound(entry) + behind);
+            let bounds = entries.iter().map(|&entry| shown_bound(entry) + after);
             table.row(BOUND, bounds);
         }
     }
@@ -208,8 +208,8 @@ impl Forces {
             object.insert("withheld".into(), why.clone().into());
         }
         object.insert("indeterminate".into(), self.indeterminate.clone().into());
-        if let Some(least) = &self.least {
-            let figures = least.figures().into_iter();
+        if let Some(minimum) = &self.least {
+            let figures = minimum.figures().into_iter();
             let figures = figures.map(|(name, value)| (name, number(value)));
             object.insert("least_norm".into(), Value::Object(figures.collect()));
         }

@@ -18,10 +18,10 @@ const REST: [&str; 6] = [
 
 /// Returns the headers; `effort` is `driver.torque` or `driver.force`.
 pub(in crate::report) fn step_heads(effort: &str, unit: &str) -> Vec<String> {
-    let mut heads = vec![format!("{effort} [{unit}]")];
-    heads.extend(PARTS.map(|part| format!("{effort}.{part} [{unit}]")));
-    heads.extend(REST.map(str::to_owned));
-    heads
+    let mut headers = vec![format!("{effort} [{unit}]")];
+    headers.extend(PARTS.map(|part| format!("{effort}.{part} [{unit}]")));
+    headers.extend(REST.map(str::to_owned));
+    headers
 }
 
 /// Returns the cells of a step, with the work in joules since the beginning. A missing value is

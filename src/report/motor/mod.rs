@@ -11,8 +11,8 @@ use crate::report::text::csv_dialect::{CsvDialect, CsvSheet, cell};
 use crate::scene::{Motor, Scene};
 use crate::solver::{DeadCentre, Solver};
 use crate::study::motor::{
-    Course, CycleShaking, DriveEffort, Duty, DutyError, Dwell, MAX_FLUCTUATION, MotorDemand,
-    MotorFit, NoRam, Passing, Peak, Ram, RamEnd, Rule, SMALL_FLUCTUATION, fluctuation_with,
+    CyclePath, CycleShaking, DriveEffort, Duty, DutyError, Dwell, MAX_FLUCTUATION, MotorDemand,
+    MotorFit, NoRam, Peak, Ram, RamEnd, Rule, SMALL_FLUCTUATION, SlidePassing, fluctuation_with,
     flywheel_for, rams,
 };
 use crate::wording::words;
@@ -50,7 +50,7 @@ pub struct MotorReport {
     pub(in crate::report) driver_unit: String,
     /// The driven link or slide.
     pub(in crate::report) driver: String,
-    pub(in crate::report) turns: bool,
+    pub(in crate::report) is_rotary: bool,
     /// The given speed: rad/s, or the unit of length per s.
     pub(in crate::report) speed: f64,
     columns: [String; 2],
@@ -65,7 +65,7 @@ pub struct RamReport {
     pub ram: Ram,
     /// A height above the bottom, and the ram there, closing and opening; `None` if it never
     /// reaches the height.
-    pub height: Option<(f64, Option<[Passing; 2]>)>,
+    pub height: Option<(f64, Option<[SlidePassing; 2]>)>,
     /// A tolerance, and the dwell within it at the bottom.
     pub dwell: Option<(f64, Option<Dwell>)>,
     /// The driver's effort assumed for the force of the ram, in N m or N.
@@ -86,16 +86,16 @@ pub(in crate::report) const PARTS: [&str; 3] = ["load", "gravity", "inertia"];
 impl MotorReport {
     /// Studies the motor of a scene.
     #[must_use]
-    pub fn new(scene: &Scene, solver: &Solver, wishes: MotorRequest) -> MotorReport {
+    pub fn new(scene: &Scene, solver: &Solver, preferences: MotorRequest) -> MotorReport {
         let mechanism = &scene.mechanism;
-        let duty = Duty::new(mechanism, solver, wishes.between);
+        let duty = Duty::new(mechanism, solver, preferences.between);
         let catalogue = Catalogue::new(scene);
         let coordinate = catalogue.driver();
-        let (driver, turns) = match mechanism.driver().input {
+        let (driver, is_rotary) = match mechanism.driver().input {
             Input::Turn(link) => (scene.link_name(link), true),
             Input::Push(slide) => (scene.slide_name(slide), false),
         };
-        let effort = if turns {
+        let effort = if is_rotary {
             "driver.torque"
         } else {
             "driver.force"
@@ -103,16 +103,16 @@ impl MotorReport {
         MotorReport {
             fit: duty
                 .as_ref()
-                .map(|d| d.fit(&wishes.motor))
+                .map(|d| d.fit(&preferences.motor))
                 .unwrap_or_default(),
-            ram: ram(scene, solver, &wishes),
+            ram: ram(scene, solver, &preferences),
             duty,
-            wishes,
+            wishes: preferences,
             scene: scene.name.clone(),
             unit: scene.unit.symbol(),
             driver_unit: coordinate.unit.clone(),
             driver: driver.to_owned(),
-            turns,
+            is_rotary,
             speed: mechanism.driver().speed,
             columns: [coordinate.header(), effort.to_owned()],
         }
@@ -120,7 +120,7 @@ impl MotorReport {
 
     /// Returns the unit of the driver's effort.
     pub(in crate::report) fn effort_unit(&self) -> &'static str {
-        if self.turns { "N m" } else { "N" }
+        if self.is_rotary { "N m" } else { "N" }
     }
 
     /// Returns the column name and the unit of the driver's effort.
@@ -141,7 +141,7 @@ impl MotorReport {
         } = self.wishes.motor;
         Some(SpeedFluctuation {
             with: flywheel.and_then(|i| Some((i, fluctuation_with(energy, cycle.speed, i)?))),
-            wished: fluctuation.and_then(|c| Some((c, flywheel_for(energy, cycle.speed, c)?))),
+            requested: fluctuation.and_then(|c| Some((c, flywheel_for(energy, cycle.speed, c)?))),
         })
     }
 
@@ -149,8 +149,8 @@ impl MotorReport {
     /// stop the driver; `None` without a flywheel.
     pub(in crate::report) fn is_even_enough(&self) -> Option<bool> {
         let (_, left) = self.evenness()?.with?;
-        let most = self.wishes.motor.fluctuation;
-        Some(left <= most.unwrap_or(MAX_FLUCTUATION))
+        let maximum = self.wishes.motor.fluctuation;
+        Some(left <= maximum.unwrap_or(MAX_FLUCTUATION))
     }
 
     /// Returns the mean effort of the cycle in N m or N, if the flywheel leaves little fluctuation
@@ -160,18 +160,21 @@ impl MotorReport {
         let all = &self.duty.as_ref().ok()?.cycle.all;
         let mean = all.mean?.abs();
         // If the mean is zero, its rounding error is not a torque.
-        let asked = if mean <= NOTHING * all.rms? {
+        let requested = if mean <= NOTHING * all.rms? {
             0.0
         } else {
             mean
         };
-        (fluctuation <= SMALL_FLUCTUATION).then_some(asked)
+        (fluctuation <= SMALL_FLUCTUATION).then_some(requested)
     }
 
     /// Compares the rated torque with that mean; returns `None` if one of them is unknown.
     pub(in crate::report) fn with_flywheel(&self) -> Option<MotorDemand> {
-        let (asked, has) = (self.mean_with_flywheel()?, self.wishes.motor.rated?);
-        Some(MotorDemand { asked, has })
+        let (requested, has) = (self.mean_with_flywheel()?, self.wishes.motor.rated?);
+        Some(MotorDemand {
+            required: requested,
+            capacity: has,
+        })
     }
 
     /// Returns whether the motor is sufficient, with the flywheel if there is one; `None` if
@@ -179,7 +182,7 @@ impl MotorReport {
     pub(in crate::report) fn is_enough(&self) -> Option<bool> {
         self.fit
             .is_enough()
-            .map(|alone| alone || self.does_with_flywheel())
+            .map(|alone| alone || self.suffices_with_flywheel())
     }
 
     /// Returns `true` if the motor is sufficient because the flywheel compensates the deviations
@@ -187,7 +190,7 @@ impl MotorReport {
     /// if the fluctuation meets the requirement: the motor's torque then stays near the mean. If
     /// the fluctuation is larger, the flywheel's part of the peak depends on the motor's slip, so
     /// the peak must still be covered.
-    fn does_with_flywheel(&self) -> bool {
+    fn suffices_with_flywheel(&self) -> bool {
         let Some(mean) = self.mean_with_flywheel() else {
             return false;
         };
@@ -210,7 +213,7 @@ impl MotorReport {
             "unit": self.unit,
             "driver": {
                 "name": self.driver,
-                "kind": if self.turns { "link" } else { "slide" },
+                "kind": if self.is_rotary { "link" } else { "slide" },
                 "speed": self.speed,
             },
             "cycle": duty.map(cycle_json),
@@ -247,19 +250,20 @@ impl MotorReport {
             "slowest": fluctuation.slowest,
             "fastest": fluctuation.fastest,
             "flywheel": evenness.and_then(|e| e.with).map(|(i, c)| json!({"inertia": i, "fluctuation": c})),
-            "wished": evenness.and_then(|e| e.wished).map(|(c, i)| json!({"fluctuation": c, "inertia": i})),
+            "wished": evenness.and_then(|e| e.requested).map(|(c, i)| json!({"fluctuation": c, "inertia": i})),
         })
     }
 
     fn fit_json(&self) -> Value {
-        let asked = |asked: Option<MotorDemand>| {
-            asked.map(|a| json!({"asked": a.asked, "has": a.has, "enough": a.is_enough()}))
+        let requested = |requested: Option<MotorDemand>| {
+            requested
+                .map(|a| json!({"asked": a.required, "has": a.capacity, "enough": a.is_enough()}))
         };
         json!({
-            "rated": asked(self.fit.rated),
-            "peak": asked(self.fit.peak),
-            "speed": asked(self.fit.speed),
-            "with_flywheel": asked(self.with_flywheel()),
+            "rated": requested(self.fit.rated),
+            "peak": requested(self.fit.peak),
+            "speed": requested(self.fit.speed),
+            "with_flywheel": requested(self.with_flywheel()),
             "enough": self.is_enough(),
             "even_enough": self.is_even_enough(),
             "gear": self.fit.geared.map(|g| json!({"ratio": g.ratio, "enough": g.is_enough})),
@@ -269,7 +273,7 @@ impl MotorReport {
     fn ram_json(&self, report: &RamReport) -> Value {
         let ram = &report.ram;
         let centre = |c: &DeadCentre| json!({"at": c.at, "position": c.position});
-        let passing = |p: &Passing| {
+        let passing = |p: &SlidePassing| {
             json!({
                 "at": p.at,
                 "position": p.position,
@@ -293,7 +297,7 @@ impl MotorReport {
                 "tolerance": tolerance,
                 "from": dwell.map(|d| d.from),
                 "to": dwell.map(|d| d.to),
-                "way": dwell.map(|d| d.way),
+                "way": dwell.map(|d| d.travel),
                 "seconds": dwell.and_then(|d| d.seconds),
             })
         });
@@ -304,8 +308,8 @@ impl MotorReport {
             "bottom": centre(&ram.bottom),
             "top": centre(&ram.top),
             "others": ram.others.iter().map(centre).collect::<Vec<_>>(),
-            "closing": ram.ways[0],
-            "opening": ram.ways[1],
+            "closing": ram.travels[0],
+            "opening": ram.travels[1],
             "time_ratio": ram.time_ratio(),
             "seconds": ram.seconds,
             "strokes_per_minute": ram.strokes_per_minute(),
@@ -330,9 +334,9 @@ impl MotorReport {
         let mut header = vec![coordinate.clone()];
         header.extend(step_heads(effort, unit));
         csv.record(&header)?;
-        for (way, step) in duty.steps(steps(duty.turns())) {
+        for (path, step) in duty.steps(steps(duty.turns())) {
             let mut row = vec![cell(Some(step.at))];
-            row.extend(step_cells(&step, duty.work(way)));
+            row.extend(step_cells(&step, duty.work(path)));
             csv.record(&row)?;
         }
         csv.finish()
@@ -343,7 +347,7 @@ impl MotorReport {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::report) struct SpeedFluctuation {
     pub(in crate::report) with: Option<(f64, f64)>,
-    pub(in crate::report) wished: Option<(f64, f64)>,
+    pub(in crate::report) requested: Option<(f64, f64)>,
 }
 
 /// Returns the number of steps of a cycle of so many turns.
@@ -361,13 +365,13 @@ fn steps(turns: f64) -> u32 {
 /// Returns the end of a guide at which a ram works, as named in scenes.
 pub(in crate::report) fn end_word(end: StrokeEnd) -> &'static str {
     match end {
-        StrokeEnd::Least => "least",
-        StrokeEnd::Greatest => "greatest",
+        StrokeEnd::Minimum => "least",
+        StrokeEnd::Maximum => "greatest",
     }
 }
 
 /// Selects the ram and computes its motion.
-fn ram(scene: &Scene, solver: &Solver, wishes: &MotorRequest) -> Result<RamReport, String> {
+fn ram(scene: &Scene, solver: &Solver, preferences: &MotorRequest) -> Result<RamReport, String> {
     let mechanism = &scene.mechanism;
     let pressed = mechanism.loads().iter().find_map(|load| match load {
         Load::Press { slide, .. } => Some(*slide),
@@ -377,7 +381,7 @@ fn ram(scene: &Scene, solver: &Solver, wishes: &MotorRequest) -> Result<RamRepor
         | Load::GasSpring { .. }
         | Load::TorsionSpring { .. } => None,
     });
-    let slide = match wishes.ram.or(pressed) {
+    let slide = match preferences.ram.or(pressed) {
         Some(slide) => slide,
         None => {
             let all: Vec<SlideId> = rams(mechanism).collect();
@@ -397,19 +401,24 @@ fn ram(scene: &Scene, solver: &Solver, wishes: &MotorRequest) -> Result<RamRepor
         Ram::new(mechanism, solver, slide, end).map_err(|why| format!("{name}: {why}"))?;
     Ok(RamReport {
         name: name.to_owned(),
-        height: wishes.height.map(|height| (height, ram.at_height(height))),
-        dwell: wishes.motor.rest.map(|most| (most, ram.dwell(most))),
-        torque: wishes.torque.or(wishes.motor.rated),
+        height: preferences
+            .height
+            .map(|height| (height, ram.at_height(height))),
+        dwell: preferences
+            .motor
+            .rest
+            .map(|maximum| (maximum, ram.dwell(maximum))),
+        torque: preferences.torque.or(preferences.motor.rated),
         ram,
     })
 }
 
 fn cycle_json(duty: &Duty) -> Value {
     let cycle = &duty.cycle;
-    let Course {
+    let CyclePath {
         low,
         high,
-        goes_round,
+        is_periodic,
         ..
     } = cycle.course;
     let (rule, count) = match cycle.rule {
@@ -419,7 +428,7 @@ fn cycle_json(duty: &Duty) -> Value {
     json!({
         "from": low,
         "to": high,
-        "goes_round": goes_round,
+        "goes_round": is_periodic,
         "turns": duty.turns(),
         "seconds": duty.seconds(),
         "dead_points": duty.dead_points,
@@ -445,8 +454,8 @@ fn effect_json(effect: &DriveEffort, seconds: Option<f64>) -> Value {
         "mean": effect.mean,
         "mean_power": effect.work().zip(seconds).map(|(work, time)| work / time),
         "rms": effect.rms,
-        "put_in": effect.put_in,
-        "given_back": effect.given_back,
+        "put_in": effect.supplied,
+        "given_back": effect.returned,
         "work": effect.work(),
     })
 }

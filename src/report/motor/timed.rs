@@ -3,7 +3,7 @@
 use crate::Input;
 use crate::page::{Content, Facts, Page, TextStyle};
 use crate::quantity::{Catalogue, Clock};
-use crate::report::check::leaves_text;
+use crate::report::check::describe_out_of_range;
 use crate::report::cycle::page::indented;
 use crate::report::motor::csv::{step_cells, step_heads};
 use crate::report::motor::{NOTHING, PARTS};
@@ -27,7 +27,7 @@ pub struct TimedMotorReport {
     scene: String,
     duty: TimedDuty,
     fit: MotorFit,
-    turns: bool,
+    is_rotary: bool,
     /// The header of the driver's coordinate.
     coordinate: String,
     /// The units of the driver's coordinate and of lengths.
@@ -41,7 +41,7 @@ impl TimedMotorReport {
         TimedMotorReport {
             scene: scene.name.clone(),
             fit: duty.fit(motor),
-            turns: matches!(scene.mechanism.driver().input, Input::Turn(_)),
+            is_rotary: matches!(scene.mechanism.driver().input, Input::Turn(_)),
             coordinate: Catalogue::new(scene).driver().header(),
             units: [
                 Catalogue::new(scene).driver().unit.clone(),
@@ -58,8 +58,8 @@ impl TimedMotorReport {
         let unit = &catalogue.driver().unit;
         match why {
             NoTimedDuty::NothingActs => words().nothing_acts_on_it().into(),
-            NoTimedDuty::Withheld(hidden) => hidden.text(unit),
-            NoTimedDuty::Leaves(leaves) => leaves_text(scene, leaves),
+            NoTimedDuty::WithheldReason(hidden) => hidden.text(unit),
+            NoTimedDuty::Leaves(leaves) => describe_out_of_range(scene, leaves),
             NoTimedDuty::NoTorque(moment) => words().no_torque_on_the_way(moment.at, unit),
         }
     }
@@ -76,27 +76,27 @@ impl TimedMotorReport {
         let (duty, mut page) = (&self.duty, Page::aligned());
         page.title(&words().translated_scene_text(&self.scene));
         page.text_below(words().over_a_period(&concise(duty.period, DIGITS)));
-        let effort = match self.turns {
+        let effort = match self.is_rotary {
             true => words().torque(),
             false => words().force(),
         };
         let [unit, speed] = self.effort_and_speed();
         self.add_part(&mut page, format!("{effort} [{unit}]"), |facts| {
-            self.tell_peaks(facts, duty.torque);
-            facts.tell(&indented(words().label_mean()), [sized(duty.mean)]);
-            facts.tell(&indented(words().label_rms()), [sized(duty.rms)]);
-            self.tell_parts(facts);
+            self.add_peaks(facts, duty.torque);
+            facts.add(&indented(words().label_mean()), [sized(duty.mean)]);
+            facts.add(&indented(words().label_rms()), [sized(duty.rms)]);
+            self.add_parts(facts);
         });
         self.add_part(&mut page, format!("{} [W]", words().power()), |facts| {
-            self.tell_peaks(facts, duty.power);
-            facts.tell(&indented(words().label_mean()), [sized(duty.mean_power())]);
+            self.add_peaks(facts, duty.power);
+            facts.add(&indented(words().label_mean()), [sized(duty.mean_power())]);
         });
         self.add_part(
             &mut page,
             format!("{} [J]", words().label_energy()),
             |facts| {
-                facts.tell(&indented(words().label_put_in()), [sized(duty.energy[0])]);
-                facts.tell(
+                facts.add(&indented(words().label_put_in()), [sized(duty.energy[0])]);
+                facts.add(
                     &indented(words().label_given_back()),
                     [sized(duty.energy[1])],
                 );
@@ -106,7 +106,7 @@ impl TimedMotorReport {
             &mut page,
             format!("{} [{speed}]", words().speed()),
             |facts| {
-                self.tell_peaks(facts, duty.speed);
+                self.add_peaks(facts, duty.speed);
             },
         );
         self.add_fit(&mut page);
@@ -115,7 +115,7 @@ impl TimedMotorReport {
 
     /// Returns the units of the effort and of the speed.
     fn effort_and_speed(&self) -> [String; 2] {
-        match self.turns {
+        match self.is_rotary {
             true => ["N m".to_owned(), "rad/s".to_owned()],
             false => ["N".to_owned(), format!("{}/s", self.units[1])],
         }
@@ -131,28 +131,28 @@ impl TimedMotorReport {
         page.add(Content::Facts(facts));
     }
 
-    fn tell_peaks(&self, facts: &mut Facts, peaks: [TimedPeak; 2]) {
+    fn add_peaks(&self, facts: &mut Facts, peaks: [TimedPeak; 2]) {
         let labels = [words().label_largest(), words().label_least()];
         for (label, peak) in labels.into_iter().zip(peaks) {
             let place = format!("{} {}", concise(peak.at, DIGITS), self.units[0]);
-            let told = words().at_a_time(&sized(peak.value), &sized(peak.time), &place);
-            facts.tell(&indented(label), [told]);
+            let text = words().at_a_time(&sized(peak.value), &sized(peak.time), &place);
+            facts.add(&indented(label), [text]);
         }
     }
 
     /// Adds the parts of the effort by cause, if there are several.
-    fn tell_parts(&self, facts: &mut Facts) {
+    fn add_parts(&self, facts: &mut Facts) {
         let parts = &self.duty.parts;
-        let most = parts.iter().map(|part| part.rms).fold(0.0, f64::max);
+        let maximum = parts.iter().map(|part| part.rms).fold(0.0, f64::max);
         let labels = [words().loads(), words().gravity(), words().inertia()];
         let acting = labels.into_iter().zip(parts);
-        let acting = acting.filter(|(_, part)| part.rms > NOTHING * most);
+        let acting = acting.filter(|(_, part)| part.rms > NOTHING * maximum);
         let acting: Vec<(&str, &TimedPart)> = acting.collect();
         if let [_, _, ..] = acting[..] {
             for (label, part) in acting {
-                let [most, least] = part.torque.map(|peak| sized(peak.value));
-                let told = words().part_between(&least, &most, &sized(part.rms));
-                facts.tell(&indented(label), [told]);
+                let [maximum, minimum] = part.torque.map(|peak| sized(peak.value));
+                let text = words().part_between(&minimum, &maximum, &sized(part.rms));
+                facts.add(&indented(label), [text]);
             }
         }
     }
@@ -171,7 +171,7 @@ impl TimedMotorReport {
     ) -> io::Result<()> {
         let mut csv = CsvSheet::new(dialect, out);
         let [unit, speed] = self.effort_and_speed();
-        let effort = match self.turns {
+        let effort = match self.is_rotary {
             true => "driver.torque",
             false => "driver.force",
         };
@@ -182,7 +182,7 @@ impl TimedMotorReport {
         ];
         header.extend(step_heads(effort, &unit));
         csv.record(&header)?;
-        let scale = |rate: f64| match self.turns {
+        let scale = |rate: f64| match self.is_rotary {
             true => rate.to_radians(),
             false => rate,
         };
@@ -204,15 +204,15 @@ impl TimedMotorReport {
             true => words().enough(),
             false => words().not_enough(),
         };
-        let asked = [
+        let requested = [
             (words().rated_for_rms(), self.fit.rated),
             (words().peak(), self.fit.peak),
             (words().speed(), self.fit.speed),
         ];
         self.add_part(page, words().motor_is(verdict), |facts| {
-            for (label, demand) in asked {
-                let told = demand.map(|demand| demand_text(&demand));
-                facts.tell(&indented(label), told);
+            for (label, demand) in requested {
+                let text = demand.map(|demand| demand_text(&demand));
+                facts.add(&indented(label), text);
             }
         });
     }
@@ -222,7 +222,7 @@ impl TimedMotorReport {
     pub fn to_json(&self) -> Value {
         let duty = &self.duty;
         let peak = |peak: TimedPeak| json!({"value": peak.value, "time": peak.time, "at": peak.at});
-        let effort = if self.turns { "torque" } else { "force" };
+        let effort = if self.is_rotary { "torque" } else { "force" };
         let [unit, speed] = self.effort_and_speed();
         let mut all = json!({
             "unit": unit,
@@ -265,9 +265,13 @@ fn sized(value: f64) -> String {
 }
 
 fn demand_text(demand: &MotorDemand) -> String {
-    let [has, wants] = [demand.has, demand.asked].map(sized);
+    let [has, wants] = [demand.capacity, demand.required].map(sized);
     match demand.is_enough() {
-        true => words().has_left(&has, &wants, &sized(-demand.lacks())),
-        false => words().has_a_share(&has, &wants, &concise(100.0 * demand.has / demand.asked, 3)),
+        true => words().has_left(&has, &wants, &sized(-demand.deficit())),
+        false => words().has_a_share(
+            &has,
+            &wants,
+            &concise(100.0 * demand.capacity / demand.required, 3),
+        ),
     }
 }

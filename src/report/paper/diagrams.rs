@@ -15,7 +15,7 @@ use std::sync::Arc;
 /// Maximum number of points for which component vectors are drawn; more would hide each other.
 const MAX_COMPONENT_POINTS: usize = 8;
 /// Vectors below this fraction of the longest one are rounding errors, or too short to be visible.
-const SEEN: f64 = 1e-3;
+const MIN_VISIBLE_VECTOR: f64 = 1e-3;
 
 impl ReportedState<'_> {
     /// Adds the closed polygon of the vectors of each loop.
@@ -26,7 +26,7 @@ impl ReportedState<'_> {
                     1 => words().polygon_drawn(&of.sum),
                     _ => words().polygon_of_loop(number + 1, &of.sum),
                 };
-                let against = against(of);
+                let against = explain_reversed(of);
                 let caption = format!("{sum}{}{against}", words().dashes_and_arcs());
                 // Text drawings have neither dashes nor arcs.
                 show(page, &diagram, (caption, Some(sum + "." + &against)));
@@ -108,14 +108,14 @@ impl ReportedState<'_> {
 }
 
 /// Explains arrows opposite to their angle arc: their vectors have a negative length.
-fn against(of: &LoopVectors) -> String {
+fn explain_reversed(of: &LoopVectors) -> String {
     let is_negative = |side: &&LoopVector| {
         let along = |vector: Vec2| vector.dot(angle::unit(side.theta.0));
         side.vector.is_some_and(|vector| along(vector) < 0.0)
     };
     let negative = of.vectors.iter().filter(is_negative);
-    let told = negative.map(|side| words().points_against(&side.name, &side.theta.1));
-    told.map(|told| format!(" {told}")).collect()
+    let text = negative.map(|side| words().points_against(&side.name, &side.theta.1));
+    text.map(|text| format!(" {text}")).collect()
 }
 
 /// Adds a diagram with its caption, and another caption for the text drawing.
@@ -130,7 +130,7 @@ fn show(
         Illustration {
             artwork,
             caption,
-            in_characters,
+            character_caption: in_characters,
             characters: diagram.characters(),
         },
     );
@@ -168,20 +168,23 @@ fn polygon(of: &LoopVectors, unit: &str) -> Option<VectorDiagram> {
 /// Draws velocities or accelerations from one pole, with the components of which they are sums.
 fn from_pole(motions: &[&PointMotion], order: Order, unit: &str) -> VectorDiagram {
     let is_velocity = order == Order::Velocity;
-    let whole = |motion: &PointMotion| match is_velocity {
+    let complete = |motion: &PointMotion| match is_velocity {
         true => motion.velocity,
         false => motion.acceleration,
     };
-    let longest = motions.iter().map(|m| whole(m).norm()).fold(0.0, f64::max);
-    let is_seen = |v: Vec2| v.norm() > SEEN * longest;
+    let longest = motions
+        .iter()
+        .map(|m| complete(m).norm())
+        .fold(0.0, f64::max);
+    let is_seen = |v: Vec2| v.norm() > MIN_VISIBLE_VECTOR * longest;
     let mut diagram = VectorDiagram {
         unit: unit.to_owned(),
         ..VectorDiagram::default()
     };
-    let seen = || motions.iter().filter(|motion| is_seen(whole(motion)));
+    let seen = || motions.iter().filter(|motion| is_seen(complete(motion)));
     for motion in seen() {
         let symbol = &motion.symbols[usize::from(!is_velocity)];
-        diagram.add(Vec2::ZERO, whole(motion), symbol, ArrowKind::Sought);
+        diagram.add(Vec2::ZERO, complete(motion), symbol, ArrowKind::Sought);
     }
     if motions.len() > MAX_COMPONENT_POINTS {
         return diagram;

@@ -2,7 +2,8 @@
 
 use super::{ReportedState, picture};
 use crate::drawing::{
-    self, Glyphs, Labels, Layers, Overlay, Role, Shape, Wanted, WorldView, legend_lines, render,
+    self, Glyphs, Labels, Layers, Overlay, OverlayRequest, Role, Shape, WorldView, legend_lines,
+    render,
 };
 use crate::page::{Block, Content, Illustration, Page};
 use crate::quantity::Catalogue;
@@ -29,7 +30,7 @@ impl ReportedState<'_> {
         let catalogue = Catalogue::new(self.scene);
         let unit = &catalogue.driver().unit;
         let caption = words().drawing_of(&self.scene.title(), &self.state.at(), unit);
-        self.show(&Wanted::default(), &[], caption, page);
+        self.show(&OverlayRequest::default(), &[], caption, page);
     }
 
     /// Adds the calculation of forces, a drawing of the linkage with its loads, and a free-body
@@ -53,19 +54,19 @@ impl ReportedState<'_> {
                 _ => None,
             };
             page.blocks.push(block);
-            let begins = |link: &LinkId| {
+            let starts = |link: &LinkId| {
                 let part = words().link_part(self.scene.link_name(*link));
                 let part = format!(" {part}");
                 heading.as_ref().is_some_and(|text| text.ends_with(&part))
             };
-            if let Some(link) = links().find(begins).filter(|_| is_small) {
+            if let Some(link) = links().find(starts).filter(|_| is_small) {
                 is_apart = self.cut_free(link, page);
             }
         }
         if exist {
-            let wanted = Wanted {
+            let wanted = OverlayRequest {
                 forces: true,
-                ..Wanted::default()
+                ..OverlayRequest::default()
             };
             self.show(&wanted, &[], words().forces_drawn().to_owned(), page);
         }
@@ -75,12 +76,12 @@ impl ReportedState<'_> {
     fn cut_free(&self, link: LinkId, page: &mut Page) -> bool {
         let (scene, state) = (self.scene, self.state);
         let forces = self.working.on_link(scene, self.solver, state, link);
-        let Some((figure, reach)) = drawing::free_body(scene, state, link, &forces) else {
+        let Some((figure, extents)) = drawing::free_body(scene, state, link, &forces) else {
             return false;
         };
         let caption = words().link_cut_free(scene.link_name(link));
-        let view = |(cols, most): (u16, u16)| {
-            WorldView::snug(most, |rows| WorldView::fit(&reach, cols, rows, ASPECT))
+        let view = |(cols, maximum): (u16, u16)| {
+            WorldView::lowest_window(maximum, |rows| WorldView::fit(&extents, cols, rows, ASPECT))
         };
         let labels = &mut Labels::default();
         let artwork = drawing::artwork(&figure, &view(FREE), &caption, &[], labels);
@@ -88,7 +89,7 @@ impl ReportedState<'_> {
         picture(
             page,
             Illustration {
-                in_characters: None,
+                character_caption: None,
                 artwork: Arc::new(artwork),
                 caption,
                 characters: drawing::lines_drawn(&drawn),
@@ -103,8 +104,11 @@ impl ReportedState<'_> {
         let all = self
             .working
             .instant_centres(self.scene, self.solver, self.state);
-        let room = self.reach.bounds();
-        let (middle, size) = ((room.low + room.high) * 0.5, (room.high - room.low).norm());
+        let space = self.reach.bounds();
+        let (middle, size) = (
+            (space.low + space.high) * 0.5,
+            (space.high - space.low).norm(),
+        );
         let is_near = |at: Vec2| (at - middle).norm() <= NEAR * size;
         let mut drawn = Vec::new();
         for centre in &all {
@@ -128,20 +132,20 @@ impl ReportedState<'_> {
         }
         if !drawn.is_empty() {
             let caption = words().centres_drawn().to_owned();
-            self.show(&Wanted::default(), &drawn, caption, page);
+            self.show(&OverlayRequest::default(), &drawn, caption, page);
         }
     }
 
     /// Adds a drawing of the linkage with the wanted overlay and further shapes.
-    fn show(&self, wanted: &Wanted, more: &[Shape], caption: String, page: &mut Page) {
+    fn show(&self, wanted: &OverlayRequest, more: &[Shape], caption: String, page: &mut Page) {
         let overlay = Overlay::of(self.scene, self.solver, &self.reach, wanted);
-        let reach = overlay.reach(&self.reach);
-        let reach = reach.as_ref().unwrap_or(&self.reach);
+        let extents = overlay.extents(&self.reach);
+        let extents = extents.as_ref().unwrap_or(&self.reach);
         let places = more.iter().filter_map(|shape| match shape {
             Shape::Mark { at, .. } => Some(*at),
             _ => None,
         });
-        let reach = &reach.with_places(self.state.at(), places);
+        let extents = &extents.with_places(self.state.at(), places);
         let layers = Layers {
             links: true,
             centres: true,
@@ -150,9 +154,9 @@ impl ReportedState<'_> {
         let mut figure = drawing::linkage(self.scene, &self.reach, self.state, layers);
         overlay.add_to(&mut figure, self.scene, self.solver, self.state, 1.0);
         more.iter().for_each(|shape| figure.add(shape.clone()));
-        let view = |(cols, most): (u16, u16)| {
-            let of_rows = |rows| WorldView::pose(reach, self.state.at(), cols, rows, ASPECT);
-            WorldView::snug(most, of_rows)
+        let view = |(cols, maximum): (u16, u16)| {
+            let of_rows = |rows| WorldView::pose(extents, self.state.at(), cols, rows, ASPECT);
+            WorldView::lowest_window(maximum, of_rows)
         };
         let on_paper = view(PAPER);
         let legend = overlay.legend(&on_paper, 1.0);
@@ -170,7 +174,7 @@ impl ReportedState<'_> {
         picture(
             page,
             Illustration {
-                in_characters: None,
+                character_caption: None,
                 artwork,
                 caption,
                 characters,

@@ -9,14 +9,19 @@ use crate::wording::words;
 
 impl ReportedState<'_> {
     /// Adds the tables of an order with unknowns marked.
-    pub(super) fn asked(&self, order: Order, page: &mut Page) {
+    pub(super) fn tables_with_unknowns(&self, order: Order, page: &mut Page) {
         page.text(words().tables_asked());
-        self.tables(order, &VectorFigure::asked, page);
+        self.tables(order, &VectorFigure::text_before, page);
     }
 
     /// Adds the tables of an order that request the values of an answer key, without an
     /// introduction.
-    pub(in crate::report) fn asked_tables(&self, order: Order, key: &AnswerKey, page: &mut Page) {
+    pub(in crate::report) fn question_tables(
+        &self,
+        order: Order,
+        key: &AnswerKey,
+        page: &mut Page,
+    ) {
         let vectors = || self.loops.iter().flat_map(|of| &of.vectors);
         let is_found_here = |column: &str| {
             let mut figures = vectors().flat_map(|vector| vector.figures.iter().flatten());
@@ -24,24 +29,24 @@ impl ReportedState<'_> {
         };
         let write = |figure: &VectorFigure| {
             let is_elsewhere = figure.found_by.is_some() && is_found_here(&figure.column);
-            match (&figure.value, key.asks(&figure.column)) {
+            match (&figure.value, key.requires(&figure.column)) {
                 (Some(value), false) if figure.found_by.is_none() => value.clone(),
                 (_, true) if !is_elsewhere && figure.is_sought => figure.unknown(),
-                _ => figure.asked(),
+                _ => figure.text_before(),
             }
         };
         self.tables(order, &write, page);
     }
 
     /// Adds the completed tables of an order.
-    pub(super) fn told(&self, order: Order, page: &mut Page) {
+    pub(super) fn completed_tables(&self, order: Order, page: &mut Page) {
         let exists = match order {
             Order::Position => self.has_positions(),
             _ => self.has_rates(),
         };
         if exists && !self.loops.is_empty() {
             page.text(words().tables_told());
-            self.tables(order, &VectorFigure::told, page);
+            self.tables(order, &VectorFigure::text_after, page);
         }
     }
 
@@ -62,8 +67,8 @@ impl ReportedState<'_> {
         order: Order,
         write: &dyn Fn(&VectorFigure) -> String,
     ) -> Table {
-        let heads = of.vectors.iter().map(|vector| vector.name.as_str());
-        let mut table = Table::new(title, heads);
+        let headers = of.vectors.iter().map(|vector| vector.name.as_str());
+        let mut table = Table::new(title, headers);
         let unit = self.scene.unit.symbol();
         let (number, names) = match order {
             Order::Position => (0, [format!("r [{unit}]"), "θ [deg]".into()]),
@@ -78,7 +83,7 @@ impl ReportedState<'_> {
                 mark: String::new(),
                 name,
                 more: None,
-                cells: figures.map(|f| Some(Cell::sure(write(f)))).collect(),
+                cells: figures.map(|f| Some(Cell::proved(write(f)))).collect(),
             });
         }
         table

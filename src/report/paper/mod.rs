@@ -14,9 +14,9 @@ pub use format::ReportFormat;
 
 use super::beside::ForeignFigures;
 use super::check::Check;
-use super::working::{LoopVectors, Worked, Working, WorkingNotation, WorkingPart};
+use super::working::{LoopVectors, WorkedState, Working, WorkingNotation, WorkingPart};
 use crate::SlideId;
-use crate::drawing::Reach;
+use crate::drawing::Extents;
 use crate::page::{Block, Content, Illustration, Page};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, State};
@@ -35,7 +35,7 @@ pub(super) struct ReportedState<'a> {
     solver: &'a Solver,
     state: &'a State,
     working: Working,
-    reach: Reach,
+    reach: Extents,
     loops: Vec<LoopVectors>,
     digits: usize,
     notation: WorkingNotation,
@@ -69,13 +69,13 @@ impl Report {
 
     /// Adds a comparison with values from lecture notes or another program: for the reported state,
     /// which must be solved with forces, or for a table over the driver.
-    pub fn add_beside(
+    pub fn add_comparison(
         &mut self,
         figures: &ForeignFigures,
-        stand: (&Scene, &Solver, &State),
+        driver_state: (&Scene, &Solver, &State),
         digits: usize,
     ) {
-        figures.add_to(&mut self.page, stand, digits);
+        figures.add_to(&mut self.page, driver_state, digits);
     }
 }
 
@@ -90,7 +90,7 @@ impl<'a> ReportedState<'a> {
         let working = Working::new(scene, solver);
         ReportedState {
             loops: working.loop_vectors(scene, solver, state, digits),
-            reach: Reach::of(scene, solver),
+            reach: Extents::of(scene, solver),
             working,
             scene,
             solver,
@@ -121,7 +121,7 @@ impl ReportedState<'_> {
     }
 
     fn page(&self) -> Page {
-        let Worked {
+        let WorkedState {
             mut page, parts, ..
         } = self.working.written(
             self.scene,
@@ -131,11 +131,11 @@ impl ReportedState<'_> {
             self.notation,
         );
         let mut written = std::mem::take(&mut page.blocks).into_iter();
-        let begins = parts.iter().map(|(_, begin)| *begin);
-        let ends = begins.skip(1).chain([usize::MAX]);
+        let starts = parts.iter().map(|(_, start)| *start);
+        let ends = starts.skip(1).chain([usize::MAX]);
         let mut found: Vec<(WorkingPart, Vec<Block>)> = Vec::new();
-        for ((part, begin), end) in parts.iter().zip(ends) {
-            let blocks = written.by_ref().take(end - begin).collect();
+        for ((part, start), end) in parts.iter().zip(ends) {
+            let blocks = written.by_ref().take(end - start).collect();
             found.push((*part, blocks));
         }
         // A report defines the unit vectors at its beginning.
@@ -168,7 +168,7 @@ impl ReportedState<'_> {
             // The vectors of loops have tables of their own, which must not reveal results.
             WorkingPart::PositionTable if !self.loops.is_empty() => {
                 page.blocks.extend(blocks.next());
-                self.asked(Order::Position, page);
+                self.tables_with_unknowns(Order::Position, page);
                 // Keep the blocks after the table.
                 page.blocks.extend(blocks.skip(1));
             }
@@ -177,7 +177,7 @@ impl ReportedState<'_> {
             }
             WorkingPart::Positions => {
                 page.blocks.extend(blocks);
-                self.told(Order::Position, page);
+                self.completed_tables(Order::Position, page);
             }
             WorkingPart::Velocities => self.rates(Order::Velocity, blocks, page),
             WorkingPart::Accelerations => self.rates(Order::Acceleration, blocks, page),
@@ -197,7 +197,7 @@ impl ReportedState<'_> {
     fn rates(&self, order: Order, mut blocks: impl Iterator<Item = Block>, page: &mut Page) {
         page.blocks.extend(blocks.next());
         if !self.loops.is_empty() {
-            self.asked(order, page);
+            self.tables_with_unknowns(order, page);
         }
         // The following block keeps the spacing that it would have had after the heading.
         let first = blocks.next().map(|block| Block {
@@ -205,7 +205,7 @@ impl ReportedState<'_> {
             ..block
         });
         page.blocks.extend(first.into_iter().chain(blocks));
-        self.told(order, page);
+        self.completed_tables(order, page);
     }
 
     /// Adds the facts of the scene for its whole motion.

@@ -29,10 +29,10 @@ impl ReportedState<'_> {
         ];
         for (order, caption) in captions.into_iter().enumerate() {
             for of in [Aspect::TURNING[order], Aspect::STRETCHING[order]] {
-                let figures = self.figures(of);
+                let quantities = self.figures(of);
                 let over = Abscissa::Driver;
                 // Curves over the driver's coordinate never fail.
-                let curves = Curves::new(self.scene, self.solver, &figures, over, None);
+                let curves = Curves::new(self.scene, self.solver, &quantities, over, None);
                 for some in curves.into_iter().flat_map(|all| all.in_groups(MAX_CURVES)) {
                     plot(&some, caption, page);
                 }
@@ -68,7 +68,7 @@ fn plot(curves: &Curves, caption: &str, page: &mut Page) {
     }
     let style = PlotStyle {
         cols: COLUMNS,
-        rows: ROWS.max(plot.least_rows()),
+        rows: ROWS.max(plot.min_rows()),
         glyphs: Glyphs::Ascii,
         aspect: ASPECT,
         extrema: true,
@@ -87,7 +87,7 @@ fn plot(curves: &Curves, caption: &str, page: &mut Page) {
     picture(
         page,
         Illustration {
-            in_characters: None,
+            character_caption: None,
             artwork: Arc::new(plot.artwork(&caption, SIZE, true, None)),
             characters: lines_drawn(&characters),
             caption,

@@ -38,7 +38,7 @@ pub struct Columns {
     pub(in crate::report) sources: Vec<CellSource>,
     /// The values alone, without the driver's coordinate.
     pub(in crate::report) figures: Vec<Quantity>,
-    pub(in crate::report) beside: ExtraColumns,
+    pub(in crate::report) extra: ExtraColumns,
     pub(in crate::report) units: bool,
 }
 
@@ -46,15 +46,15 @@ impl Columns {
     /// Creates columns for the driver's coordinate and these values; `units` adds units to the
     /// headers.
     #[must_use]
-    pub fn new(driver: &Quantity, figures: &[Quantity], units: bool) -> Self {
-        let figures = figures.iter().filter(|q| !q.is_driver());
-        let figures: Vec<Quantity> = figures.cloned().collect();
-        let quantities: Vec<Quantity> = std::iter::once(driver).chain(&figures).cloned().collect();
+    pub fn new(driver: &Quantity, columns: &[Quantity], units: bool) -> Self {
+        let columns = columns.iter().filter(|q| !q.is_driver());
+        let columns: Vec<Quantity> = columns.cloned().collect();
+        let quantities: Vec<Quantity> = std::iter::once(driver).chain(&columns).cloned().collect();
         Columns {
             sources: vec![CellSource::Figure; quantities.len()],
             quantities,
-            figures,
-            beside: ExtraColumns::default(),
+            figures: columns,
+            extra: ExtraColumns::default(),
             units,
         }
     }
@@ -62,24 +62,24 @@ impl Columns {
     /// Adds extra columns to each value, except the driver's coordinate; `length` is the symbol of
     /// the unit of length.
     #[must_use]
-    pub fn with(mut self, beside: ExtraColumns, length: &str) -> Self {
-        self.beside = beside;
+    pub fn with(mut self, extra: ExtraColumns, length: &str) -> Self {
+        self.extra = extra;
         self.quantities.truncate(1);
         self.sources.truncate(1);
-        for (number, figure) in self.figures.iter().enumerate() {
+        for (number, quantity) in self.figures.iter().enumerate() {
             let named = |ending: &str, unit: String| Quantity {
-                name: format!("{}.{ending}", figure.name),
+                name: format!("{}.{ending}", quantity.name),
                 unit,
-                ..figure.clone()
+                ..quantity.clone()
             };
-            self.quantities.push(figure.clone());
+            self.quantities.push(quantity.clone());
             self.sources.push(CellSource::Figure);
-            if beside.bounds {
-                self.quantities.push(named("bound", figure.unit.clone()));
+            if extra.bounds {
+                self.quantities.push(named("bound", quantity.unit.clone()));
                 self.sources.push(CellSource::Bound);
             }
-            if beside.sensitivity {
-                let unit = per(&figure.unit, length);
+            if extra.sensitivity {
+                let unit = per(&quantity.unit, length);
                 self.quantities.push(named("sensitivity", unit));
                 self.sources.push(CellSource::Sensitivity(number));
             }

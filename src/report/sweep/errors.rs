@@ -3,7 +3,7 @@
 
 use crate::quantity::{Derivatives, Quantity, Sensitivity};
 use crate::report::sweep::columns::{CellSource, Columns};
-use crate::report::tables::entry::{seen, seen_bound};
+use crate::report::tables::entry::{display_bound, display_value};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, State, Workspace};
 use crate::{Ball, DriverMoment};
@@ -19,10 +19,10 @@ pub(in crate::report) struct ErrorCells<'a> {
     figures: u64,
     unproved: u64,
     /// The number of rows without derivatives by the lengths.
-    unanswered: u64,
+    rows_without_derivatives: u64,
     /// The number of values in the other rows, and of those without derivatives.
-    asked: u64,
-    lacking: u64,
+    requested: u64,
+    missing_derivatives: u64,
 }
 
 impl<'a> ErrorCells<'a> {
@@ -30,21 +30,21 @@ impl<'a> ErrorCells<'a> {
     pub(in crate::report) fn new(
         columns: &'a Columns,
         scene: &Scene,
-        whole: &Solver,
+        complete: &Solver,
         solver: &Solver,
         rounded: bool,
     ) -> Self {
-        let asked = columns.beside.sensitivity;
+        let is_requested = columns.extra.sensitivity;
         ErrorCells {
             columns,
             rounded,
             enclosure: solver.enclosure(),
-            sensitivity: asked.then(|| Sensitivity::new(scene, whole, &columns.figures)),
+            sensitivity: is_requested.then(|| Sensitivity::new(scene, complete, &columns.figures)),
             figures: 0,
             unproved: 0,
-            unanswered: 0,
-            asked: 0,
-            lacking: 0,
+            rows_without_derivatives: 0,
+            requested: 0,
+            missing_derivatives: 0,
         }
     }
 
@@ -64,7 +64,8 @@ impl<'a> ErrorCells<'a> {
         solver.enclose(state, order, &mut self.enclosure);
         let derivatives = self.sensitivity.as_mut().and_then(|s| s.at(state.at()));
         let missing = self.sensitivity.is_some() && derivatives.is_none();
-        self.unanswered += u64::from(missing && state.condition() != Condition::NoAssembly);
+        self.rows_without_derivatives +=
+            u64::from(missing && state.condition() != Condition::NoAssembly);
         if let Some(found) = &derivatives {
             self.count(found);
         }
@@ -73,8 +74,8 @@ impl<'a> ErrorCells<'a> {
             cells.push(match source {
                 CellSource::Figure => self.figure(quantity, state),
                 CellSource::Bound => self.bound(quantity, state),
-                CellSource::Sensitivity(figure) => {
-                    derivatives.as_ref().and_then(|d| d.worst(*figure))
+                CellSource::Sensitivity(index) => {
+                    derivatives.as_ref().and_then(|d| d.worst(*index))
                 }
                 // Rows of measurements are computed elsewhere.
                 CellSource::Difference => None,
@@ -84,18 +85,18 @@ impl<'a> ErrorCells<'a> {
 
     /// Counts the values for which derivatives were requested.
     fn count(&mut self, found: &Derivatives) {
-        for (number, figure) in self.columns.figures.iter().enumerate() {
-            let lacks = found.lacks(number);
-            let counts = !figure.is_driver() && (lacks || found.of(number).is_some());
-            self.asked += u64::from(counts);
-            self.lacking += u64::from(counts && lacks);
+        for (number, quantity) in self.columns.figures.iter().enumerate() {
+            let missing = found.has_kink(number);
+            let counts = !quantity.is_driver() && (missing || found.of(number).is_some());
+            self.requested += u64::from(counts);
+            self.missing_derivatives += u64::from(counts && missing);
         }
     }
 
     fn bound(&self, quantity: &Quantity, state: &State) -> Option<f64> {
         let bound = quantity.bound(state, &self.enclosure);
         match quantity.value(state) {
-            Some(value) if self.rounded && !quantity.is_driver() => seen_bound(value, bound),
+            Some(value) if self.rounded && !quantity.is_driver() => display_bound(value, bound),
             _ => bound,
         }
     }
@@ -109,7 +110,7 @@ impl<'a> ErrorCells<'a> {
         self.figures += 1;
         self.unproved += u64::from(bound.is_none());
         Some(if self.rounded {
-            seen(value, bound)
+            display_value(value, bound)
         } else {
             value
         })
@@ -119,14 +120,14 @@ impl<'a> ErrorCells<'a> {
     pub(in crate::report) fn missing(&self) -> Missing {
         Missing {
             figures: self.figures,
-            unproved: if self.columns.beside.bounds {
+            unproved: if self.columns.extra.bounds {
                 self.unproved
             } else {
                 0
             },
-            unanswered: self.unanswered,
-            asked: self.asked,
-            lacking: self.lacking,
+            rows_without_derivatives: self.rows_without_derivatives,
+            requested: self.requested,
+            missing_derivatives: self.missing_derivatives,
         }
     }
 }
@@ -139,9 +140,9 @@ pub struct Missing {
     /// The number of these without the requested bound.
     pub unproved: u64,
     /// The number of rows that have values but not the requested derivatives.
-    pub unanswered: u64,
+    pub rows_without_derivatives: u64,
     /// The number of values in the other rows for which derivatives were requested.
-    pub asked: u64,
+    pub requested: u64,
     /// The number of these without derivatives.
-    pub lacking: u64,
+    pub missing_derivatives: u64,
 }

@@ -73,7 +73,7 @@ impl<'a> Sweep<'a> {
             if block.is_empty() {
                 break;
             }
-            outcome.valued += reader.hand_over(&block, &mut rows)?;
+            outcome.valued += reader.write_rows_at(&block, &mut rows)?;
             outcome.rows += block.len() as u64;
             if outcome.rows - reported >= REPORTED {
                 reported = outcome.rows;
@@ -91,7 +91,7 @@ impl<'a> Sweep<'a> {
     /// text, which shows values within their error bounds as zero.
     fn errors(&self, solver: &Solver) -> Option<ErrorCells<'a>> {
         let rounded = matches!(self.format, RowFormat::Text { .. });
-        let wanted = rounded || self.columns.beside != ExtraColumns::default();
+        let wanted = rounded || self.columns.extra != ExtraColumns::default();
         wanted.then(|| ErrorCells::new(self.columns, self.scene, self.solver, solver, rounded))
     }
 }
@@ -137,7 +137,7 @@ impl<'a> RowReader<'a> {
 
     /// Passes on the rows at these coordinates, at most one per lane; returns the number of rows
     /// with values.
-    fn hand_over(&mut self, at: &[f64], rows: &mut RowWriter<impl Write>) -> io::Result<u64> {
+    fn write_rows_at(&mut self, at: &[f64], rows: &mut RowWriter<impl Write>) -> io::Result<u64> {
         if self.errors.is_none() && self.clock.is_none() && self.read_at_once(at) {
             for lane in 0..at.len() {
                 self.cells.clear();
@@ -164,7 +164,7 @@ impl<'a> RowReader<'a> {
             if let (Some(_), Some(time)) = (self.clock, self.cells.first_mut()) {
                 *time = Some(row);
             }
-            self.look_for_hidden();
+            self.count_hidden();
             rows.state_row(&self.cells, condition)?;
             valued += u64::from(condition != Condition::NoAssembly);
         }
@@ -185,7 +185,7 @@ impl<'a> RowReader<'a> {
     }
 
     /// Counts the row if existing values are not shown in it.
-    fn look_for_hidden(&mut self) {
+    fn count_hidden(&mut self) {
         let cells = self.quantities.iter().zip(&self.cells);
         let empty = cells.filter(|(_, cell)| cell.is_none()).map(|(q, _)| q);
         if let Some(hidden) = Hidden::of(empty, &self.state) {
@@ -206,9 +206,9 @@ impl<'a> RowReader<'a> {
         if !self.solver.solve_lanes(lanes, self.order, &mut self.lanes) {
             return false;
         }
-        let figures = self.quantities.iter().map_while(|q| q.value(&self.lanes));
+        let quantities = self.quantities.iter().map_while(|q| q.value(&self.lanes));
         self.columns.clear();
-        self.columns.extend(figures);
+        self.columns.extend(quantities);
         self.columns.len() == self.quantities.len()
     }
 }

@@ -172,7 +172,7 @@ impl Steps {
                     step,
                     exponent,
                 };
-                (kind, to.checked_sub(from).map(|way| way / step))
+                (kind, to.checked_sub(from).map(|path| path / step))
             }
             None => (StepsKind::Fused { from: a, step: s }, fused_last(a, b, s)),
         };

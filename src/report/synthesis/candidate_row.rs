@@ -1,9 +1,9 @@
 //! Formats a candidate of a synthesis for a list.
 
 use crate::Vec2;
-use crate::report::synthesis::{FEW, SynthesisReport, lacking, turns};
+use crate::report::synthesis::{FEW, SynthesisReport, turns, unmet_text};
 use crate::report::text::number::significant;
-use crate::synthesis::{Candidate, Partner, PosedDyad};
+use crate::synthesis::{Candidate, PinConstraint, PosedDyad};
 use crate::wording::words;
 
 /// Significant digits of lengths in a line.
@@ -21,7 +21,7 @@ pub(crate) struct CandidateRow {
     /// The lengths, such as `r2 104.1, r3 302, r4 251.5, r1 400 mm`.
     pub(crate) lengths: String,
     /// The unmet preferences, as the task file names them; empty if all are met.
-    pub(crate) lacks: String,
+    pub(crate) unmet: String,
     /// The reasons why it does not do the task; empty if it does.
     pub(crate) reasons: String,
 }
@@ -43,9 +43,9 @@ impl SynthesisReport<'_> {
             transmission: significant(figures.transmission, FEW),
             turns: turns(candidate),
             lengths: format!("{} {}", named.join(", "), self.file.unit.symbol()),
-            lacks: match candidate.missed.is_empty() {
+            unmet: match candidate.missed.is_empty() {
                 true => String::new(),
-                false => lacking(&candidate.missed),
+                false => unmet_text(&candidate.missed),
             },
             reasons: self.reasons(candidate),
         }
@@ -56,11 +56,11 @@ impl SynthesisReport<'_> {
         let place = |at: Vec2| [at.x, at.y].map(|v| significant(v, DIGITS)).join(", ");
         let unit = self.file.unit.symbol();
         match dyad.held {
-            Partner::Rocker(pivot) => {
+            PinConstraint::Rocker(pivot) => {
                 let link = significant((dyad.pin - pivot).norm(), DIGITS);
                 words().pin_on_pivot(&place(pivot), &place(dyad.pin), &link, unit)
             }
-            Partner::Slide(angle) => {
+            PinConstraint::Slide(angle) => {
                 let angle = significant(angle, DIGITS);
                 words().pin_on_slide(&angle, &place(dyad.pin), unit)
             }

@@ -1,10 +1,10 @@
 //! Writes candidates as CSV, with names and words independent of the language.
 
 use crate::Vec2;
-use crate::report::synthesis::{SynthesisReport, is_driven, wish};
+use crate::report::synthesis::{SynthesisReport, is_driven, preference_name};
 use crate::report::text::csv_dialect::CsvDialect;
 use crate::report::text::rows::{RowCell, RowColumn, RowTable, RowWriter};
-use crate::synthesis::{Candidate, Partner, TaskDefect};
+use crate::synthesis::{Candidate, PinConstraint, TaskDefect};
 use std::io;
 
 /// The unit of a column.
@@ -46,22 +46,28 @@ const COLUMNS: [CandidateColumn; 27] = {
         ("r4", Length, |c| Number(c.proposal.all_lengths()[2])),
         ("r1", Length, |c| Number(c.proposal.all_lengths()[3])),
         ("transmission", Degrees, |c| {
-            Number(told(c, c.figures.transmission))
+            Number(opened_value(c, c.figures.transmission))
         }),
         ("transmission_throughout", Degrees, |c| {
-            Number(told(c, c.figures.transmission_throughout))
+            Number(opened_value(c, c.figures.min_transmission))
         }),
-        ("ratio", Plain, |c| Number(told(c, c.figures.ratio))),
-        ("miss", Miss, |c| Number(told(c, c.figures.miss))),
-        ("rms", Miss, |c| Number(told(c, c.figures.rms))),
+        ("ratio", Plain, |c| Number(opened_value(c, c.figures.ratio))),
+        ("miss", Miss, |c| Number(opened_value(c, c.figures.miss))),
+        ("rms", Miss, |c| Number(opened_value(c, c.figures.rms))),
         ("angle_miss", Degrees, |c| {
-            Number(told(c, c.figures.angle_miss))
+            Number(opened_value(c, c.figures.angle_miss))
         }),
         ("full_turn", Plain, |c| {
-            Number(told(c, f64::from(u8::from(c.figures.full_turn))))
+            Number(opened_value(c, f64::from(u8::from(c.figures.full_turn))))
         }),
         ("wishes_missed", Plain, |c| {
-            RowCell::word(c.missed.iter().map(wish).collect::<Vec<_>>().join(" "))
+            RowCell::word(
+                c.missed
+                    .iter()
+                    .map(preference_name)
+                    .collect::<Vec<_>>()
+                    .join(" "),
+            )
         }),
         ("state", Plain, |c| RowCell::word(first_defect(c).0)),
         ("from", Plain, |c| Number(counted(first_defect(c).1[0]))),
@@ -92,7 +98,7 @@ impl SynthesisReport<'_> {
         let mut rows = RowWriter::new(table, &head, to)?;
         // Defective candidates have no number.
         let good = self
-            .told()
+            .listed_candidates()
             .iter()
             .zip((1..).map(|number| Some(f64::from(number))));
         let defective = self
@@ -111,8 +117,8 @@ impl SynthesisReport<'_> {
 /// Returns the kind of linkage, as named in `linkages` of a task.
 pub(in crate::report) fn family(candidate: &Candidate) -> &'static str {
     match candidate.proposal.partner {
-        Partner::Rocker(_) => "four-bar",
-        Partner::Slide(_) => "slider-crank",
+        PinConstraint::Rocker(_) => "four-bar",
+        PinConstraint::Slide(_) => "slider-crank",
     }
 }
 
@@ -143,15 +149,15 @@ fn counted(point: Option<usize>) -> Option<f64> {
 
 fn far_pivot(candidate: &Candidate) -> Option<Vec2> {
     match candidate.proposal.partner {
-        Partner::Rocker(d) => Some(d),
-        Partner::Slide(_) => None,
+        PinConstraint::Rocker(d) => Some(d),
+        PinConstraint::Slide(_) => None,
     }
 }
 
 fn guide(candidate: &Candidate) -> Option<f64> {
     match candidate.proposal.partner {
-        Partner::Rocker(_) => None,
-        Partner::Slide(angle) => Some(angle),
+        PinConstraint::Rocker(_) => None,
+        PinConstraint::Slide(angle) => Some(angle),
     }
 }
 
@@ -162,6 +168,6 @@ fn pin(candidate: &Candidate, which: usize) -> Option<Vec2> {
 }
 
 /// Returns the value, unless the candidate could not be opened.
-fn told(candidate: &Candidate, figure: f64) -> Option<f64> {
-    is_driven(candidate).then_some(figure)
+fn opened_value(candidate: &Candidate, value: f64) -> Option<f64> {
+    is_driven(candidate).then_some(value)
 }

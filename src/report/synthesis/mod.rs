@@ -11,8 +11,8 @@ mod tests;
 use crate::page::{Cell, Content, Facts, Head, Page, Table, TextStyle};
 use crate::report::text::number::significant;
 use crate::synthesis::{
-    Candidate, OpenReason, Output, Partner, PosedDyad, SceneGoals, SceneTitles, Synthesis, Task,
-    TaskDefect, TaskKind, UnmetPreference,
+    Candidate, OpenReason, Output, PinConstraint, PosedDyad, SceneGoals, SceneTitles, Synthesis,
+    Task, TaskDefect, TaskKind, UnmetPreference,
 };
 use crate::task_file::TaskFile;
 use crate::wording::words;
@@ -24,7 +24,7 @@ use structural_error::StructuralError;
 const DIGITS: usize = 6;
 pub(in crate::report) const FEW: usize = 3;
 /// Number of goals in a line of a scene's comment: those of one pose.
-const GOALS_OF_A_LINE: usize = 3;
+const GOALS_PER_LINE: usize = 3;
 /// Maximum number of defective candidates listed.
 const MAX_DEFECTIVE: usize = 10;
 
@@ -42,7 +42,7 @@ pub struct SynthesisReport<'a> {
 impl SynthesisReport<'_> {
     /// Returns the candidates to list: the best of those that do the task.
     #[must_use]
-    pub fn told(&self) -> &[Candidate] {
+    pub fn listed_candidates(&self) -> &[Candidate] {
         &self.found.good[..self.found.good.len().min(self.top)]
     }
 
@@ -66,17 +66,19 @@ impl SynthesisReport<'_> {
     /// Returns comments for its scene: the meaning of its numbers, and how to change them so that
     /// the task is still done.
     fn comments(&self, candidate: &Candidate) -> Vec<String> {
-        let few = |figure: f64| significant(figure, FEW);
+        let few = |value: f64| significant(value, FEW);
         let figures = &candidate.figures;
         let mut comments = vec![words().driven_as_written(&few(figures.miss), self.miss_unit())];
-        comments.push(words().transmission_as_written(
-            &few(figures.transmission),
-            &few(figures.transmission_throughout),
-        ));
+        comments.push(
+            words().transmission_as_written(
+                &few(figures.transmission),
+                &few(figures.min_transmission),
+            ),
+        );
         if let Some(goals) = SceneGoals::of(&self.file.task, candidate) {
             comments.push(words().kept_by_goals().to_owned());
             comments.push(words().solved_with_goals(&goals.vary.join(",")));
-            let rows = goals.keep.chunks(GOALS_OF_A_LINE).map(|goals| {
+            let rows = goals.keep.chunks(GOALS_PER_LINE).map(|goals| {
                 let goals: Vec<String> = goals
                     .iter()
                     .map(|goal| format!("--keep '{goal}'"))
@@ -101,10 +103,10 @@ impl SynthesisReport<'_> {
         let mut page = Page::aligned();
         page.title(&self.file.title());
         let mut facts = Facts::default();
-        facts.tell(words().wanted_motion(), [wanted(&self.file.task)]);
-        facts.tell(words().designs_found(), [self.verdict()]);
+        facts.add(words().wanted_motion(), [wanted(&self.file.task)]);
+        facts.add(words().designs_found(), [self.verdict()]);
         page.add(Content::Facts(facts));
-        if !self.told().is_empty() {
+        if !self.listed_candidates().is_empty() {
             page.table(self.table());
         }
         if let Some(plot) = self.error_of_best() {
@@ -117,7 +119,7 @@ impl SynthesisReport<'_> {
             let lines = reasons
                 .map(|candidate| format!("{}: {}", self.brief(candidate), self.reasons(candidate)));
             let rest = (rest > 0).then(|| words().and_more(rest));
-            facts.tell(words().defective_ones(), lines.chain(rest));
+            facts.add(words().defective_ones(), lines.chain(rest));
             page.add(Content::Facts(facts));
         }
         page
@@ -125,7 +127,7 @@ impl SynthesisReport<'_> {
 
     /// Plots the structural error of the first candidate over its whole range, if it has one.
     fn error_of_best(&self) -> Option<Vec<String>> {
-        let error = StructuralError::of(&self.file.task, self.told().first()?)?;
+        let error = StructuralError::of(&self.file.task, self.listed_candidates().first()?)?;
         error.plot(self.miss_unit())
     }
 
@@ -134,7 +136,7 @@ impl SynthesisReport<'_> {
         let found = self.found;
         words().candidates_found(
             found.good.len(),
-            self.told().len(),
+            self.listed_candidates().len(),
             found.defective.len(),
             found.is_complete,
             &self.reason(),
@@ -163,7 +165,7 @@ impl SynthesisReport<'_> {
                 words().poses_turn_about(&x, &y)
             }
             OpenReason::Shift => words().poses_only_shift().into(),
-            OpenReason::Given => words().given_leads_nowhere().into(),
+            OpenReason::GivenNumber => words().given_leads_nowhere().into(),
             OpenReason::NoPair => words().no_pair_of_dyads().into(),
             OpenReason::Far => words().dyads_out_of_reach().into(),
             OpenReason::Rounding => words().poses_nearly_repeat().into(),
@@ -183,24 +185,27 @@ impl SynthesisReport<'_> {
         // A slide is not a link, so its column would be empty.
         let links = ["r2", "r3", "r4", "r1"].into_iter().enumerate();
         let has = |link: usize| {
-            self.told()
+            self.listed_candidates()
                 .iter()
                 .any(|c| c.proposal.all_lengths()[link].is_some())
         };
         let links: Vec<(usize, &str)> = links.filter(|(link, _)| has(*link)).collect();
-        let lacks = self.told().iter().any(|c| !c.missed.is_empty());
-        let mut heads: Vec<Head> = links
+        let missing = self
+            .listed_candidates()
+            .iter()
+            .any(|c| !c.missed.is_empty());
+        let mut headers: Vec<Head> = links
             .iter()
             .map(|(_, name)| Head::of(name, length))
             .collect();
-        heads.extend([
+        headers.extend([
             Head::of(words().head_transmission(), "deg"),
             Head::of(words().head_miss(), self.miss_unit()),
             Head::of(words().head_turns(), ""),
         ]);
-        heads.extend(lacks.then(|| Head::of(words().head_lacks(), "")));
-        let mut table = Table::new("", heads.iter().map(Head::whole));
-        for (number, candidate) in (1..).zip(self.told()) {
+        headers.extend(missing.then(|| Head::of(words().head_lacks(), "")));
+        let mut table = Table::new("", headers.iter().map(Head::one_line));
+        for (number, candidate) in (1..).zip(self.listed_candidates()) {
             let figures = &candidate.figures;
             let own = candidate.proposal.all_lengths();
             let length = |link: usize| match own[link] {
@@ -213,8 +218,8 @@ impl SynthesisReport<'_> {
                 significant(figures.miss, FEW),
                 turns(candidate).to_owned(),
             ]);
-            cells.extend(lacks.then(|| lacking(&candidate.missed)));
-            table.row(number.to_string(), cells.into_iter().map(Cell::sure));
+            cells.extend(missing.then(|| unmet_text(&candidate.missed)));
+            table.row(number.to_string(), cells.into_iter().map(Cell::proved));
         }
         table
     }
@@ -237,8 +242,8 @@ impl SynthesisReport<'_> {
         let candidate = |candidate: &Candidate| {
             let pivot = candidate.proposal.pivot;
             let held = match candidate.proposal.partner {
-                Partner::Rocker(d) => json!({ "D": [d.x, d.y] }),
-                Partner::Slide(angle) => json!({ "guide": angle }),
+                PinConstraint::Rocker(d) => json!({ "D": [d.x, d.y] }),
+                PinConstraint::Slide(angle) => json!({ "guide": angle }),
             };
             let [crank, coupler, rocker, ground] = candidate.proposal.all_lengths();
             let defect = |defect: &TaskDefect| {
@@ -247,14 +252,14 @@ impl SynthesisReport<'_> {
             };
             let figures = &candidate.figures;
             // A candidate that could not be opened has no values.
-            let told = |figure: f64| is_driven(candidate).then_some(figure);
+            let text = |value: f64| is_driven(candidate).then_some(value);
             let first = candidate.proposal.places.first();
             json!({
                 "family": family(candidate),
                 "A": [pivot.x, pivot.y],
                 "partner": held,
-                "B": first.map(|place| [place[0].x, place[0].y]),
-                "C": first.map(|place| [place[1].x, place[1].y]),
+                "B": first.map(|position| [position[0].x, position[0].y]),
+                "C": first.map(|position| [position[1].x, position[1].y]),
                 "P": candidate.proposal.tracer.map(|p| [p.x, p.y]),
                 "r2": crank,
                 "r3": coupler,
@@ -262,15 +267,15 @@ impl SynthesisReport<'_> {
                 "r1": ground,
                 "driver": candidate.at,
                 "full_turn": is_driven(candidate).then_some(figures.full_turn),
-                "transmission": told(figures.transmission),
-                "transmission_throughout": told(figures.transmission_throughout),
-                "ratio": told(figures.ratio),
-                "miss": told(figures.miss),
-                "rms": told(figures.rms),
-                "angle_miss": told(figures.angle_miss),
+                "transmission": text(figures.transmission),
+                "transmission_throughout": text(figures.min_transmission),
+                "ratio": text(figures.ratio),
+                "miss": text(figures.miss),
+                "rms": text(figures.rms),
+                "angle_miss": text(figures.angle_miss),
                 "structural_error": StructuralError::of(&self.file.task, candidate)
                     .map(|error| error.pairs()),
-                "wishes_missed": candidate.missed.iter().map(wish).collect::<Vec<_>>(),
+                "wishes_missed": candidate.missed.iter().map(preference_name).collect::<Vec<_>>(),
                 "defects": candidate.defects.iter().map(defect).collect::<Vec<_>>(),
             })
         };
@@ -279,8 +284,8 @@ impl SynthesisReport<'_> {
         let spot = |dyad: &PosedDyad| {
             let pin = [dyad.pin.x, dyad.pin.y];
             match dyad.held {
-                Partner::Rocker(at) => json!({ "pivot": [at.x, at.y], "pin": pin }),
-                Partner::Slide(angle) => json!({ "guide": angle, "pin": pin }),
+                PinConstraint::Rocker(at) => json!({ "pivot": [at.x, at.y], "pin": pin }),
+                PinConstraint::Slide(angle) => json!({ "guide": angle, "pin": pin }),
             }
         };
         let piece = |piece: &Vec<PosedDyad>| piece.iter().map(spot).collect::<Vec<_>>();
@@ -296,7 +301,7 @@ impl SynthesisReport<'_> {
             "complete": self.found.is_complete,
             "reason": self.found.reason.map(reason_name),
             "turned_about": about,
-            "candidates": self.told().iter().map(candidate).collect::<Vec<_>>(),
+            "candidates": self.listed_candidates().iter().map(candidate).collect::<Vec<_>>(),
             "defective": self.found.defective.iter().map(candidate).collect::<Vec<_>>(),
             "curves": self.found.curves.iter().map(piece).collect::<Vec<_>>(),
         })
@@ -339,8 +344,8 @@ fn reason(defect: &TaskDefect) -> String {
     }
 }
 
-pub(in crate::report) fn lacking(missed: &[UnmetPreference]) -> String {
-    let names: Vec<&str> = missed.iter().map(wish).collect();
+pub(in crate::report) fn unmet_text(missed: &[UnmetPreference]) -> String {
+    let names: Vec<&str> = missed.iter().map(preference_name).collect();
     match names.is_empty() {
         true => "-".into(),
         false => names.join(", "),
@@ -353,7 +358,7 @@ fn reason_name(reason: OpenReason) -> &'static str {
         OpenReason::Range => "range",
         OpenReason::Turn(_) => "turn",
         OpenReason::Shift => "shift",
-        OpenReason::Given => "given",
+        OpenReason::GivenNumber => "given",
         OpenReason::NoPair => "pair",
         OpenReason::Far => "far",
         OpenReason::Rounding => "rounding",
@@ -361,8 +366,8 @@ fn reason_name(reason: OpenReason) -> &'static str {
 }
 
 /// Returns the name of a preference in task files.
-pub(in crate::report) fn wish(wish: &UnmetPreference) -> &'static str {
-    match wish {
+pub(in crate::report) fn preference_name(options: &UnmetPreference) -> &'static str {
+    match options {
         UnmetPreference::FullTurn => "full-turn",
         UnmetPreference::Transmission => "transmission",
         UnmetPreference::Inside => "inside",

@@ -53,7 +53,7 @@ impl StructuralError {
         let plot = Plot::over(["x", ""], &self.xs, &figures);
         let style = PlotStyle {
             cols: COLUMNS,
-            rows: ROWS.max(plot.least_rows()),
+            rows: ROWS.max(plot.min_rows()),
             glyphs: Glyphs::Ascii,
             aspect: ASPECT,
             extrema: false,

@@ -12,7 +12,7 @@ const ORDER: SynthesisSettings = SynthesisSettings {
 };
 
 /// Returns the text and the JSON of a task with these poses.
-fn told(poses: &str) -> (String, Value) {
+fn text_and_json(poses: &str) -> (String, Value) {
     let text = format!("kind = \"poses\"\nunit = \"mm\"\nposes = {poses}\n");
     let file = TaskFile::parse(&text, "task").unwrap();
     let found = Synthesis::run(&file.task, ORDER, &mut |_| true);
@@ -40,7 +40,7 @@ fn poses_without_a_linkage_have_a_reason() {
         (large, "range", "too large or too small"),
         (small, "range", "too large or too small"),
     ] {
-        let (text, json) = told(poses);
+        let (text, json) = text_and_json(poses);
         assert_eq!(json["reason"], reason, "{text}");
         assert_eq!(text.matches(words).count(), 2, "{text}");
         assert_eq!(json["turned_about"].is_array(), reason == "turn");
@@ -50,7 +50,7 @@ fn poses_without_a_linkage_have_a_reason() {
 /// Every point of the curves is a pivot with its pin, or a guide. Three poses have no curves.
 #[test]
 fn json_contains_curves_of_four_poses() {
-    let (_, json) = told("[[0, 0, 0], [10, 3, 25], [17, 12, 60], [15, 25, 95]]");
+    let (_, json) = text_and_json("[[0, 0, 0], [10, 3, 25], [17, 12, 60], [15, 25, 95]]");
     let pieces = json["curves"].as_array().unwrap();
     let spots: Vec<&Value> = pieces.iter().flat_map(|p| p.as_array().unwrap()).collect();
     assert!(spots.len() > 100, "{}", spots.len());
@@ -59,6 +59,6 @@ fn json_contains_curves_of_four_poses() {
         assert!(pair(&spot["pin"]) && (pair(&spot["pivot"]) || spot["guide"].is_number()));
     }
     assert_eq!(json["reason"], Value::Null);
-    let (_, json) = told("[[0, 0, 0], [10, 3, 25], [17, 12, 60]]");
+    let (_, json) = text_and_json("[[0, 0, 0], [10, 3, 25], [17, 12, 60]]");
     assert_eq!(json["curves"].as_array().unwrap().len(), 0);
 }

@@ -34,7 +34,7 @@ pub struct Answers {
     pub list: Option<Vec<Answer>>,
     /// The number of values that exist but are not in the list: a formula has no derivatives at a
     /// kink.
-    pub lacking: usize,
+    pub missing_derivatives: usize,
 }
 
 /// Significant digits of a derivative in text.
@@ -46,19 +46,19 @@ impl Answers {
     pub fn at(sensitivity: &mut Sensitivity, unit: &'static str, at: f64) -> Self {
         let found = sensitivity.at(at);
         let count = sensitivity.figures().len();
-        let lacking = |found: &Derivatives| (0..count).filter(|&i| found.lacks(i)).count();
-        let lacking = found.as_ref().map_or(0, lacking);
+        let missing = |found: &Derivatives| (0..count).filter(|&i| found.has_kink(i)).count();
+        let missing = found.as_ref().map_or(0, missing);
         let list = found.map(|found| {
             let lengths = sensitivity.lengths();
-            let figures = sensitivity.figures().iter().enumerate();
-            let answer = figures.filter_map(|(i, figure)| {
+            let quantities = sensitivity.figures().iter().enumerate();
+            let answer = quantities.filter_map(|(i, quantity)| {
                 let by = lengths.iter().cloned().zip(found.of(i)?.iter().copied());
                 Some(Answer {
-                    name: figure.name.clone(),
-                    unit: figure.unit.clone(),
+                    name: quantity.name.clone(),
+                    unit: quantity.unit.clone(),
                     worst: found.worst(i)?,
                     most: found
-                        .most(i)
+                        .largest_effect(i)
                         .map(|(length, d)| (lengths[length].clone(), d)),
                     by: by.filter(|(_, derivative)| *derivative != 0.0).collect(),
                 })
@@ -68,16 +68,16 @@ impl Answers {
         Answers {
             unit,
             list,
-            lacking,
+            missing_derivatives: missing,
         }
     }
 
     /// Removes values that do not depend on any length, and values that are lengths themselves.
     #[must_use]
-    pub fn worth_reading(mut self) -> Self {
-        let says = |answer: &Answer| answer.by.iter().any(|(length, _)| *length != answer.name);
+    pub fn without_trivial(mut self) -> Self {
+        let text = |answer: &Answer| answer.by.iter().any(|(length, _)| *length != answer.name);
         if let Some(list) = &mut self.list {
-            list.retain(says);
+            list.retain(text);
         }
         self
     }
@@ -85,8 +85,8 @@ impl Answers {
     /// Returns the number of values for which derivatives were requested; 0 if there are no
     /// derivatives at all.
     #[must_use]
-    pub fn asked(&self) -> usize {
-        self.lacking + self.list.as_ref().map_or(0, Vec::len)
+    pub fn requested_count(&self) -> usize {
+        self.missing_derivatives + self.list.as_ref().map_or(0, Vec::len)
     }
 
     /// Returns the sensitivity of the value with this name.
@@ -110,19 +110,19 @@ impl Answers {
             return Content::Text(words().without_change(&step, why));
         };
         let names = step.chars().count() + 2;
-        let heads = [
+        let headers = [
             words().in_every_length(),
             words().in_one(),
             words().in_which(),
         ];
-        let mut table = Table::new(step, heads).set(Setting {
+        let mut table = Table::new(step, headers).set(Setting {
             names,
             least: vec![DIGITS + 2],
             ..Setting::default()
         });
         for answer in list {
-            let (most, length) = answer.most();
-            table.row(answer.name(units), [answer.worst(), most, length]);
+            let (maximum, length) = answer.largest_derivative();
+            table.row(answer.name(units), [answer.worst(), maximum, length]);
         }
         Content::Table(table)
     }
@@ -131,10 +131,13 @@ impl Answers {
     /// derivative. Returns `None` if there are no derivatives.
     #[must_use]
     pub fn short_table(&self) -> Option<Table> {
-        let heads = [words().in_all(), words().most_in()];
-        let mut table = Table::new(format!("1 {}", self.unit), heads);
+        let headers = [words().in_all(), words().most_in()];
+        let mut table = Table::new(format!("1 {}", self.unit), headers);
         for answer in self.list.as_ref()? {
-            table.row(answer.name(false), [answer.worst(), answer.most().1]);
+            table.row(
+                answer.name(false),
+                [answer.worst(), answer.largest_derivative().1],
+            );
         }
         Some(table)
     }
@@ -148,13 +151,13 @@ impl Answers {
         for answer in list {
             let by = answer.by.iter();
             let by: Map<_, _> = by.map(|(l, d)| (l.clone(), number(Some(*d)))).collect();
-            let most = answer.most.as_ref().map(|(length, _)| length.as_str());
+            let maximum = answer.most.as_ref().map(|(length, _)| length.as_str());
             let mut figure = Map::new();
             if units {
                 figure.insert("unit".into(), per(&answer.unit, self.unit).into());
             }
             figure.insert("sum".into(), number(Some(answer.worst)));
-            figure.insert("most".into(), json!(most));
+            figure.insert("most".into(), json!(maximum));
             figure.insert("by".into(), by.into());
             object.insert(answer.name.clone(), figure.into());
         }
@@ -176,9 +179,9 @@ impl Answer {
     }
 
     /// Returns the largest derivative, and the length to which it belongs.
-    fn most(&self) -> (String, String) {
+    fn largest_derivative(&self) -> (String, String) {
         match &self.most {
-            Some((length, most)) => (significant(*most, DIGITS), length.clone()),
+            Some((length, maximum)) => (significant(*maximum, DIGITS), length.clone()),
             None => ("0".into(), "-".into()),
         }
     }

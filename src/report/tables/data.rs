@@ -210,7 +210,7 @@ pub(in crate::report) struct ValueSheet<'a, W: Write> {
     style: TableStyle,
     answers: Option<&'a Answers>,
     /// Whether a cell distinguishes given values from computed ones.
-    with_entry: bool,
+    marks_given: bool,
 }
 
 impl<'a, W: Write> ValueSheet<'a, W> {
@@ -226,7 +226,7 @@ impl<'a, W: Write> ValueSheet<'a, W> {
             csv: CsvSheet::new(dialect, to),
             style,
             answers,
-            with_entry,
+            marks_given: with_entry,
         };
         let answer = ["sensitivity", "most", "by"];
         sheet.record(["name", "value", "unit", "entry"], "bound", answer)?;
@@ -237,7 +237,7 @@ impl<'a, W: Write> ValueSheet<'a, W> {
     fn record(&mut self, cells: [&str; 4], bound: &str, answer: [&str; 3]) -> io::Result<()> {
         let [name, value, unit, entry] = cells;
         let unit = self.style.units.then_some(unit);
-        let entry = self.with_entry.then_some(entry);
+        let entry = self.marks_given.then_some(entry);
         let bound = self.style.bounds.then_some(bound);
         let answer = self.answers.map(|_| answer).into_iter().flatten();
         let cells = [name, value].into_iter().chain(unit).chain(entry);
@@ -253,11 +253,11 @@ impl<'a, W: Write> ValueSheet<'a, W> {
     ) -> io::Result<()> {
         let entry = if value.given { "given" } else { "found" };
         let answer = self.answers.and_then(|answers| answers.of(name));
-        let most = answer.and_then(|answer| answer.most.as_ref());
-        let length = most.map_or("", |(length, _)| length);
+        let maximum = answer.and_then(|answer| answer.most.as_ref());
+        let length = maximum.map_or("", |(length, _)| length);
         let bound = cell(value.proved());
         let worst = cell(answer.map(|answer| answer.worst));
-        let by = cell(most.map(|(_, derivative)| *derivative));
+        let by = cell(maximum.map(|(_, derivative)| *derivative));
         let cells = [name, &cell(value.value), unit, entry];
         self.record(cells, &bound, [&worst, length, &by])
     }

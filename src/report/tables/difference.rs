@@ -2,7 +2,7 @@
 
 use crate::Vec2;
 use crate::angle::TURN;
-use crate::report::tables::entry::{Entry, PlaneVector, seen, seen_bound};
+use crate::report::tables::entry::{Entry, PlaneVector, display_bound, display_value};
 use crate::report::tables::{PointRow, Tables, VectorColumn};
 use std::collections::{HashMap, HashSet};
 
@@ -150,7 +150,7 @@ fn less(a: Entry, b: Entry, scale: f64) -> Entry {
     let of_b = of_b * scale;
     let rounding = 2.0 * f64::EPSILON * (of_a.abs() + of_b.abs());
     let bound = a.bound.zip(b.bound);
-    let bound = bound.map(|(a, b)| (a + b * scale + rounding) * ROUNDED_UP);
+    let bound = bound.map(|(a, b)| (a + b * scale + rounding) * ROUND_UP_FACTOR);
     entry(of_a - of_b, bound, a.given && b.given)
 }
 
@@ -160,21 +160,25 @@ fn turned(a: Entry, b: Entry) -> Entry {
         return Entry::NONE;
     };
     let half = TURN / 2.0;
-    let apart = (of_a - of_b).rem_euclid(TURN);
-    let apart = if apart > half { apart - TURN } else { apart };
+    let distance = (of_a - of_b).rem_euclid(TURN);
+    let distance = if distance > half {
+        distance - TURN
+    } else {
+        distance
+    };
     let bound = a.bound.zip(b.bound);
-    let bound = bound.map(|(a, b)| (a + b + 2.0 * f64::EPSILON * TURN) * ROUNDED_UP);
-    entry(apart, bound, a.given && b.given)
+    let bound = bound.map(|(a, b)| (a + b + 2.0 * f64::EPSILON * TURN) * ROUND_UP_FACTOR);
+    entry(distance, bound, a.given && b.given)
 }
 
 /// Factor above the rounding errors of a computed bound.
-const ROUNDED_UP: f64 = 1.0 + 8.0 * f64::EPSILON;
+const ROUND_UP_FACTOR: f64 = 1.0 + 8.0 * f64::EPSILON;
 
 fn entry(value: f64, bound: Option<f64>, given: bool) -> Entry {
     Entry {
-        value: Some(seen(value, bound)),
+        value: Some(display_value(value, bound)),
         given,
-        bound: seen_bound(value, bound),
+        bound: display_bound(value, bound),
     }
 }
 
@@ -247,11 +251,11 @@ mod tests {
         assert_eq!(bearing.value, Some(0.0));
         // The coupler's difference follows from its values in both tables.
         let theta = |t: &Tables| t.vectors[1].direction[0].value.unwrap();
-        let apart = found.vectors[1].direction[0];
-        assert!((apart.value.unwrap() - (theta(&this) - theta(&other))).abs() < 1e-12);
+        let distance = found.vectors[1].direction[0];
+        assert!((distance.value.unwrap() - (theta(&this) - theta(&other))).abs() < 1e-12);
         assert!(
-            apart.value.unwrap() != 0.0 && apart.bound.unwrap() < 1e-11,
-            "{apart:?}"
+            distance.value.unwrap() != 0.0 && distance.bound.unwrap() < 1e-11,
+            "{distance:?}"
         );
     }
 
@@ -323,11 +327,11 @@ mod tests {
             given: false,
             bound: Some(1e-12),
         };
-        let apart = |a, b| turned(angle(a), angle(b)).value.unwrap();
-        assert_eq!(apart(359.0, 1.0), -2.0);
-        assert_eq!(apart(1.0, 359.0), 2.0);
-        assert_eq!(apart(180.0, 0.0), 180.0);
-        assert_eq!(apart(0.0, 180.0), 180.0);
+        let distance = |a, b| turned(angle(a), angle(b)).value.unwrap();
+        assert_eq!(distance(359.0, 1.0), -2.0);
+        assert_eq!(distance(1.0, 359.0), 2.0);
+        assert_eq!(distance(180.0, 0.0), 180.0);
+        assert_eq!(distance(0.0, 180.0), 180.0);
         assert_eq!(turned(angle(1.0), Entry::NONE), Entry::NONE);
     }
 }

@@ -39,15 +39,15 @@ impl Entry {
 
     /// Returns the value for display: zero if it is small and within its error bound.
     #[must_use]
-    pub fn seen(&self) -> Option<f64> {
-        self.value.map(|value| seen(value, self.bound))
+    pub fn display_value(&self) -> Option<f64> {
+        self.value.map(|value| display_value(value, self.bound))
     }
 
     /// Returns the error bound for display: if a value is shown as zero, it includes the hidden
     /// value.
     #[must_use]
-    pub fn seen_bound(&self) -> Option<f64> {
-        seen_bound(self.value?, self.bound)
+    pub fn display_bound(&self) -> Option<f64> {
+        display_bound(self.value?, self.bound)
     }
 }
 
@@ -58,14 +58,14 @@ pub(in crate::report) const NOISE: f64 = 1e-6;
 const NOTHING: f64 = 1e-15;
 
 /// Returns a value for display: zero if it is small and within its error bound.
-pub(in crate::report) fn seen(value: f64, bound: Option<f64>) -> f64 {
-    let nought = value.abs() <= bound.map_or(NOTHING, |bound| bound.min(NOISE));
-    if nought { 0.0 } else { value }
+pub(in crate::report) fn display_value(value: f64, bound: Option<f64>) -> f64 {
+    let zero = value.abs() <= bound.map_or(NOTHING, |bound| bound.min(NOISE));
+    if zero { 0.0 } else { value }
 }
 
 /// Returns the error bound of a value for display; `None` if nothing was proved.
-pub(in crate::report) fn seen_bound(value: f64, bound: Option<f64>) -> Option<f64> {
-    let hidden = (value - seen(value, bound)).abs();
+pub(in crate::report) fn display_bound(value: f64, bound: Option<f64>) -> Option<f64> {
+    let hidden = (value - display_value(value, bound)).abs();
     bound.map(|bound| match hidden {
         0.0 => bound,
         hidden => (bound + hidden).next_up(),
@@ -91,10 +91,11 @@ impl PlaneVector {
         let [x, y] = bounds;
         let error = x.zip(y).map(|(x, y)| Vec2::new(x, y).norm());
         // Covers the rounding errors of the norm, the arc tangent, and the bounds.
-        let rounded = |value: f64, bound: f64| (bound + 2.0 * f64::EPSILON * value) * ROUNDED_UP;
+        let rounded =
+            |value: f64, bound: f64| (bound + 2.0 * f64::EPSILON * value) * ROUND_UP_FACTOR;
         // A vector with a relative error s is turned by at most asin(s), which is at most pi/2 s.
         let turned = |error: f64| {
-            let share = error / magnitude * ROUNDED_UP;
+            let share = error / magnitude * ROUND_UP_FACTOR;
             let turned = (share * FRAC_PI_2).to_degrees();
             (share < 1.0).then(|| rounded(angle::TURN, turned))
         };
@@ -127,7 +128,7 @@ impl PlaneVector {
 }
 
 /// Factor above a few rounding errors of a computed bound.
-pub(in crate::report) const ROUNDED_UP: f64 = 1.0 + 8.0 * f64::EPSILON;
+pub(in crate::report) const ROUND_UP_FACTOR: f64 = 1.0 + 8.0 * f64::EPSILON;
 
 #[cfg(test)]
 mod tests {
@@ -140,12 +141,12 @@ mod tests {
             given: false,
             bound: Some(4e-17),
         };
-        assert_eq!(entry.seen(), Some(0.0));
-        assert!(entry.seen_bound() >= Some(7e-17));
+        assert_eq!(entry.display_value(), Some(0.0));
+        assert!(entry.display_bound() >= Some(7e-17));
         let entry = Entry {
             value: Some(5e-17),
             ..entry
         };
-        assert_eq!(entry.seen_bound(), entry.bound);
+        assert_eq!(entry.display_bound(), entry.bound);
     }
 }

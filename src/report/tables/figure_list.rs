@@ -33,18 +33,18 @@ pub struct FigureList<'a> {
 }
 
 /// Characters besides the digits of a value: sign, point, and an exponent.
-const BESIDE_DIGITS: usize = 6;
+const EXTRA_CHARACTERS: usize = 6;
 
 impl<'a> FigureList<'a> {
     /// Evaluates the values of a state and its enclosure; `tables` are those of the same state.
     #[must_use]
     pub fn new(
         tables: &'a Tables,
-        figures: &[Quantity],
+        quantities: &[Quantity],
         state: &State,
         enclosure: &Workspace<Ball>,
     ) -> Self {
-        let listed = figures.iter().map(|quantity| {
+        let listed = quantities.iter().map(|quantity| {
             let value = quantity.value(state);
             ListedFigure {
                 quantity: quantity.clone(),
@@ -89,9 +89,9 @@ impl<'a> FigureList<'a> {
 
     fn table(&self, style: TableStyle) -> Table {
         let bound = style.bounds.then_some("+-");
-        let heads = std::iter::once(words().value()).chain(bound);
-        let mut table = Table::new(words().noun_figure(), heads).set(Setting {
-            least: vec![style.digits + BESIDE_DIGITS],
+        let headers = std::iter::once(words().value()).chain(bound);
+        let mut table = Table::new(words().noun_figure(), headers).set(Setting {
+            least: vec![style.digits + EXTRA_CHARACTERS],
             ..Setting::default()
         });
         for figure in &self.figures {

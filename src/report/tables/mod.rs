@@ -10,7 +10,7 @@ pub(in crate::report) mod page;
 use crate::quantity::{Aspect, Subject, bound, value};
 use crate::report::forces::Forces;
 use crate::report::tables::answers::Answers;
-use crate::report::tables::entry::{Entry, PlaneVector, ROUNDED_UP};
+use crate::report::tables::entry::{Entry, PlaneVector, ROUND_UP_FACTOR};
 use crate::scene::{Scene, Vector, VectorKind};
 use crate::solver::{Condition, Order, State};
 use crate::{Ball, Body, Input, LinkId, Mechanism, PointId, Slide, SlideId, Slider, Vec2, angle};
@@ -49,7 +49,7 @@ pub struct DriverLine {
     /// The link that carries its motor, unless the ground does.
     pub from: Option<String>,
     /// Whether it is a turned link; if not, it is a pushed slide.
-    pub turns: bool,
+    pub is_rotary: bool,
     /// The requested coordinate (deg, or the scene's unit), and its rates per s and s^2 (rad, or
     /// the scene's unit).
     pub values: [f64; 3],
@@ -58,7 +58,7 @@ pub struct DriverLine {
 impl DriverLine {
     /// Returns the aspects of its values.
     pub(in crate::report) fn aspects(&self) -> [Aspect; 3] {
-        if self.turns {
+        if self.is_rotary {
             Aspect::TURNING
         } else {
             Aspect::STRETCHING
@@ -173,7 +173,7 @@ impl ProvedState<'_> {
     fn distance_bound(&self, subject: Subject, distance: f64) -> Option<f64> {
         let solved = value(subject, Aspect::Length, self.state)?;
         let bound = self.bound(subject, Aspect::Length)?;
-        Some((bound + (solved - distance).abs()) * ROUNDED_UP)
+        Some((bound + (solved - distance).abs()) * ROUND_UP_FACTOR)
     }
 
     pub(in crate::report) fn bound(&self, subject: Subject, aspect: Aspect) -> Option<f64> {
@@ -195,7 +195,7 @@ impl ProvedState<'_> {
 }
 
 fn driver_line(scene: &Scene, state: &State) -> DriverLine {
-    let (name, turns) = match scene.mechanism.driver().input {
+    let (name, is_rotary) = match scene.mechanism.driver().input {
         Input::Turn(link) => (scene.link_name(link), true),
         Input::Push(slide) => (scene.slide_name(slide), false),
     };
@@ -204,7 +204,7 @@ fn driver_line(scene: &Scene, state: &State) -> DriverLine {
         from: scene
             .seat_name(scene.mechanism.driver().input)
             .map(str::to_owned),
-        turns,
+        is_rotary,
         values: [
             state.at(),
             state.driver_speed(),
@@ -317,7 +317,7 @@ fn turning(mechanism: &Mechanism, link: LinkId, reading: &ProvedState<'_>) -> [E
         entries[0].value = Some(wrapped);
         entries[0].bound = match wrapped == at && !reading.is_timed {
             true => Some(0.0),
-            false => bound.map(|(bound, away)| (bound + away) * ROUNDED_UP),
+            false => bound.map(|(bound, away)| (bound + away) * ROUND_UP_FACTOR),
         };
     }
     entries

@@ -4,7 +4,7 @@ use crate::page::{Page, Setting, Table, TextStyle};
 use crate::quantity::{Aspect, state_word};
 use crate::report::tables::entry::Entry;
 use crate::report::tables::{ORDERS, Tables, VectorColumn};
-use crate::report::text::number::{concise, direction, significant, upwards};
+use crate::report::text::number::{concise, direction, perpendicular_up, significant};
 use crate::scene::from_seat;
 use crate::solver::Order;
 use crate::wording::words;
@@ -48,7 +48,7 @@ impl Tables {
             writer.add_forces(forces, &mut page);
         }
         if let Some(answers) = &self.answers {
-            page.add(answers.clone().worth_reading().content(style.units));
+            page.add(answers.clone().without_trivial().content(style.units));
         }
         page
     }
@@ -178,13 +178,13 @@ impl TablesWriter<'_> {
     fn add_legend(&self, page: &mut Page) {
         let found = words().stars_are_found();
         let bounds = words().bounds_are();
-        let is_told = [!self.tables.vectors.is_empty(), self.style.bounds];
-        let told = [found, bounds].into_iter().zip(is_told);
-        let mut told = told.filter_map(|(text, is_told)| is_told.then_some(text));
-        if let Some(first) = told.next() {
+        let is_shown = [!self.tables.vectors.is_empty(), self.style.bounds];
+        let shown_text = [found, bounds].into_iter().zip(is_shown);
+        let mut shown_text = shown_text.filter_map(|(text, is_shown)| is_shown.then_some(text));
+        if let Some(first) = shown_text.next() {
             page.text(first);
         }
-        told.for_each(|text| page.text_below(text));
+        shown_text.for_each(|text| page.text_below(text));
     }
 
     fn point_table(&self, order: Order) -> Table {
@@ -214,7 +214,7 @@ impl TablesWriter<'_> {
 
 /// Formats a value: zero if it is small and within its error bound.
 pub(in crate::report) fn shown(entry: Entry, is_direction: bool, digits: usize) -> String {
-    match entry.seen() {
+    match entry.display_value() {
         None => "-".into(),
         Some(value) if is_direction => direction(value, digits),
         Some(value) => significant(value, digits),
@@ -223,10 +223,10 @@ pub(in crate::report) fn shown(entry: Entry, is_direction: bool, digits: usize) 
 
 /// Formats the error bound of a value; empty for a missing value.
 pub(in crate::report) fn shown_bound(entry: Entry) -> String {
-    match (entry.value, entry.seen_bound()) {
+    match (entry.value, entry.display_bound()) {
         (None, _) => String::new(),
         (Some(_), None) => "?".into(),
-        (Some(_), Some(bound)) => upwards(bound, BOUND_DIGITS),
+        (Some(_), Some(bound)) => perpendicular_up(bound, BOUND_DIGITS),
     }
 }
 

@@ -46,9 +46,9 @@ impl ReadCells {
     }
 }
 
-/// Parses rows of cells, with the line on which each begins; returns `None` for more than `most`
+/// Parses rows of cells, with the line on which each begins; returns `None` for more than `maximum`
 /// rows, or too many cells.
-fn rows(text: &str, separator: char, most: usize) -> Option<(Vec<Vec<String>>, Vec<u64>)> {
+fn rows(text: &str, separator: char, maximum: usize) -> Option<(Vec<Vec<String>>, Vec<u64>)> {
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)
@@ -59,24 +59,24 @@ fn rows(text: &str, separator: char, most: usize) -> Option<(Vec<Vec<String>>, V
     for row in reader.records() {
         let Ok(row) = row else { continue };
         cells += row.len();
-        if rows.len() >= most || cells > MAX_CELLS {
+        if rows.len() >= maximum || cells > MAX_CELLS {
             return None;
         }
-        lines.push(row.position().map_or(0, |begin| line_of(text, begin)));
+        lines.push(row.position().map_or(0, |start| line_of(text, start)));
         rows.push(row.iter().map(|cell| cell.trim().to_owned()).collect());
     }
     Some((rows, lines))
 }
 
 /// Returns the line of a row. The csv reader counts preceding empty lines as part of a row.
-fn line_of(text: &str, begin: &csv::Position) -> u64 {
-    let from = usize::try_from(begin.byte()).ok();
+fn line_of(text: &str, start: &csv::Position) -> u64 {
+    let from = usize::try_from(start.byte()).ok();
     let rest = from.and_then(|from| text.get(from..)).unwrap_or("");
     let empty = rest.chars().take_while(|c| matches!(c, '\r' | '\n'));
-    (begin.line()..)
+    (start.line()..)
         .zip(empty.filter(|c| *c == '\n'))
         .last()
-        .map_or(begin.line(), |(line, _)| line + 1)
+        .map_or(start.line(), |(line, _)| line + 1)
 }
 
 /// Returns the separator: the most frequent of the marks in the first line that has any.
@@ -84,10 +84,10 @@ fn separator(text: &str) -> char {
     let first = text.lines().find(|line| line.contains([',', ';', '\t']));
     let count = |mark: char| first.map_or(0, |line| line.matches(mark).count());
     let marks = [',', ';', '\t'].map(|mark| (count(mark), mark));
-    let most = marks
+    let maximum = marks
         .into_iter()
         .max_by_key(|(count, mark)| (*count, *mark != ','));
-    match most {
+    match maximum {
         Some((1.., mark)) => mark,
         _ => ',',
     }

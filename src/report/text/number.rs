@@ -37,8 +37,8 @@ fn with_point(mantissa: &str, exponent: i32) -> String {
     let (first, others) = digits.split_once('.').unwrap_or((digits, ""));
     match usize::try_from(exponent) {
         Ok(exponent) if exponent < others.len() => {
-            let (whole, decimals) = others.split_at(exponent);
-            [sign, first, whole, ".", decimals].concat()
+            let (complete, decimals) = others.split_at(exponent);
+            [sign, first, complete, ".", decimals].concat()
         }
         Ok(_) => [sign, first, others].concat(),
         Err(_) => {
@@ -73,7 +73,7 @@ pub(in crate::report) fn without_noughts(text: String) -> String {
 }
 
 /// Formats a bound with so many significant digits, rounded up: `2.1e-13`; zero is `0`.
-pub(crate) fn upwards(bound: f64, digits: usize) -> String {
+pub(crate) fn perpendicular_up(bound: f64, digits: usize) -> String {
     if bound == 0.0 || !bound.is_finite() {
         return significant(bound, digits);
     }
@@ -217,17 +217,17 @@ mod tests {
 
     #[test]
     fn error_bounds_are_rounded_up() {
-        assert_eq!(upwards(2.01e-13, 2), "2.1e-13");
-        assert_eq!(upwards(2.1e-13, 2), "2.1e-13");
-        assert_eq!(upwards(9.91e-13, 2), "1.0e-12");
-        assert_eq!(upwards(3.01e-13, 1), "4e-13");
-        assert_eq!(upwards(9.1e-13, 1), "1e-12");
-        assert_eq!(upwards(0.0, 2), "0");
+        assert_eq!(perpendicular_up(2.01e-13, 2), "2.1e-13");
+        assert_eq!(perpendicular_up(2.1e-13, 2), "2.1e-13");
+        assert_eq!(perpendicular_up(9.91e-13, 2), "1.0e-12");
+        assert_eq!(perpendicular_up(3.01e-13, 1), "4e-13");
+        assert_eq!(perpendicular_up(9.1e-13, 1), "1e-12");
+        assert_eq!(perpendicular_up(0.0, 2), "0");
     }
 
     /// Formats the shortest decimal by the standard library, which takes the larger of two equally
     /// near decimals.
-    fn by_the_library(value: f64) -> String {
+    fn std_shortest(value: f64) -> String {
         let size = value.abs();
         if size == 0.0 || (1e-5..1e16).contains(&size) {
             format!("{}", value + 0.0)
@@ -244,13 +244,13 @@ mod tests {
 
     /// Returns `true` if a double is half way between two of its shortest decimals: its full
     /// decimal has just one more digit, a 5.
-    fn is_half_way(value: f64) -> bool {
+    fn is_midpoint(value: f64) -> bool {
         let all = digits(&format!("{value:.60e}"));
-        all.len() == digits(&by_the_library(value)).len() + 1 && all.ends_with('5')
+        all.len() == digits(&std_shortest(value)).len() + 1 && all.ends_with('5')
     }
 
     fn holds(value: f64) -> bool {
-        written(value) == by_the_library(value) || is_half_way(value)
+        written(value) == std_shortest(value) || is_midpoint(value)
     }
 
     fn written(value: f64) -> String {
@@ -270,7 +270,7 @@ mod tests {
             for near in [value.next_down(), value, value.next_up()] {
                 let sizes = [near, -near, 3.0 * near].into_iter();
                 for v in sizes.filter(|v| v.is_finite()) {
-                    assert!(holds(v), "{} but {}", written(v), by_the_library(v));
+                    assert!(holds(v), "{} but {}", written(v), std_shortest(v));
                 }
             }
         }
@@ -279,11 +279,11 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(4096))]
         #[test]
-        fn shortest_form_of_any_double_matches_std(bits: u64, whole: i64, places in 0..12) {
-            let decimal = whole as f64 / 10_f64.powi(places);
-            for value in [f64::from_bits(bits), whole as f64, decimal, decimal / 1e12] {
+        fn shortest_form_of_any_double_matches_std(bits: u64, integer: i64, places in 0..12) {
+            let decimal = integer as f64 / 10_f64.powi(places);
+            for value in [f64::from_bits(bits), integer as f64, decimal, decimal / 1e12] {
                 prop_assume!(value.is_finite());
-                prop_assert!(holds(value), "{} but {}", written(value), by_the_library(value));
+                prop_assert!(holds(value), "{} but {}", written(value), std_shortest(value));
             }
         }
     }
@@ -291,8 +291,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(4096))]
         #[test]
-        fn significant_digits_match_std(bits: u64, whole: i64, places in 0..16, digits in 1_usize..20) {
-            let decimal = whole as f64 / 10_f64.powi(places);
+        fn significant_digits_match_std(bits: u64, complete: i64, places in 0..16, digits in 1_usize..20) {
+            let decimal = complete as f64 / 10_f64.powi(places);
             for value in [f64::from_bits(bits), decimal, decimal / 1e12, 1e6 - decimal / 1e18] {
                 let text = significant(value, digits);
                 let scientific = format!("{value:.*e}", digits - 1);
@@ -310,7 +310,7 @@ mod tests {
     proptest! {
         #[test]
         fn rounded_bound_is_never_smaller(bound in prop::num::f64::POSITIVE, digits in 1_usize..4) {
-            let written: f64 = upwards(bound, digits).parse().unwrap();
+            let written: f64 = perpendicular_up(bound, digits).parse().unwrap();
             prop_assert!(written >= bound, "{written:e} < {bound:e}");
             prop_assert!(written <= bound * 2.01 || bound < 1e-300, "{written:e} for {bound:e}");
         }

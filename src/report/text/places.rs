@@ -1,7 +1,7 @@
 //! Formats coordinates of the driver: places, limits and the range.
 
 use crate::quantity::Quantity;
-use crate::report::text::number::{concise, upwards};
+use crate::report::text::number::{concise, perpendicular_up};
 use crate::solver::Range;
 use crate::wording::words;
 
@@ -29,7 +29,7 @@ pub fn range_text(range: Range, driver: &Quantity) -> String {
 /// Describes the error bounds of the ends of a limited range.
 pub(in crate::report) fn errors_text(bounds: [Option<f64>; 2], unit: &str) -> String {
     let [low, high] = bounds.map(|bound| match bound {
-        Some(bound) => words().end_error(&upwards(bound, BOUND_DIGITS), unit),
+        Some(bound) => words().end_error(&perpendicular_up(bound, BOUND_DIGITS), unit),
         None => words().end_error_not_proved().to_owned(),
     });
     words().range_errors(&low, &high)

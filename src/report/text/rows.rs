@@ -5,7 +5,7 @@
 use crate::page::with_unit;
 use crate::quantity::{Quantity, state_word};
 use crate::report::text::csv_dialect::CsvDialect;
-use crate::report::text::number::{direction, shortest, significant, upwards};
+use crate::report::text::number::{direction, perpendicular_up, shortest, significant};
 use crate::solver::Condition;
 use serde_json::{Map, Value};
 use std::borrow::Cow;
@@ -168,7 +168,7 @@ pub(in crate::report) struct RowTable {
 }
 
 /// Characters of a number besides its digits: sign, point, and an exponent such as `e-300`.
-const BESIDE_DIGITS: usize = 7;
+const EXTRA_CHARACTERS: usize = 7;
 /// Significant digits of a bound.
 const BOUND_DIGITS: usize = 2;
 
@@ -182,7 +182,7 @@ impl RowTable {
             RowFormat::Text { digits } => digits,
             RowFormat::Csv(_) | RowFormat::Json => 0,
         };
-        let width = |c: &RowColumn| c.header.chars().count().max(digits + BESIDE_DIGITS);
+        let width = |c: &RowColumn| c.header.chars().count().max(digits + EXTRA_CHARACTERS);
         let key = |c: &RowColumn| match json {
             JsonStyle::Spaced => format!("{}: ", Value::from(&*c.name)),
             JsonStyle::Compact => format!("{}:", Value::from(&*c.name)),
@@ -286,7 +286,7 @@ impl RowTable {
                 (RowCell::Word(_) | RowCell::Number(None), _) => "-".into(),
                 (RowCell::Number(Some(v)), CellKind::Direction) => direction(v, digits).into(),
                 (RowCell::Number(Some(v)), CellKind::Bound) => {
-                    format!("+-{}", upwards(v, BOUND_DIGITS)).into()
+                    format!("+-{}", perpendicular_up(v, BOUND_DIGITS)).into()
                 }
                 (RowCell::Number(Some(v)), _) => significant(v, digits).into(),
             };

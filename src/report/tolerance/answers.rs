@@ -36,15 +36,15 @@ impl ToleranceAnswers {
     #[must_use]
     pub fn at(scene: &Scene, study: &mut ToleranceStudy, at: f64) -> Self {
         let found = study.first_order(at);
-        let figures = study.figures().iter().zip(found);
-        let answer = figures.filter_map(|(figure, found)| {
+        let quantities = study.figures().iter().zip(found);
+        let answer = quantities.filter_map(|(quantity, found)| {
             let (root_sum_square, contributions) = found?;
-            let most = contributions.first()?;
+            let maximum = contributions.first()?;
             Some(ToleranceAnswer {
-                header: figure.header(),
+                header: quantity.header(),
                 root_sum_square,
-                most: contributor(scene, most.of),
-                share: most.share,
+                most: contributor(scene, maximum.of),
+                share: maximum.share,
             })
         });
         ToleranceAnswers {
@@ -55,12 +55,12 @@ impl ToleranceAnswers {
     /// Returns a table with a row per value.
     #[must_use]
     pub fn table(&self) -> Table {
-        let heads = [
+        let headers = [
             words().label_root_sum_square(),
             words().head_share(),
             words().in_which(),
         ];
-        let mut table = Table::new(words().within_tolerances(), heads);
+        let mut table = Table::new(words().within_tolerances(), headers);
         for answer in &self.list {
             let cells = [
                 format!("+-{}", significant(answer.root_sum_square, DIGITS)),

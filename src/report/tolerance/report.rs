@@ -10,8 +10,8 @@ use crate::report::text::rows::RowCell;
 use crate::scene::Scene;
 use crate::solver::Condition;
 use crate::study::{
-    Contribution, Distribution, Percentiles, SampleOrder, Samples, ToleranceFigure, ToleranceOf,
-    ToleranceStudy, WholeTolerance, WorstCase, WorstKind,
+    Contribution, Distribution, MotionTolerance, Percentiles, SampleOrder, Samples,
+    ToleranceFigure, ToleranceOf, ToleranceStudy, WorstCase, WorstKind,
 };
 use crate::wording::{english_words, words};
 use serde_json::{Map, Value, json};
@@ -92,7 +92,7 @@ impl ToleranceReport {
 
     /// Creates the report on values of the whole motion.
     #[must_use]
-    pub fn of_whole(scene: &Scene, study: &mut WholeTolerance, samples: SampleOrder) -> Self {
+    pub fn for_motion(scene: &Scene, study: &mut MotionTolerance, samples: SampleOrder) -> Self {
         let found = study.found();
         let sampled = (samples, study.sampled(samples));
         let figures = study.figures().iter();
@@ -106,7 +106,7 @@ impl ToleranceReport {
         found: impl Iterator<Item = ((String, String), Option<ToleranceFigure>)>,
         sampled: Option<(SampleOrder, Samples)>,
     ) -> Self {
-        let told = found.enumerate().map(|(i, ((name, unit), mut found))| {
+        let text = found.enumerate().map(|(i, ((name, unit), mut found))| {
             let of = |sampled: &(_, Samples)| sampled.1.figures.get(i).copied().flatten();
             let percentiles = sampled.as_ref().and_then(of);
             if let (Some(found), Some(percentiles), Some((order, _))) =
@@ -126,7 +126,7 @@ impl ToleranceReport {
         ToleranceReport {
             scene: scene.name.clone(),
             place,
-            figures: told.collect(),
+            figures: text.collect(),
             samples: sampled.map(|(order, samples)| SampleSummary {
                 order,
                 open: samples.open,
@@ -152,8 +152,8 @@ impl ToleranceReport {
             }
             None => words().over_the_whole_motion().to_owned(),
         });
-        for told in &self.figures {
-            self.add_figure(told, &mut page);
+        for text in &self.figures {
+            self.add_figure(text, &mut page);
         }
         if let Some(samples) = &self.samples {
             page.add(Content::Facts(samples.facts()));
@@ -161,29 +161,29 @@ impl ToleranceReport {
         page
     }
 
-    fn add_figure(&self, told: &ToleranceRow, page: &mut Page) {
+    fn add_figure(&self, text: &ToleranceRow, page: &mut Page) {
         let mut facts = Facts::default();
-        let header = with_unit(&told.name, &told.unit);
-        let Some(found) = &told.found else {
-            facts.tell(&header, ["-".to_owned()]);
+        let header = with_unit(&text.name, &text.unit);
+        let Some(found) = &text.found else {
+            facts.add(&header, ["-".to_owned()]);
             page.add(Content::Facts(facts));
             return;
         };
-        facts.tell(&header, [significant(found.nominal, DIGITS)]);
+        facts.add(&header, [significant(found.nominal, DIGITS)]);
         let mut tell = |label: &str, lines: Vec<String>| {
-            facts.tell(&format!("{:INDENT$}{label}", ""), lines);
+            facts.add(&format!("{:INDENT$}{label}", ""), lines);
         };
         tell(words().label_worst_case(), worst_text(found));
         let square = found.root_sum_square;
         let square = square.map(|square| format!("+-{}", significant(square, FEW_DIGITS)));
         let square = square.unwrap_or_else(|| words().no_first_order().into());
         tell(words().label_root_sum_square(), vec![square]);
-        if let Some(percentiles) = &told.percentiles {
+        if let Some(percentiles) = &text.percentiles {
             tell(words().label_most_samples(), spread_text(percentiles));
         }
         page.add(Content::Facts(facts));
-        if !told.contributions.is_empty() {
-            page.add_below(Content::Table(told.table()));
+        if !text.contributions.is_empty() {
+            page.add_below(Content::Table(text.table()));
         }
     }
 
@@ -198,8 +198,8 @@ impl ToleranceReport {
         if let Some(PlaceReport { driver, at, .. }) = &self.place {
             csv.record([&*driver.name, &cell(Some(*at)), &*driver.unit])?;
         }
-        for told in &self.figures {
-            for (name, value, unit) in told.lines() {
+        for text in &self.figures {
+            for (name, value, unit) in text.lines() {
                 csv.record([&*name, &*value, unit])?;
             }
         }
@@ -217,9 +217,9 @@ impl ToleranceReport {
     #[must_use]
     pub fn to_json(&self) -> Value {
         let units = self.figures.iter();
-        let units = units.map(|told| (told.name.clone(), told.unit.clone().into()));
+        let units = units.map(|text| (text.name.clone(), text.unit.clone().into()));
         let figures = self.figures.iter();
-        let figures = figures.map(|told| (told.name.clone(), told.to_json()));
+        let figures = figures.map(|text| (text.name.clone(), text.to_json()));
         let samples = self.samples.as_ref().map(|samples| {
             json!({
                 "count": samples.order.count,
@@ -263,7 +263,7 @@ impl SampleSummary {
             part => words().part_of_samples_changed(&percent(part)),
         });
         let lines = [words().how_samples_are_made(count, spread, seed), open];
-        facts.tell(words().label_samples(), lines.into_iter().chain(changed));
+        facts.add(words().label_samples(), lines.into_iter().chain(changed));
         facts
     }
 }
@@ -271,13 +271,13 @@ impl SampleSummary {
 impl ToleranceRow {
     /// Returns the table of contributions.
     fn table(&self) -> Table {
-        let heads = [
+        let headers = [
             words().head_tolerance(),
             words().head_per_unit(),
             words().head_off_by(),
             words().head_share(),
         ];
-        let mut table = Table::new(words().label_contributions(), heads).set(Setting {
+        let mut table = Table::new(words().label_contributions(), headers).set(Setting {
             indent: INDENT,
             least: vec![FEW_DIGITS + INDENT],
             ..Setting::default()

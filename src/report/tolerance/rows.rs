@@ -65,12 +65,12 @@ impl ToleranceRows<'_> {
         Ok(outcome)
     }
 
-    fn columns(&self, figures: &[Quantity]) -> Vec<RowColumn> {
+    fn columns(&self, quantities: &[Quantity]) -> Vec<RowColumn> {
         let driver = Catalogue::new(self.scene).driver().clone();
         let mut columns = vec![RowColumn::new(driver.name, &driver.unit, true)];
-        for figure in figures {
-            let name = |part| format!("{}.{part}", figure.name);
-            let number = |part| RowColumn::new(name(part), &figure.unit, true);
+        for quantity in quantities {
+            let name = |part| format!("{}.{part}", quantity.name);
+            let number = |part| RowColumn::new(name(part), &quantity.unit, true);
             columns.extend(results(None).map(|(part, cell)| match cell {
                 RowCell::Number(_) => number(part),
                 RowCell::Word(_) => RowColumn::of_kind(name(part), CellKind::Word),

@@ -15,7 +15,7 @@ use crate::{Body, LinkId, Member, Vec2};
 /// them.
 pub(super) fn vectors(context: &Context<'_>, draft: &mut Draft) {
     let sides = context.polygon.sides.iter().zip(&context.readings);
-    let mut is_told = false;
+    let mut is_shown = false;
     for (side, reading) in sides {
         let SideShape::Rigid(body, local) = side.shape else {
             continue;
@@ -24,9 +24,9 @@ pub(super) fn vectors(context: &Context<'_>, draft: &mut Draft) {
         if local.x == 0.0 || local.y == 0.0 || is_given(context, body, side) {
             continue;
         }
-        if !is_told {
+        if !is_shown {
             draft.page.text(words().vectors_by_coordinates());
-            is_told = true;
+            is_shown = true;
         }
         vector(context, draft, (side, reading), body, local);
     }
@@ -62,17 +62,18 @@ fn vector(
     let parts = || [local.x, local.y].map(|v| Expression::figure(f.given(v), v));
     let [x, y] = parts();
     let length = (x.squared() + y.squared()).sqrt();
-    let worked = draft.reckoned(&side.name, &length, |r| {
+    let computed = draft.write_numbers(&side.name, &length, |r| {
         format!("{} {UNIT}{}", f.number(r), f.unit)
     });
-    draft.agree(&side.name, worked, reading.r, reading.r);
+    draft.agree(&side.name, computed, reading.r, reading.r);
     let [x, y] = parts();
     let own = Expression::of(Function::Atan2, [y, x]);
     let is_given = context.schedule.angle_group(side).is_none();
     match body {
         Body::Ground => {
-            let worked = draft.reckoned(&side.theta(), &own, |degrees| angle_sum(f, degrees));
-            draft.agree_angle(&side.theta(), worked, reading.theta, 1.0);
+            let computed =
+                draft.write_numbers(&side.theta(), &own, |degrees| angle_sum(f, degrees));
+            draft.agree_angle(&side.theta(), computed, reading.theta, 1.0);
         }
         Body::Link(link) if is_given && context.has_positions() => {
             turned(context, draft, (side, reading), link, own);
@@ -103,8 +104,8 @@ fn turned(
     let name = symbols::theta(context.scene.link_name(link));
     let theta = Expression::known(name, f.direction(degrees), degrees) + ahead;
     let symbol = side.theta();
-    let worked = draft.worked(&symbol, &theta, |degrees| angle_sum(f, degrees));
-    draft.agree_angle(&symbol, worked, reading.theta, 1.0);
+    let computed = draft.worked(&symbol, &theta, |degrees| angle_sum(f, degrees));
+    draft.agree_angle(&symbol, computed, reading.theta, 1.0);
 }
 
 /// Writes the angles of the vectors that rotate with links found by a group, except those in its

@@ -7,7 +7,7 @@ use super::sides::{Locks, SideShape, Turns};
 use super::stages::LoopUnknown;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
-use crate::study::{ChainGroup, LoopSum, SolutionChain, SoughtKind, SoughtVector, VectorPart};
+use crate::study::{ChainGroup, LoopSum, SolutionChain, UnknownKind, UnknownVector, VectorPart};
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
 
 impl Working {
@@ -53,9 +53,9 @@ impl Variables {
             Input::Push(slide) => LoopUnknown::Travel(slide),
         };
         let groups = context.stages.iter().filter(|stage| stage.group.is_some());
-        let sought = groups.flat_map(|stage| stage.unknowns.iter().copied());
+        let unknowns = groups.flat_map(|stage| stage.unknowns.iter().copied());
         Variables {
-            list: std::iter::once(driver).chain(sought).collect(),
+            list: std::iter::once(driver).chain(unknowns).collect(),
         }
     }
 
@@ -71,10 +71,10 @@ impl Variables {
                 let terms = &context.polygon.loops.get(number)?.terms;
                 self.sum(context, terms)
             });
-            let sought = stage.unknowns.iter().map(|&unknown| self.find(unknown));
+            let unknowns = stage.unknowns.iter().map(|&unknown| self.find(unknown));
             groups.push(ChainGroup {
                 loops: loops.collect::<Option<_>>()?,
-                sought: sought.collect::<Option<_>>()?,
+                sought: unknowns.collect::<Option<_>>()?,
             });
         }
         let links = mechanism.link_ids();
@@ -117,7 +117,7 @@ impl Variables {
                 SideShape::Link(_) | SideShape::Rigid(..) => VectorPart::Known(reading.r),
                 SideShape::Free(..) => return None,
             };
-            sum.sought.push(SoughtVector {
+            sum.sought.push(UnknownVector {
                 sign: if term.reversed { -1.0 } else { 1.0 },
                 length,
                 angle,
@@ -131,8 +131,8 @@ impl Variables {
     }
 
     fn travel(&self, slide: SlideId) -> Option<VectorPart> {
-        let place = self.find(LoopUnknown::Travel(slide))?;
-        Some(VectorPart::Sought(place, 0.0))
+        let index = self.find(LoopUnknown::Travel(slide))?;
+        Some(VectorPart::Sought(index, 0.0))
     }
 
     /// Returns the angle of a link: known, or that of the link with which it rotates plus a
@@ -150,7 +150,7 @@ impl Variables {
     }
 }
 
-fn kind(unknown: LoopUnknown) -> SoughtKind {
+fn kind(unknown: LoopUnknown) -> UnknownKind {
     super::methods::kind(unknown)
 }
 
@@ -185,7 +185,7 @@ fn turned(body: Body, by: f64, links: &[VectorPart]) -> Option<VectorPart> {
         Body::Ground => VectorPart::Known(by),
         Body::Link(link) => match *links.get(link.index())? {
             VectorPart::Known(angle) => VectorPart::Known(angle + by),
-            VectorPart::Sought(place, more) => VectorPart::Sought(place, more + by),
+            VectorPart::Sought(index, more) => VectorPart::Sought(index, more + by),
         },
     })
 }
@@ -197,7 +197,7 @@ fn ways(
     slides: &[[VectorPart; 2]],
 ) -> Vec<Option<LoopSum>> {
     let points = mechanism.points().iter();
-    let mut ways: Vec<Option<LoopSum>> = points
+    let mut paths: Vec<Option<LoopSum>> = points
         .map(|point| {
             Some(LoopSum {
                 known: point.ground?,
@@ -206,7 +206,7 @@ fn ways(
         })
         .collect();
     let mut waiting: Vec<PointId> = Vec::new();
-    waiting.extend(mechanism.point_ids().filter(|p| has(&ways, *p)));
+    waiting.extend(mechanism.point_ids().filter(|p| has(&paths, *p)));
     let ground = mechanism.slide_ids();
     let ground = ground.filter(|slide| mechanism.slide(*slide).on == Body::Ground);
     for slide in ground.collect::<Vec<_>>() {
@@ -215,8 +215,8 @@ fn ways(
             sought: Vec::new(),
         };
         let point = mechanism.slide(slide).slider.point();
-        if let Some(way) = along(slides, slide, start)
-            && reach(&mut ways, point, way)
+        if let Some(path) = along(slides, slide, start)
+            && reach(&mut paths, point, path)
         {
             waiting.push(point);
         }
@@ -224,24 +224,24 @@ fn ways(
     let mut next = 0;
     while let Some(&point) = waiting.get(next) {
         next += 1;
-        for (reached, way) in steps(mechanism, links, slides, point, &ways) {
-            if reach(&mut ways, reached, way) {
+        for (reached, path) in steps(mechanism, links, slides, point, &paths) {
+            if reach(&mut paths, reached, path) {
                 waiting.push(reached);
             }
         }
     }
-    ways
+    paths
 }
 
-fn has(ways: &[Option<LoopSum>], point: PointId) -> bool {
-    ways.get(point.index()).is_some_and(Option::is_some)
+fn has(paths: &[Option<LoopSum>], point: PointId) -> bool {
+    paths.get(point.index()).is_some_and(Option::is_some)
 }
 
 /// Stores the first path to a point; returns `true` for a new point.
-fn reach(ways: &mut [Option<LoopSum>], point: PointId, way: LoopSum) -> bool {
-    match ways.get_mut(point.index()) {
+fn reach(paths: &mut [Option<LoopSum>], point: PointId, path: LoopSum) -> bool {
+    match paths.get_mut(point.index()) {
         Some(place @ None) => {
-            *place = Some(way);
+            *place = Some(path);
             true
         }
         _ => false,
@@ -255,10 +255,10 @@ fn steps(
     links: &[VectorPart],
     slides: &[[VectorPart; 2]],
     from: PointId,
-    ways: &[Option<LoopSum>],
+    paths: &[Option<LoopSum>],
 ) -> Vec<(PointId, LoopSum)> {
     let mut steps = Vec::new();
-    let Some(Some(way)) = ways.get(from.index()) else {
+    let Some(Some(path)) = paths.get(from.index()) else {
         return steps;
     };
     for &link in &mechanism.point(from).links {
@@ -268,25 +268,25 @@ fn steps(
         };
         let to = |local: Vec2| {
             let vector = local - origin;
-            let mut way = way.clone();
+            let mut path = path.clone();
             if vector != Vec2::ZERO {
-                way.sought.push(SoughtVector {
+                path.sought.push(UnknownVector {
                     sign: 1.0,
                     length: VectorPart::Known(vector.norm()),
                     angle: turned(body, vector.y.atan2(vector.x), links)?,
                 });
             }
-            Some(way)
+            Some(path)
         };
         for member in &mechanism.link(link).members {
-            steps.extend(to(member.local).map(|way| (member.point, way)));
+            steps.extend(to(member.local).map(|path| (member.point, path)));
         }
         for slide in mechanism.slide_ids() {
             let given = mechanism.slide(slide);
             if given.on == body
-                && let Some(way) = to(given.through).and_then(|way| along(slides, slide, way))
+                && let Some(path) = to(given.through).and_then(|path| along(slides, slide, path))
             {
-                steps.push((given.slider.point(), way));
+                steps.push((given.slider.point(), path));
             }
         }
     }
@@ -294,14 +294,14 @@ fn steps(
 }
 
 /// Extends a path along a guide.
-fn along(slides: &[[VectorPart; 2]], slide: SlideId, mut way: LoopSum) -> Option<LoopSum> {
+fn along(slides: &[[VectorPart; 2]], slide: SlideId, mut path: LoopSum) -> Option<LoopSum> {
     let [length, angle] = *slides.get(slide.index())?;
-    way.sought.push(SoughtVector {
+    path.sought.push(UnknownVector {
         sign: 1.0,
         length,
         angle,
     });
-    Some(way)
+    Some(path)
 }
 
 #[cfg(test)]
@@ -331,25 +331,28 @@ mod tests {
             };
             let values = chain.follow(&|_| None).unwrap();
             let catalogue = Catalogue::new(&scene);
-            let figures = catalogue.figures();
-            for figure in figures.iter().filter(|f| f.order() <= Order::Acceleration) {
-                let own = figure.value(&state).unwrap();
-                let found = chain.figure(figure, &values);
-                let found = found.unwrap_or_else(|| panic!("{} {}", preset.name, figure.name));
-                let mut apart = (found - own).abs();
-                if figure.is_direction() {
-                    apart = apart.min(360.0 - apart);
+            let quantities = catalogue.figures();
+            for quantity in quantities
+                .iter()
+                .filter(|f| f.order() <= Order::Acceleration)
+            {
+                let own = quantity.value(&state).unwrap();
+                let found = chain.figure(quantity, &values);
+                let found = found.unwrap_or_else(|| panic!("{} {}", preset.name, quantity.name));
+                let mut distance = (found - own).abs();
+                if quantity.is_direction() {
+                    distance = distance.min(360.0 - distance);
                 }
-                let size = figures
+                let size = quantities
                     .iter()
-                    .filter(|f| f.unit == figure.unit)
+                    .filter(|f| f.unit == quantity.unit)
                     .filter_map(|f| f.value(&state))
-                    .fold(1.0, |most: f64, v| most.max(v.abs()));
+                    .fold(1.0, |maximum: f64, v| maximum.max(v.abs()));
                 assert!(
-                    apart <= 1e-9 * size,
+                    distance <= 1e-9 * size,
                     "{} {}: {found} for {own}",
                     preset.name,
-                    figure.name
+                    quantity.name
                 );
             }
         }

@@ -28,7 +28,7 @@ pub(super) fn check(context: &Context<'_>, draft: &mut Draft) {
         let text = if part < f64::EPSILON / 2.0 {
             words().figures_do_not_differ().to_owned()
         } else {
-            let part = crate::report::text::number::upwards(part, 2);
+            let part = crate::report::text::number::perpendicular_up(part, 2);
             words().figures_differ(&part, symbol)
         };
         draft.page.text(text);
@@ -55,11 +55,11 @@ fn closure(context: &Context<'_>, draft: &mut Draft) {
                     .collect();
                 let size = pieces
                     .iter()
-                    .fold(0.0_f64, |most, p| most.max(p.value.abs()));
+                    .fold(0.0_f64, |maximum, p| maximum.max(p.value.abs()));
                 let mut sum = WrittenSum::default();
                 pieces
                     .iter()
-                    .for_each(|p| sum.push_figure(&f.beside(p.value, size)));
+                    .for_each(|p| sum.push_figure(&f.format_or_zero(p.value, size)));
                 let left: f64 = pieces.iter().map(|p| p.value).sum();
                 draft.page.equation([
                     match is_one {

@@ -38,12 +38,12 @@ struct Coefficient {
 struct CollectedTerm {
     negative: bool,
     coefficient: Option<usize>,
-    factors: Vec<SoughtFactor>,
+    factors: Vec<UnknownFactor>,
 }
 
 /// An unknown, or its sine or cosine.
 #[derive(Clone)]
-struct SoughtFactor {
+struct UnknownFactor {
     text: String,
     value: f64,
     /// Its maximum absolute value.
@@ -59,27 +59,27 @@ struct CollectedArm {
 }
 
 impl CollectedArm {
-    fn sin(&self) -> SoughtFactor {
-        SoughtFactor::turning("sin", &self.theta, self.degrees.to_radians().sin())
+    fn sin(&self) -> UnknownFactor {
+        UnknownFactor::turning("sin", &self.theta, self.degrees.to_radians().sin())
     }
 
-    fn cos(&self) -> SoughtFactor {
-        SoughtFactor::turning("cos", &self.theta, self.degrees.to_radians().cos())
+    fn cos(&self) -> UnknownFactor {
+        UnknownFactor::turning("cos", &self.theta, self.degrees.to_radians().cos())
     }
 }
 
-impl SoughtFactor {
-    fn turning(function: &str, theta: &str, value: f64) -> SoughtFactor {
-        SoughtFactor {
+impl UnknownFactor {
+    fn turning(function: &str, theta: &str, value: f64) -> UnknownFactor {
+        UnknownFactor {
             text: format!("{function}({theta})"),
             value,
             size: 1.0,
         }
     }
 
-    fn length(member: &LoopSide<'_>) -> SoughtFactor {
+    fn length(member: &LoopSide<'_>) -> UnknownFactor {
         let r = member.reading.r;
-        SoughtFactor {
+        UnknownFactor {
             text: member.side.name.clone(),
             value: r,
             size: r.abs(),
@@ -162,7 +162,7 @@ impl LoopCollector<'_> {
         let value = known(&of);
         let size = of.iter().map(|piece| piece.size).sum();
         Some(into.coefficient(Coefficient {
-            figure: self.figures().beside(value, self.size()),
+            figure: self.figures().format_or_zero(value, self.size()),
             formulas,
             value,
             size,
@@ -182,7 +182,7 @@ impl LoopCollector<'_> {
                 numbers.clone()
             }
             (_, 0) => self.figures().given(value),
-            _ => self.figures().beside(value, size),
+            _ => self.figures().format_or_zero(value, size),
         };
         into.coefficient(Coefficient {
             formulas: vec![formula.symbols(), numbers],
@@ -285,7 +285,7 @@ impl LoopCollector<'_> {
         }
         for ((own, other), k) in [(&b, &a), (&a, &b)].into_iter().zip([0, 1]) {
             let mut terms = Vec::new();
-            let mut push = |negative, coefficient: Option<usize>, factors: Vec<SoughtFactor>| {
+            let mut push = |negative, coefficient: Option<usize>, factors: Vec<UnknownFactor>| {
                 terms.extend(coefficient.map(|coefficient| CollectedTerm {
                     negative,
                     coefficient: Some(coefficient),
@@ -338,7 +338,7 @@ impl LoopCollector<'_> {
         ];
         first.extend(across.map(|_| term(false, across, Vec::new())));
         let mut second = vec![
-            term(slide.reversed, None, vec![SoughtFactor::length(&slide)]),
+            term(slide.reversed, None, vec![UnknownFactor::length(&slide)]),
             term(false, a, vec![arm.cos()]),
             term(true, b, vec![arm.sin()]),
         ];
@@ -389,10 +389,10 @@ impl LoopCollector<'_> {
         let mut second = vec![CollectedTerm {
             negative: member.reversed,
             coefficient: None,
-            factors: vec![SoughtFactor::length(&member)],
+            factors: vec![UnknownFactor::length(&member)],
         }];
         let mut push =
-            |into: usize, negative, coefficient: Option<usize>, factors: Vec<SoughtFactor>| {
+            |into: usize, negative, coefficient: Option<usize>, factors: Vec<UnknownFactor>| {
                 let term = coefficient.map(|coefficient| CollectedTerm {
                     negative,
                     coefficient: Some(coefficient),
@@ -423,7 +423,7 @@ impl LoopCollector<'_> {
             let mut terms = vec![CollectedTerm {
                 negative: false,
                 coefficient: Some(factor),
-                factors: vec![SoughtFactor::length(&own)],
+                factors: vec![UnknownFactor::length(&own)],
             }];
             terms.extend(rest.map(|rest| CollectedTerm {
                 negative: false,
@@ -454,8 +454,8 @@ impl LoopCollector<'_> {
                     "cos" => member.reading.theta.to_radians().cos(),
                     _ => member.reading.theta.to_radians().sin(),
                 };
-                let turning = SoughtFactor::turning(function, &self.argument(member), part);
-                let stretching = SoughtFactor::length(member);
+                let turning = UnknownFactor::turning(function, &self.argument(member), part);
+                let stretching = UnknownFactor::length(member);
                 let (coefficient, factors, negative) = match member.sought {
                     [false, false] => continue,
                     [false, true] => {
@@ -541,16 +541,16 @@ impl LoopCollector<'_> {
             .text(words().squared_and_added(arm, &lost.theta, &kept.theta));
         let [sin, cos] = [kept.sin(), kept.cos()];
         let [p, q, r] = SQUARED;
-        let whole = format!("{p} {} + {q} {} + {r}", sin.text, cos.text);
-        draft.page.equation([whole, "0".into()]);
+        let text = format!("{p} {} + {q} {} + {r}", sin.text, cos.text);
+        draft.page.equation([text, "0".into()]);
         let values = [0, 1, 2].map(|k| {
             draft.worked(SQUARED[k], &formulas[k], |value| {
-                format!("{} {UNIT}{}^2", f.beside(value, size), f.unit)
+                format!("{} {UNIT}{}^2", f.format_or_zero(value, size), f.unit)
             })
         });
         let mut sum = WrittenSum::default();
         for (value, factor) in values.iter().zip([Some(&sin.text), Some(&cos.text), None]) {
-            push(&mut sum, f.beside(*value, size), factor);
+            push(&mut sum, f.format_or_zero(*value, size), factor);
         }
         draft.page.equation([sum.text(), "0".into()]);
         let left = values[0] * sin.value + values[1] * cos.value + values[2];
@@ -559,12 +559,12 @@ impl LoopCollector<'_> {
 }
 
 /// Adds a value times a factor; skips a value of 0.
-fn push(sum: &mut WrittenSum, figure: String, behind: Option<&String>) {
-    match (figure.as_str(), behind) {
+fn push(sum: &mut WrittenSum, figure: String, after: Option<&String>) {
+    match (figure.as_str(), after) {
         ("0", _) => {}
-        ("1", Some(behind)) => sum.push(false, behind),
-        ("-1", Some(behind)) => sum.push(true, behind),
-        (_, Some(behind)) => sum.push_figure(&format!("{figure}·{behind}")),
+        ("1", Some(after)) => sum.push(false, after),
+        ("-1", Some(after)) => sum.push(true, after),
+        (_, Some(after)) => sum.push_figure(&format!("{figure}·{after}")),
         (_, None) => sum.push_figure(&figure),
     }
 }
@@ -623,12 +623,12 @@ impl Collection {
                 let value = of.map_or(1.0, |of| of.value);
                 let sign = if term.negative { -1.0 } else { 1.0 };
                 let product: f64 = term.factors.iter().map(|factor| factor.value).product();
-                let most: f64 = term.factors.iter().map(|factor| factor.size).product();
+                let maximum: f64 = term.factors.iter().map(|factor| factor.size).product();
                 left += sign * value * product;
-                size += of.map_or(1.0, |of| of.size) * most;
+                size += of.map_or(1.0, |of| of.size) * maximum;
                 let factors: Vec<&str> = term.factors.iter().map(|f| f.text.as_str()).collect();
                 let factors = factors.join("·");
-                let behind = (!factors.is_empty()).then_some(&factors);
+                let after = (!factors.is_empty()).then_some(&factors);
                 let figure = of.map_or_else(|| "1".to_owned(), |of| of.figure.clone());
                 let figure = match (term.negative, figure.strip_prefix('-')) {
                     (false, _) => figure,
@@ -636,7 +636,7 @@ impl Collection {
                     (true, None) if figure == "0" => figure,
                     (true, None) => format!("-{figure}"),
                 };
-                push(&mut sum, figure, behind);
+                push(&mut sum, figure, after);
             }
             draft.page.equation([sum.text(), "0".into()]);
             draft.agree(&words().collected_equation(number + 1), left, 0.0, size);

@@ -74,18 +74,18 @@ fn sides(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
     let mut is_begun = false;
     for (number, (side, reading)) in readings {
         let is_unknown = |link| newton.unknowns.contains(&NewtonUnknown::Angle(link));
-        let is_told = match side.shape {
+        let is_shown = match side.shape {
             // The direction of a vector on a link follows from the link's angle.
             SideShape::Rigid(Body::Link(link), _) => {
                 context.scene.mechanism.link(link).ends.is_some() || is_unknown(link)
             }
             _ => side.turns_with().is_some_and(is_unknown),
         };
-        let sought = [schedule.length_group(side), schedule.angle_group(side)]
+        let unknowns = [schedule.length_group(side), schedule.angle_group(side)]
             .map(|group| group.is_some() && group == own);
         let (Some(between), true) = (
             between(context, side),
-            terms.iter().any(|term| term.side == number) && sought.contains(&true),
+            terms.iter().any(|term| term.side == number) && unknowns.contains(&true),
         ) else {
             continue;
         };
@@ -95,23 +95,25 @@ fn sides(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
         let theta = side.theta();
         let [x, y] = between;
         // Two joints of a moving guide may coincide, and then define no direction.
-        if sought[1] && !is_told && matches!(side.shape, SideShape::Link(_) | SideShape::Rigid(..))
+        if unknowns[1]
+            && !is_shown
+            && matches!(side.shape, SideShape::Link(_) | SideShape::Rigid(..))
         {
             let angle = Expression::of(Function::Atan2, [y.clone(), x.clone()]);
-            let worked = draft.worked(&theta, &angle, |worked| turn(f, worked));
+            let computed = draft.worked(&theta, &angle, |computed| turn(f, computed));
             let loss = context.longest() / reading.r.abs();
-            draft.agree_angle(&theta, worked, reading.theta, loss);
+            draft.agree_angle(&theta, computed, reading.theta, loss);
         }
-        if sought[0] {
+        if unknowns[0] {
             let [cos, sin] = [Function::Cos, Function::Sin].map(|function| {
                 let of =
                     Expression::known(theta.clone(), f.direction(reading.theta), reading.theta);
                 Expression::of(function, [of])
             });
-            let worked = draft.worked(&side.name, &(x * cos + y * sin), |r| {
+            let computed = draft.worked(&side.name, &(x * cos + y * sin), |r| {
                 format!("{} {UNIT}{}", f.number(r), f.unit)
             });
-            draft.agree(&side.name, worked, reading.r, context.longest());
+            draft.agree(&side.name, computed, reading.r, context.longest());
         }
     }
 }
@@ -125,7 +127,11 @@ fn between(context: &Context<'_>, side: &Side) -> Option<[Expression; 2]> {
         let at = context.state.position(point);
         let size = context.longest();
         let coordinate = |axis: &str, value: f64| {
-            Expression::known(symbols::of_point(axis, name), f.beside(value, size), value)
+            Expression::known(
+                symbols::of_point(axis, name),
+                f.format_or_zero(value, size),
+                value,
+            )
         };
         Some([coordinate("x", at.x), coordinate("y", at.y)])
     };
@@ -140,21 +146,23 @@ fn matrix(context: &Context<'_>, draft: &mut Draft, newton: &Newton, names: &[St
         return;
     }
     draft.page.text(words().jacobian_rows());
-    let heads = newton.unknowns.iter().zip(names).map(|(unknown, name)| {
+    let headers = newton.unknowns.iter().zip(names).map(|(unknown, name)| {
         let unit = match unknown {
             NewtonUnknown::X(_) | NewtonUnknown::Y(_) => context.figures.unit,
             NewtonUnknown::Angle(_) => "rad",
         };
         format!("{name} [{unit}]")
     });
-    let head = std::iter::once("J".to_owned()).chain(heads);
+    let head = std::iter::once("J".to_owned()).chain(headers);
     let rows = newton
         .jacobian
         .chunks(n.max(1))
         .enumerate()
         .map(|(i, row)| {
-            let largest = row.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-            let cells = row.iter().map(|&v| context.figures.beside(v, largest));
+            let largest = row.iter().fold(0.0_f64, |maximum, v| maximum.max(v.abs()));
+            let cells = row
+                .iter()
+                .map(|&v| context.figures.format_or_zero(v, largest));
             let unit = newton.rows.get(i).map(|row| row_text(context, row).1);
             let unit = unit.unwrap_or_default();
             std::iter::once(format!("f{} [{unit}]", i + 1))

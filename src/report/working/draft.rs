@@ -249,14 +249,19 @@ impl Draft {
     }
 
     /// Adds a table with units in a separate line below the names, if both would be too wide.
-    pub(super) fn table_of_units(&mut self, title: &str, heads: Vec<Head>, rows: Vec<Vec<String>>) {
+    pub(super) fn table_of_units(
+        &mut self,
+        title: &str,
+        headers: Vec<Head>,
+        rows: Vec<Vec<String>>,
+    ) {
         self.wide_table(vec![title.to_owned()], rows);
         if let Some(Block {
             content: Content::Table(table),
             ..
         }) = self.page.blocks.last_mut()
         {
-            table.heads = heads;
+            table.heads = headers;
             table.setting.units = Units::Below;
         }
     }
@@ -272,7 +277,7 @@ impl Draft {
     }
 
     /// Writes `symbol = numbers = value` and returns the value.
-    pub(super) fn reckoned(
+    pub(super) fn write_numbers(
         &mut self,
         symbol: &str,
         formula: &Expression,
@@ -306,10 +311,10 @@ impl Draft {
     }
 
     /// Records a calculated value together with the solver's.
-    pub(super) fn agree(&mut self, symbol: &str, worked: f64, solved: f64, size: f64) {
+    pub(super) fn agree(&mut self, symbol: &str, computed: f64, solved: f64, size: f64) {
         self.agreements.push(Agreement {
             symbol: symbol.to_owned(),
-            worked,
+            worked: computed,
             solved,
             size,
         });
@@ -317,8 +322,8 @@ impl Draft {
 
     /// Records a calculated angle in degrees, modulo a turn; `loss` is the error of the formula in
     /// radians.
-    pub(super) fn agree_angle(&mut self, symbol: &str, worked: f64, solved: f64, loss: f64) {
-        let away = angle::wrapped(worked - solved + angle::TURN / 2.0) - angle::TURN / 2.0;
+    pub(super) fn agree_angle(&mut self, symbol: &str, computed: f64, solved: f64, loss: f64) {
+        let away = angle::wrapped(computed - solved + angle::TURN / 2.0) - angle::TURN / 2.0;
         self.agree(symbol, solved + away, solved, loss.to_degrees());
     }
 }

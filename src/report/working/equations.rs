@@ -69,7 +69,7 @@ pub(super) struct EquationTerm {
     pub unknown: Option<String>,
     /// The factors of the unknown, without the sign: in symbols, and with numbers; 1 if there are
     /// none.
-    beside: [String; 2],
+    factors: [String; 2],
     /// Whether the unknown is a factor rather than an angle.
     linear: bool,
     /// Whether the term is given, so that it needs no more than its own digits.
@@ -329,7 +329,7 @@ impl<'a> LoopSide<'a> {
         let mut size = product.count;
         let mut unknown = None;
         let (mut symbols, mut numbers) = (Vec::new(), Vec::new());
-        let mut beside: [Vec<String>; 2] = [Vec::new(), Vec::new()];
+        let mut extra: [Vec<String>; 2] = [Vec::new(), Vec::new()];
         if product.count != 1.0 {
             symbols.push(figures.given(product.count));
             numbers.push(figures.given(product.count));
@@ -355,7 +355,7 @@ impl<'a> LoopSide<'a> {
             numbers.push(with_numbers);
         }
         if let Some(unknown) = &unknown {
-            beside = [&symbols, &numbers].map(|all| {
+            extra = [&symbols, &numbers].map(|all| {
                 let others = all.iter().filter(|text| *text != unknown);
                 others.cloned().collect()
             });
@@ -371,7 +371,7 @@ impl<'a> LoopSide<'a> {
             unknown: unknown.or((open_angle || is_open).then_some(theta)),
             given: self.side.turns == Turns::Never
                 && product.factors.iter().all(|f| f.given || f.sought),
-            beside: [(0, " "), (1, "·")].map(|(form, between)| match beside[form].as_slice() {
+            factors: [(0, " "), (1, "·")].map(|(form, between)| match extra[form].as_slice() {
                 [] => "1".to_owned(),
                 factors => factors.join(between),
             }),
@@ -397,13 +397,15 @@ pub(super) fn in_numbers(pieces: &[EquationTerm]) -> String {
 /// Writes the sum with every known term evaluated: `-1299.04 - 147.173 ω3`. Terms of positions with
 /// an unknown angle stay unchanged.
 pub(super) fn in_figures(pieces: &[EquationTerm], figures: Figures) -> String {
-    let size = pieces.iter().fold(0.0_f64, |most, p| most.max(p.size));
+    let size = pieces
+        .iter()
+        .fold(0.0_f64, |maximum, p| maximum.max(p.size));
     let mut sum = WrittenSum::default();
     for piece in pieces {
         let figure = if piece.given && piece.value.abs() > 1e-15 * size {
             figures.given(piece.value)
         } else {
-            figures.beside(piece.value, size)
+            figures.format_or_zero(piece.value, size)
         };
         match &piece.unknown {
             Some(_) if !piece.linear => sum.push(piece.negative, &piece.numbers),
@@ -431,16 +433,16 @@ pub(super) fn solved_for(pieces: &[EquationTerm], symbol: &str) -> [String; 2] {
         sum.text()
     };
     [0, 1].map(|form| {
-        let whole = |p: &EquationTerm| match form {
+        let complete = |p: &EquationTerm| match form {
             0 => p.symbols.clone(),
             _ => p.numbers.clone(),
         };
         let (above, is_sum) = match above[..] {
             [] => ("0".to_owned(), false),
-            [_] => (sum(&above, !is_turned, &whole), false),
-            _ => (sum(&above, false, &whole), true),
+            [_] => (sum(&above, !is_turned, &complete), false),
+            _ => (sum(&above, false, &complete), true),
         };
-        let divisor = sum(&below, is_turned, &|p| p.beside[form].clone());
+        let divisor = sum(&below, is_turned, &|p| p.factors[form].clone());
         let above = match (is_sum, is_turned, divisor.as_str()) {
             (false, ..) | (true, true, "1") => above,
             (true, true, _) => format!("({above})"),

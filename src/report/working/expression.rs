@@ -43,7 +43,7 @@ enum Notation {
 
 /// The binding strength of a text, for brackets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Grip {
+enum Precedence {
     Sum,
     Ratio,
     Product,
@@ -54,7 +54,7 @@ enum Grip {
 struct Written {
     negative: bool,
     text: String,
-    grip: Grip,
+    precedence: Precedence,
 }
 
 impl Expression {
@@ -95,12 +95,12 @@ impl Expression {
 
     /// Writes the formula in symbols.
     pub(super) fn symbols(&self) -> String {
-        self.written(Notation::Symbols).whole()
+        self.written(Notation::Symbols).signed_text()
     }
 
     /// Writes the formula with numbers.
     pub(super) fn numbers(&self) -> String {
-        self.written(Notation::Numbers).whole()
+        self.written(Notation::Numbers).signed_text()
     }
 
     /// Returns the value.
@@ -131,11 +131,11 @@ impl Expression {
                 let is_nothing = form == Notation::Numbers && of.text == "0";
                 Written {
                     negative: !of.negative && !is_nothing,
-                    text: of.bracketed(Grip::Ratio),
-                    grip: if of.grip < Grip::Ratio {
-                        Grip::Alone
+                    text: of.bracketed(Precedence::Ratio),
+                    precedence: if of.precedence < Precedence::Ratio {
+                        Precedence::Alone
                     } else {
-                        of.grip
+                        of.precedence
                     },
                 }
             }
@@ -147,36 +147,42 @@ impl Expression {
                 let second = match &of[1] {
                     // A sum that begins with a minus would have two signs before it.
                     Expression::Sum(_) if second.text.starts_with('-') => {
-                        second.bracketed(Grip::Ratio)
+                        second.bracketed(Precedence::Ratio)
                     }
                     _ => second.text,
                 };
-                Written::of(format!("{} {sign} {second}", first.whole()), Grip::Sum)
+                Written::of(
+                    format!("{} {sign} {second}", first.signed_text()),
+                    Precedence::Sum,
+                )
             }
             Expression::Product(of) => {
                 let [first, second] =
-                    [&of[0], &of[1]].map(|part| part.written(form).factor(Grip::Product));
+                    [&of[0], &of[1]].map(|part| part.written(form).factor(Precedence::Product));
                 let is_number = second.starts_with(|c: char| c.is_ascii_digit());
                 let between = match form {
                     Notation::Symbols if !is_number => " ",
                     Notation::Symbols | Notation::Numbers => "·",
                 };
-                Written::of(format!("{first}{between}{second}"), Grip::Product)
+                Written::of(format!("{first}{between}{second}"), Precedence::Product)
             }
             Expression::Ratio(of) => {
                 let [above, below] = [&of[0], &of[1]].map(|part| part.written(form));
-                let (above, below) = (above.factor(Grip::Ratio), below.factor(Grip::Alone));
-                Written::of(format!("{above}/{below}"), Grip::Ratio)
+                let (above, below) = (
+                    above.factor(Precedence::Ratio),
+                    below.factor(Precedence::Alone),
+                );
+                Written::of(format!("{above}/{below}"), Precedence::Ratio)
             }
             Expression::Square(of) => {
-                let of = of.written(form).factor(Grip::Alone);
-                Written::of(format!("{of}^2"), Grip::Alone)
+                let of = of.written(form).factor(Precedence::Alone);
+                Written::of(format!("{of}^2"), Precedence::Alone)
             }
             Expression::Function(function, of) => {
-                let of: Vec<String> = of.iter().map(|of| of.written(form).whole()).collect();
+                let of: Vec<String> = of.iter().map(|of| of.written(form).signed_text()).collect();
                 Written::of(
                     format!("{}({})", function.name(), of.join(", ")),
-                    Grip::Alone,
+                    Precedence::Alone,
                 )
             }
         }
@@ -213,11 +219,11 @@ impl Function {
 }
 
 impl Written {
-    fn of(text: String, grip: Grip) -> Written {
+    fn of(text: String, grip: Precedence) -> Written {
         Written {
             negative: false,
             text,
-            grip,
+            precedence: grip,
         }
     }
 
@@ -227,22 +233,22 @@ impl Written {
             negative: size.is_some(),
             text: size.unwrap_or(figure).to_owned(),
             // In a power, a number such as 2e-6 needs brackets.
-            grip: match figure.parse::<f64>() {
-                Ok(_) if figure.contains('e') => Grip::Product,
-                _ => Grip::Alone,
+            precedence: match figure.parse::<f64>() {
+                Ok(_) if figure.contains('e') => Precedence::Product,
+                _ => Precedence::Alone,
             },
         }
     }
 
     /// Returns the text with its sign.
-    fn whole(&self) -> String {
+    fn signed_text(&self) -> String {
         let sign = if self.negative { "-" } else { "" };
         format!("{sign}{}", self.text)
     }
 
-    /// Returns the text without its sign, in brackets if it binds less strongly than `least`.
-    fn bracketed(&self, least: Grip) -> String {
-        if self.grip < least {
+    /// Returns the text without its sign, in brackets if it binds less strongly than `minimum`.
+    fn bracketed(&self, minimum: Precedence) -> String {
+        if self.precedence < minimum {
             format!("({})", self.text)
         } else {
             self.text.clone()
@@ -250,11 +256,11 @@ impl Written {
     }
 
     /// Returns the text as a factor, in brackets also if it is negative.
-    fn factor(&self, least: Grip) -> String {
+    fn factor(&self, minimum: Precedence) -> String {
         if self.negative {
-            factor(&self.whole())
+            factor(&self.signed_text())
         } else {
-            self.bracketed(least)
+            self.bracketed(minimum)
         }
     }
 }

@@ -23,7 +23,7 @@ impl Figures {
     }
 
     /// Formats a value as 0 if it is a rounding error of values of this magnitude.
-    pub(super) fn beside(&self, value: f64, size: f64) -> String {
+    pub(super) fn format_or_zero(&self, value: f64, size: f64) -> String {
         if value.abs() <= NOUGHT * size {
             "0".into()
         } else {
@@ -145,6 +145,6 @@ mod tests {
         assert_eq!(SIX.direction(-69.247_478_774), "290.753");
         assert_eq!(SIX.direction(359.999_999_9), "0");
         assert_eq!(SIX.number(f64::NAN), "-");
-        assert_eq!(SIX.beside(1e-14, 100.0), "0");
+        assert_eq!(SIX.format_or_zero(1e-14, 100.0), "0");
     }
 }

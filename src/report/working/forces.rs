@@ -5,7 +5,7 @@ use super::expression::Expression;
 use super::figures::WrittenSum;
 use super::free_body::{free_body, largest};
 use crate::page::UNIT;
-use crate::solver::{Acted, Condition};
+use crate::solver::{Condition, LoadAction};
 use crate::wording::words;
 use crate::{Input, Load, PointId, Vec2};
 
@@ -55,7 +55,7 @@ fn absent(condition: Condition) -> &'static str {
 }
 
 /// Writes the loads in this state.
-fn loads(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
+fn loads(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
     let mechanism = &context.scene.mechanism;
     let mut rows = Vec::new();
     for (load, acted) in mechanism.loads().iter().zip(acted) {
@@ -95,7 +95,7 @@ pub(super) fn kind(load: &Load) -> &'static str {
 
 pub(super) fn components(context: &Context<'_>, force: Vec2) -> [String; 2] {
     let size = force.norm();
-    [force.x, force.y].map(|v| context.figures.beside(v, size))
+    [force.x, force.y].map(|v| context.figures.format_or_zero(v, size))
 }
 
 pub(super) fn point_name<'a>(context: &'a Context<'_>, point: PointId) -> &'a str {
@@ -103,27 +103,29 @@ pub(super) fn point_name<'a>(context: &'a Context<'_>, point: PointId) -> &'a st
 }
 
 /// Writes the driver's effort, and its parts.
-fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[Acted]) {
+fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[LoadAction]) {
     let (f, state) = (context.figures, context.state);
-    let (turns, what, unit) = match context.scene.mechanism.driver().input {
+    let (is_rotary, what, unit) = match context.scene.mechanism.driver().input {
         Input::Turn(_) => (true, "torque", "N m"),
         Input::Push(_) => (false, "force", "N"),
     };
-    draft.page.section(match turns {
+    draft.page.section(match is_rotary {
         true => words().torque_of_driver(),
         false => words().force_of_driver(),
     });
     if let Some(parts) = state.drive_parts() {
-        let size = parts.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+        let size = parts
+            .iter()
+            .fold(0.0_f64, |maximum, v| maximum.max(v.abs()));
         let mut sum = WrittenSum::default();
         parts
             .iter()
-            .for_each(|v| sum.push_figure(&f.beside(*v, size)));
+            .for_each(|v| sum.push_figure(&f.format_or_zero(*v, size)));
         let size_on_the_way = size.max(largest(context, acted));
-        let worked = parts.iter().sum();
-        draft.agree(&format!("driver.{what}"), worked, drive, size_on_the_way);
-        let effort = format!("{} {UNIT}{unit}", f.beside(drive, size));
-        draft.page.text(match (state.residual(), turns) {
+        let computed = parts.iter().sum();
+        draft.agree(&format!("driver.{what}"), computed, drive, size_on_the_way);
+        let effort = format!("{} {UNIT}{unit}", f.format_or_zero(drive, size));
+        draft.page.text(match (state.residual(), is_rotary) {
             (Some(_), true) => words().torque_checked_by_work(&effort),
             (Some(_), false) => words().force_checked_by_work(&effort),
             (None, _) => words().effort_by_work().to_owned(),
@@ -133,7 +135,7 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[Acted])
             format!("driver.{what}"),
             super::loads::share_names().join(" + "),
             sum.text(),
-            format!("{} {UNIT}{unit}", f.beside(drive, size)),
+            format!("{} {UNIT}{unit}", f.format_or_zero(drive, size)),
         ]);
     }
     if let Some(power) = state.power() {
@@ -143,10 +145,10 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[Acted])
         };
         let [drive, speed] = [(f.number(drive), drive), (f.given(speed), speed)]
             .map(|(figure, value)| Expression::figure(figure, value));
-        let worked = draft.reckoned("driver.power", &(drive * speed), |power| {
+        let computed = draft.write_numbers("driver.power", &(drive * speed), |power| {
             format!("{} {UNIT}W", f.number(power))
         });
-        draft.agree("driver.power", worked, power, power.abs());
+        draft.agree("driver.power", computed, power, power.abs());
     }
 }
 

@@ -6,7 +6,7 @@ use super::expression::{Expression, Function};
 use super::figures::WrittenSum;
 use super::forces::point_name;
 use crate::page::UNIT;
-use crate::solver::Acted;
+use crate::solver::LoadAction;
 use crate::wording::words;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
 
@@ -37,7 +37,7 @@ pub(super) enum BodyJoint {
 pub(super) fn on_link(
     context: &Context<'_>,
     id: LinkId,
-    acted: &[Acted],
+    acted: &[LoadAction],
 ) -> Option<Vec<BodyForce>> {
     let about = context.scene.mechanism.link(id).members.first()?.point;
     let body = FreeBody {
@@ -55,7 +55,7 @@ pub(super) fn free_body(
     context: &Context<'_>,
     draft: &mut Draft,
     id: LinkId,
-    acted: &[Acted],
+    acted: &[LoadAction],
 ) -> bool {
     let link = context.scene.mechanism.link(id);
     let name = context.scene.link_name(id);
@@ -98,7 +98,7 @@ struct EquationOfMotion {
 struct FreeBody<'a> {
     context: &'a Context<'a>,
     id: LinkId,
-    acted: &'a [Acted],
+    acted: &'a [LoadAction],
     /// The reference point of moments.
     about: PointId,
 }
@@ -134,15 +134,15 @@ impl FreeBody<'_> {
         let cells = rows.iter().map(|row| {
             let arm = self.arm(row);
             let along = |pick: fn(Vec2) -> f64| {
-                arm.map_or("-".into(), |arm| f.beside(pick(arm), arm.norm()))
+                arm.map_or("-".into(), |arm| f.format_or_zero(pick(arm), arm.norm()))
             };
             [
                 row.name.clone(),
-                f.beside(row.force.x, largest),
-                f.beside(row.force.y, largest),
+                f.format_or_zero(row.force.x, largest),
+                f.format_or_zero(row.force.y, largest),
                 along(|arm| arm.x),
                 along(|arm| arm.y),
-                f.beside(self.moment(row), reach),
+                f.format_or_zero(self.moment(row), reach),
             ]
         });
         let [x, y] = ["x", "y"].map(|axis| format!("{axis} [{}]", f.unit));
@@ -178,8 +178,8 @@ impl FreeBody<'_> {
                 let at = Expression::figure(f.direction(direction), direction);
                 let along =
                     Expression::figure(f.number(length), length) * Expression::of(function, [at]);
-                draft.reckoned(name, &along, |v| {
-                    format!("{} {UNIT}m/s^2", f.beside(v, size_of_a))
+                draft.write_numbers(name, &along, |v| {
+                    format!("{} {UNIT}m/s^2", f.format_or_zero(v, size_of_a))
                 });
             }
         }
@@ -187,7 +187,11 @@ impl FreeBody<'_> {
             values,
             size: largest,
             motion: Expression::known("m", f.given(link.mass), link.mass)
-                * Expression::known(format!("a{axis}"), f.beside(a_axis, size_of_a), a_axis),
+                * Expression::known(
+                    format!("a{axis}"),
+                    f.format_or_zero(a_axis, size_of_a),
+                    a_axis,
+                ),
             unit: "N",
         };
         let alpha = state.alpha(self.id);
@@ -211,7 +215,7 @@ impl FreeBody<'_> {
         let (size, value) = (balance.size, balance.motion.value());
         let mut sum = WrittenSum::default();
         for &term in &balance.values {
-            let figure = f.beside(term, size);
+            let figure = f.format_or_zero(term, size);
             if figure != "0" {
                 sum.push_figure(&figure);
             }
@@ -219,9 +223,9 @@ impl FreeBody<'_> {
         let name = self.context.scene.link_name(self.id);
         let symbols = balance.motion.symbols();
         let symbol = words().symbols_of(&symbols, name);
-        let worked = balance.values.iter().sum();
-        draft.agree(&symbol, worked, value, size.max(value.abs()));
-        let right = format!("{} {UNIT}{}", f.beside(value, size), balance.unit);
+        let computed = balance.values.iter().sum();
+        draft.agree(&symbol, computed, value, size.max(value.abs()));
+        let right = format!("{} {UNIT}{}", f.format_or_zero(value, size), balance.unit);
         let link = self.mechanism().link(self.id);
         if link.mass > 0.0 || link.inertia > 0.0 {
             let sides = [sum.text(), symbols, balance.motion.numbers(), right];
@@ -398,7 +402,7 @@ pub(super) fn is_joint(mechanism: &Mechanism, id: PointId) -> bool {
 
 /// Returns the maximum moment (N m) of a force on any link, or for a driven slide the maximum force
 /// (N). The driver's effort may be a small difference of such values.
-pub(super) fn largest(context: &Context<'_>, acted: &[Acted]) -> f64 {
+pub(super) fn largest(context: &Context<'_>, acted: &[LoadAction]) -> f64 {
     let mechanism = &context.scene.mechanism;
     let sizes = mechanism.link_ids().filter_map(|id| {
         let link = mechanism.link(id);

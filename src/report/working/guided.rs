@@ -36,28 +36,32 @@ impl Solution<'_> {
         }
         let root = under.max(0.0).sqrt();
         let roots = [-p + root, -p - root];
-        let [one, two] = roots.map(|r| f.beside(r, size));
+        let [one, two] = roots.map(|r| f.format_or_zero(r, size));
         draft.page.equation([
             name.clone(),
             "-p +- sqrt(p^2 - q)".into(),
-            format!("{} +- {}", f.beside(-p, size), f.beside(root, size)),
+            format!(
+                "{} +- {}",
+                f.format_or_zero(-p, size),
+                f.format_or_zero(root, size)
+            ),
             words().either_or(&one, &format!("{two} {UNIT}{}", f.unit)),
         ]);
         let away = roots.map(|r| (r - member.reading.r).abs());
-        let worked = if away[0] <= away[1] {
+        let computed = if away[0] <= away[1] {
             roots[0]
         } else {
             roots[1]
         };
         // Near a dead point, the root of a difference loses half its digits.
         let loss = 1.0 + size / root.max(1e-8 * size);
-        draft.agree(&name, worked, member.reading.r, size * loss);
+        draft.agree(&name, computed, member.reading.r, size * loss);
         draft.page.text(words().by_the_assembly());
-        let found = format!("{} {UNIT}{}", f.beside(worked, size), f.unit);
+        let found = format!("{} {UNIT}{}", f.format_or_zero(computed, size), f.unit);
         draft.page.equation([name.clone(), found]);
         // The arm closes the loop.
         let sign = if slide.reversed { -1.0 } else { 1.0 };
-        let along = -(self.known + member.reading.u * (sign * worked));
+        let along = -(self.known + member.reading.u * (sign * computed));
         self.write_direction(draft, &arm, (along, &sum), size, loss);
     }
 
@@ -67,7 +71,7 @@ impl Solution<'_> {
         let k = self.known;
         for (axis, label, value) in [(Multiplier::X, "Kx", k.x), (Multiplier::Y, "Ky", k.y)] {
             let [symbols, figures] = self.known_text(&axis);
-            let found = f.beside(value, size);
+            let found = f.format_or_zero(value, size);
             let mut sides = vec![label.to_owned(), symbols, figures];
             // A single term equals its value.
             sides.retain(|side| *side != found);
@@ -91,19 +95,19 @@ impl Solution<'_> {
             .page
             .equation([format!("{name}^2 + 2 p {name} + q"), "0".into()]);
         let [kx, ky] = [("Kx", k.x), ("Ky", k.y)]
-            .map(|(symbol, v)| Expression::known(symbol, f.beside(v, size), v));
+            .map(|(symbol, v)| Expression::known(symbol, f.format_or_zero(v, size), v));
         let theta = Expression::known(member.side.theta(), f.direction(at), at);
         let [cos, sin] = [Function::Cos, Function::Sin]
             .map(|function| Expression::of(function, [theta.clone()]));
         let along = kx.clone() * cos + ky.clone() * sin;
         let p = along.minus_if(slide.reversed);
         let p = draft.worked("p", &p, |p| {
-            format!("{} {UNIT}{}", f.beside(p, size), f.unit)
+            format!("{} {UNIT}{}", f.format_or_zero(p, size), f.unit)
         });
         let arm = Expression::known(arm.length.as_str(), arm.figure(f), arm.value);
         let q = kx.squared() + ky.squared() - arm.squared();
         let q = draft.worked("q", &q, |q| {
-            format!("{} {UNIT}{}^2", f.beside(q, size * size), f.unit)
+            format!("{} {UNIT}{}^2", f.format_or_zero(q, size * size), f.unit)
         });
         [p, q]
     }
@@ -119,21 +123,21 @@ impl Solution<'_> {
         loss: f64,
     ) {
         let f = self.figures;
-        let [y, x] = [along.y, along.x].map(|v| Expression::figure(f.beside(v, size), v));
+        let [y, x] = [along.y, along.x].map(|v| Expression::figure(f.format_or_zero(v, size), v));
         let direction = Expression::of(Function::Atan2, [y, x]);
-        let told = Expression::known(
+        let text = Expression::known(
             words().angle_of_minus(what),
             direction.numbers(),
             direction.value(),
         );
         let theta = match arm.ahead {
-            0.0 => told,
-            ahead => told - Expression::figure(f.angle(ahead), ahead),
+            0.0 => text,
+            ahead => text - Expression::figure(f.angle(ahead), ahead),
         };
-        let worked = draft.worked(&arm.theta, &theta, |worked| turn(f, worked));
-        draft.agree_angle(&arm.theta, worked, arm.solved, loss);
+        let computed = draft.worked(&arm.theta, &theta, |computed| turn(f, computed));
+        draft.agree_angle(&arm.theta, computed, arm.solved, loss);
         if let Some(side) = arm.side {
-            self.write_link_angle(draft, side, worked, loss);
+            self.write_link_angle(draft, side, computed, loss);
         }
     }
 
@@ -147,10 +151,11 @@ impl Solution<'_> {
         let diagonal = self.diagonal();
         let size = self.write_length(draft, diagonal, [&mx, &my]);
         let sign = if slide.reversed { -1.0 } else { 1.0 };
-        let [t0, e] = self.beside_guide(arm, slide, size.max(member.reading.r.abs()));
+        let [t0, e] = self.side_components(arm, slide, size.max(member.reading.r.abs()));
         let has_rest = [t0, e] != [0.0, 0.0];
         let is_back = t0 + sign * member.reading.r < 0.0;
-        let known = |symbol, value: f64| Expression::known(symbol, f.beside(value, size), value);
+        let known =
+            |symbol, value: f64| Expression::known(symbol, f.format_or_zero(value, size), value);
         let m = || Expression::known(diagonal, f.number(size), size);
         let w = match has_rest {
             true => (m().squared() - known("e", e).squared())
@@ -160,9 +165,9 @@ impl Solution<'_> {
         };
         let w = if has_rest {
             let name = &member.side.name;
-            let [t, e] = [t0, e].map(|v| f.beside(v, size));
+            let [t, e] = [t0, e].map(|v| f.format_or_zero(v, size));
             draft.page.text(words().others_turn_with(name, &t, &e));
-            draft.worked("w", &w, |w| f.beside(w, size))
+            draft.worked("w", &w, |w| f.format_or_zero(w, size))
         } else {
             w.value()
         };
@@ -171,24 +176,24 @@ impl Solution<'_> {
             false => m().minus_if(is_back != slide.reversed),
         };
         let loss = 1.0 + size / w.abs().max(1e-8 * size);
-        let worked = draft.found(&name, &travel, |r| {
-            format!("{} {UNIT}{}", f.beside(r, size), f.unit)
+        let computed = draft.found(&name, &travel, |r| {
+            format!("{} {UNIT}{}", f.format_or_zero(r, size), f.unit)
         });
-        draft.agree(&name, worked, member.reading.r, size * loss);
+        draft.agree(&name, computed, member.reading.r, size * loss);
         let theta = member.side.theta();
         let angle = Expression::of(Function::Atan2, [my, mx]);
         let angle = match has_rest || is_back {
             true => angle - Expression::of(Function::Atan2, [known("e", e), known("w", w)]),
             false => angle,
         };
-        let value = draft.reckoned(&theta, &angle, |value| turn(f, value));
+        let value = draft.write_numbers(&theta, &angle, |value| turn(f, value));
         draft.agree_angle(&theta, value, member.reading.theta, loss);
         self.write_link_angle(draft, member.side, value, loss);
     }
 
     /// Returns the constant components of an arm's other sides, along the vector of its guide and
     /// to the left of it.
-    pub(super) fn beside_guide(&self, arm: &[Term], slide: Term, size: f64) -> [f64; 2] {
+    pub(super) fn side_components(&self, arm: &[Term], slide: Term, size: f64) -> [f64; 2] {
         let u = self.member(slide).reading.u;
         let others = arm.iter().filter(|t| **t != slide).map(|&t| self.member(t));
         let rest = others.fold(Vec2::ZERO, |sum, o| {
@@ -214,14 +219,14 @@ impl Solution<'_> {
             let sum = known(&pieces);
             let factor_of = other.reading.u.cross(own.reading.u);
             let factor_of = if own.reversed { -factor_of } else { factor_of };
-            let sum = Expression::figure(f.beside(sum, size), sum);
-            let divisor = Expression::figure(f.beside(factor_of, 1.0), factor_of);
+            let sum = Expression::figure(f.format_or_zero(sum, size), sum);
+            let divisor = Expression::figure(f.format_or_zero(factor_of, 1.0), factor_of);
             let quotient = -(sum / divisor);
-            let worked = draft.reckoned(&own.side.name, &quotient, |worked| {
-                format!("{} {UNIT}{}", f.beside(worked, size), f.unit)
+            let computed = draft.write_numbers(&own.side.name, &quotient, |computed| {
+                format!("{} {UNIT}{}", f.format_or_zero(computed, size), f.unit)
             });
             let loss = size / factor_of.abs();
-            draft.agree(&own.side.name, worked, own.reading.r, loss);
+            draft.agree(&own.side.name, computed, own.reading.r, loss);
         }
     }
 
@@ -235,8 +240,13 @@ impl Solution<'_> {
         draft.agree(&name, size, member.reading.r, self.longest());
         let theta = member.side.theta();
         let angle = Expression::of(Function::Atan2, [my, mx]);
-        let worked = draft.found(&theta, &angle, |worked| turn(f, worked));
-        draft.agree_angle(&theta, worked, member.reading.theta, self.longest() / size);
+        let computed = draft.found(&theta, &angle, |computed| turn(f, computed));
+        draft.agree_angle(
+            &theta,
+            computed,
+            member.reading.theta,
+            self.longest() / size,
+        );
     }
 }
 

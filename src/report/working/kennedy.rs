@@ -25,13 +25,13 @@ pub(super) fn instant_centres(context: &Context<'_>, draft: &mut Draft) {
         draft.page.text(words().common_centres(&joints.join("; ")));
     }
     for centre in &centres {
-        let told = CentreTold {
+        let text = CentreDescription {
             context,
             centre,
             figures: figures(context, centre),
             known: &centres,
         };
-        told.write(draft);
+        text.write(draft);
     }
     table(context, draft, &centres);
 }
@@ -65,7 +65,7 @@ fn table(context: &Context<'_>, draft: &mut Draft, centres: &[LinkCentre]) {
     let rows = centres.iter().map(|centre| {
         let f = figures(context, centre);
         let [x, y] = match centre.place {
-            CentrePlace::At(at) => [f.beside(at.x, size), f.beside(at.y, size)],
+            CentrePlace::At(at) => [f.format_or_zero(at.x, size), f.format_or_zero(at.y, size)],
             CentrePlace::Far(u) => {
                 let at = context.figures.direction(angle::degrees(u));
                 [words().at_infinity().to_owned(), format!("{at} deg")]
@@ -79,14 +79,14 @@ fn table(context: &Context<'_>, draft: &mut Draft, centres: &[LinkCentre]) {
     draft.table([words().instant_centre(), &x, &y], rows.collect());
 }
 
-struct CentreTold<'a> {
+struct CentreDescription<'a> {
     context: &'a Context<'a>,
     centre: &'a LinkCentre,
     figures: Figures,
     known: &'a [LinkCentre],
 }
 
-impl CentreTold<'_> {
+impl CentreDescription<'_> {
     fn link_name(&self) -> &str {
         self.context.scene.link_name(self.centre.link)
     }
@@ -159,7 +159,10 @@ impl CentreTold<'_> {
     fn coordinate(&self, axis: &str, point: PointId) -> Expression {
         let at = self.context.state.position(point);
         let value = if axis == "x" { at.x } else { at.y };
-        let figure = self.context.figures.beside(value, longest(self.context));
+        let figure = self
+            .context
+            .figures
+            .format_or_zero(value, longest(self.context));
         Expression::known(coordinate(self.context, axis, point), figure, value)
     }
 
@@ -169,7 +172,7 @@ impl CentreTold<'_> {
         let name = symbol(context, self.centre.link);
         let [one, other] = lines.each_ref().map(|line| self.line(line));
         draft.page.text(words().on_two_lines(&name, &one, &other));
-        self.tell_blur(draft);
+        self.write_uncertainty(draft);
         let [p, q] = lines.map(|line| line.joint);
         let [beta, gamma] = [("β", &lines[0]), ("γ", &lines[1])].map(|(symbol, line)| {
             let figure = context.figures.direction(line.degrees());
@@ -179,28 +182,29 @@ impl CentreTold<'_> {
             Expression::known(symbol, figure, line.degrees())
         });
         let of = |function, angle: &Expression| Expression::of(function, [angle.clone()]);
-        let apart = |axis| self.coordinate(axis, q) - self.coordinate(axis, p);
-        let above = apart("x") * of(Function::Sin, &gamma) - apart("y") * of(Function::Cos, &gamma);
+        let distance = |axis| self.coordinate(axis, q) - self.coordinate(axis, p);
+        let above =
+            distance("x") * of(Function::Sin, &gamma) - distance("y") * of(Function::Cos, &gamma);
         let t = above / of(Function::Sin, &(gamma.clone() - beta.clone()));
         let size = longest(context);
         let t = draft.worked("t", &t, |t| {
-            format!("{} {UNIT}{}", f.beside(t, size), f.unit)
+            format!("{} {UNIT}{}", f.format_or_zero(t, size), f.unit)
         });
-        let known = || Expression::known("t", f.beside(t, size), t);
+        let known = || Expression::known("t", f.format_or_zero(t, size), t);
         let at = [("x", Function::Cos), ("y", Function::Sin)].map(|(axis, function)| {
             let sum = self.coordinate(axis, p) + known() * of(function, &beta);
             draft.worked(axis, &sum, |v| {
-                format!("{} {UNIT}{}", f.beside(v, size), f.unit)
+                format!("{} {UNIT}{}", f.format_or_zero(v, size), f.unit)
             })
         });
         let sine = lines[0].u.cross(lines[1].u).abs();
         let loss = 1.0 / sine + self.centre.loss / f64::EPSILON;
         let far = size + t.abs();
-        let worked = Vec2::new(at[0], at[1]);
+        let computed = Vec2::new(at[0], at[1]);
         // The solver's centre follows from the velocity of the joint.
         let w = context.state.omega(self.centre.link);
         let by_velocity = context.state.position(p) + context.state.velocity(p).perp() / w;
-        draft.agree(&name, (worked - by_velocity).norm(), 0.0, far * loss);
+        draft.agree(&name, (computed - by_velocity).norm(), 0.0, far * loss);
         self.turning(draft, p, (t, far * loss));
         self.speeds(draft, solved, far * loss, p);
     }
@@ -210,15 +214,18 @@ impl CentreTold<'_> {
         let (f, state) = (self.figures, self.context.state);
         let (v, w) = (state.velocity(joint).norm(), state.omega(self.centre.link));
         let speed = of_point("v", self.point_name(joint));
-        let figure = self.context.figures.beside(v, self.context.fastest[0]);
+        let figure = self
+            .context
+            .figures
+            .format_or_zero(v, self.context.fastest[0]);
         let quotient = Expression::known(speed, figure, v)
             / Expression::known("|t|", f.number(t.abs()), t.abs());
         let symbol = format!("|{}|", symbols::omega(self.link_name()));
-        let worked = draft.worked(&symbol, &quotient, |w| {
+        let computed = draft.worked(&symbol, &quotient, |w| {
             format!("{} {UNIT}rad/s", f.number(w))
         });
         let size = w.abs() * loss / t.abs() + self.context.fastest[0] / t.abs();
-        draft.agree(&symbol, worked, w.abs(), size);
+        draft.agree(&symbol, computed, w.abs(), size);
     }
 
     /// Writes the centre from the velocity of one point, if no two lines are known.
@@ -229,7 +236,7 @@ impl CentreTold<'_> {
         draft
             .page
             .text(words().centre_by_velocity(&name, point, &omega));
-        self.tell_blur(draft);
+        self.write_uncertainty(draft);
         let (v, w) = (
             context.state.velocity(base),
             context.state.omega(self.centre.link),
@@ -238,7 +245,7 @@ impl CentreTold<'_> {
         let part = |axis: &str, value: f64| {
             let symbol = of_point("v", point);
             let between = if point.len() <= 2 { "" } else { "_" };
-            let figure = context.figures.beside(value, context.fastest[0]);
+            let figure = context.figures.format_or_zero(value, context.fastest[0]);
             Expression::known(format!("{symbol}{between}{axis}"), figure, value)
         };
         let x = self.coordinate("x", base) - part("y", v.y) / w.clone();
@@ -246,7 +253,7 @@ impl CentreTold<'_> {
         let size = longest(context);
         for (symbol, sum) in [("x", x), ("y", y)] {
             draft.worked(symbol, &sum, |v| {
-                format!("{} {UNIT}{}", f.beside(v, size), f.unit)
+                format!("{} {UNIT}{}", f.format_or_zero(v, size), f.unit)
             });
         }
         let far = size + (at - context.state.position(base)).norm();
@@ -254,7 +261,7 @@ impl CentreTold<'_> {
         self.speeds(draft, at, far * loss, base);
     }
 
-    fn tell_blur(&self, draft: &mut Draft) {
+    fn write_uncertainty(&self, draft: &mut Draft) {
         if self.figures.digits < self.context.figures.digits {
             let digits = self.figures.digits;
             draft
@@ -264,29 +271,29 @@ impl CentreTold<'_> {
     }
 
     /// Writes the velocities of the link's other points from their distances to the centre.
-    fn speeds(&self, draft: &mut Draft, at: Vec2, loss: f64, told: PointId) {
+    fn speeds(&self, draft: &mut Draft, at: Vec2, loss: f64, text: PointId) {
         let (f, state) = (self.figures, self.context.state);
         let w = state.omega(self.centre.link);
         let name = symbol(self.context, self.centre.link);
         let unit = f.length_unit(1);
         let size = longest(self.context);
-        for point in named(self.context, self.centre.link).filter(|&point| point != told) {
+        for point in named(self.context, self.centre.link).filter(|&point| point != text) {
             let point_name = self.point_name(point);
             let distance = (state.position(point) - at).norm();
             let omega = symbols::omega(self.link_name());
             let arm = Expression::known(
                 format!("|{point_name} - {name}|"),
-                f.beside(distance, size),
+                f.format_or_zero(distance, size),
                 distance,
             );
             let turning = Expression::known(format!("|{omega}|"), f.number(w.abs()), w.abs());
             let v = state.velocity(point);
             let fast = self.context.fastest[0];
             let symbol = of_point("v", point_name);
-            let worked = draft.worked(&symbol, &(turning * arm), |v| {
-                format!("{} {UNIT}{unit}", f.beside(v, fast))
+            let computed = draft.worked(&symbol, &(turning * arm), |v| {
+                format!("{} {UNIT}{unit}", f.format_or_zero(v, fast))
             });
-            draft.agree(&symbol, worked, v.norm(), w.abs() * loss + fast);
+            draft.agree(&symbol, computed, v.norm(), w.abs() * loss + fast);
         }
     }
 }

@@ -28,9 +28,9 @@ pub(super) fn on_line(
     let given = |symbol: &str, value: f64| Expression::known(symbol, f.given(value), value);
     let (first, second) = (format!("{symbol}1"), format!("{symbol}2"));
     let slope = (given("p2", p2) - given("p1", p1)) / (given(&second, d2) - given(&first, d1));
-    let at = Expression::known(symbol, f.beside(at, size), at);
+    let at = Expression::known(symbol, f.format_or_zero(at, size), at);
     let law = given("p1", p1) + slope * (at - given(&first, d1));
-    let worked = draft.worked("p", &law, |p| format!("{} {UNIT}N", f.number(p)));
+    let computed = draft.worked("p", &law, |p| format!("{} {UNIT}N", f.number(p)));
     let steep = (p2 - p1).abs() / (d2 - d1) * size;
-    (worked, p1.abs().max(p2.abs()) + steep)
+    (computed, p1.abs().max(p2.abs()) + steep)
 }

@@ -6,12 +6,12 @@ use super::expression::Expression;
 use super::forces::{kind, point_name};
 use super::knots::{line_at, on_line};
 use crate::page::UNIT;
-use crate::solver::{Acted, PressStroke};
+use crate::solver::{LoadAction, PressStroke};
 use crate::wording::words;
 use crate::{Body, Input, Load, PointId, Profile, SlideId, StrokeEnd, Vec2};
 
 /// Writes the laws of loads that are not constant.
-pub(super) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
+pub(super) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
     let mechanism = &context.scene.mechanism;
     for (load, acted) in mechanism.loads().iter().zip(acted) {
         match *load {
@@ -21,12 +21,12 @@ pub(super) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
                 frame,
                 ref over,
             } if !over.is_one() && force != Vec2::ZERO => {
-                let whole = match frame {
+                let complete = match frame {
                     Body::Ground => force,
                     Body::Link(link) => force.turned(context.state.direction(link)),
                 };
                 let now = acted.forces.first().map_or(Vec2::ZERO, |a| a.1);
-                let part = whole.dot(now) / whole.dot(whole);
+                let part = complete.dot(now) / complete.dot(complete);
                 let name = words().acts_at(words().force(), point_name(context, point));
                 let sizes = [part, force.norm(), now.norm().copysign(part)];
                 scaled(context, draft, name, sizes, "N");
@@ -73,19 +73,19 @@ fn press(
     let here = Expression::known(name, f.number(position), position);
     let bottom = Expression::known("r0", f.number(stroke.bottom), stroke.bottom);
     let distance = match end {
-        StrokeEnd::Least => here - bottom,
-        StrokeEnd::Greatest => bottom - here,
+        StrokeEnd::Minimum => here - bottom,
+        StrokeEnd::Maximum => bottom - here,
     };
     let d = draft.worked("d", &distance, |d| {
-        format!("{} {UNIT}{}", f.beside(d, size), f.unit)
+        format!("{} {UNIT}{}", f.format_or_zero(d, size), f.unit)
     });
     draft.agree("d", d, stroke.distance, size);
     match (stroke.closes, line_at(curve, stroke.distance)) {
         (false, _) => draft.page.text(words().press_opens()),
         (true, Some(line)) if force > 0.0 => {
             draft.page.text(words().press_by_line());
-            let (worked, reach) = on_line(context, draft, "d", (d, size), line);
-            draft.agree("p", worked, force, reach);
+            let (computed, reach) = on_line(context, draft, "d", (d, size), line);
+            draft.agree("p", computed, force, reach);
         }
         (true, _) => {
             let first = curve.knots().last().map_or(0.0, |knot| knot[0]);
@@ -100,16 +100,16 @@ fn scaled(
     context: &Context<'_>,
     draft: &mut Draft,
     name: String,
-    [part, whole, now]: [f64; 3],
+    [part, complete, now]: [f64; 3],
     unit: &str,
 ) {
     let f = context.figures;
     let product = Expression::known(words().factor(), f.number(part), part)
-        * Expression::figure(f.given(whole), whole);
-    let worked = draft.worked(&name, &product, |now| {
+        * Expression::figure(f.given(complete), complete);
+    let computed = draft.worked(&name, &product, |now| {
         format!("{} {UNIT}{unit}", f.number(now))
     });
-    draft.agree(&name, worked, now, whole.abs());
+    draft.agree(&name, computed, now, complete.abs());
 }
 
 /// Returns the names of the parts of the driver's effort in a formula.
@@ -118,7 +118,12 @@ pub(super) fn share_names() -> [&'static str; 3] {
 }
 
 /// Writes the power of every load, and the part of the driver's effort that balances it.
-pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], parts: [f64; 3]) {
+pub(super) fn shares(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    acted: &[LoadAction],
+    parts: [f64; 3],
+) {
     let (f, state) = (context.figures, context.state);
     let mechanism = &context.scene.mechanism;
     let metres = mechanism.metres();
@@ -180,11 +185,13 @@ pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], 
         Input::Turn(_) => "N m",
         Input::Push(_) => "N",
     };
-    let size = parts.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    let size = parts
+        .iter()
+        .fold(0.0_f64, |maximum, v| maximum.max(v.abs()));
     let names = share_names();
     let shares = powers.into_iter().zip(sizes).zip(parts);
     for (name, ((power, of_terms), part)) in names.into_iter().zip(shares) {
-        let figure = f.beside(power, size * speed.abs());
+        let figure = f.format_or_zero(power, size * speed.abs());
         if figure == "0" {
             draft
                 .page
@@ -192,9 +199,9 @@ pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], 
             continue;
         }
         let share = Expression::figure(figure, power) / Expression::figure(f.given(speed), speed);
-        let worked = draft.reckoned(name, &-share, |share| {
-            format!("{} {UNIT}{unit}", f.beside(share, size))
+        let computed = draft.write_numbers(name, &-share, |share| {
+            format!("{} {UNIT}{unit}", f.format_or_zero(share, size))
         });
-        draft.agree(name, worked, part, size.max(of_terms / speed.abs()));
+        draft.agree(name, computed, part, size.max(of_terms / speed.abs()));
     }
 }

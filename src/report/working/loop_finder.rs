@@ -46,28 +46,28 @@ struct LoopBuilder<'a> {
 impl Polygon {
     /// Finds the polygons of a scene.
     pub(super) fn of(scene: &Scene, plan: &Plan) -> Polygon {
-        let mut surveyor = LoopBuilder::new(scene);
+        let mut loop_builder = LoopBuilder::new(scene);
         let mut loops = Vec::new();
-        for edge in surveyor.ordered_edges(plan) {
-            if let Some(path) = surveyor.path(edge.point, edge.body) {
-                let terms = surveyor.terms(&path, Some(edge));
+        for edge in loop_builder.ordered_edges(plan) {
+            if let Some(path) = loop_builder.path(edge.point, edge.body) {
+                let terms = loop_builder.terms(&path, Some(edge));
                 loops.push((terms, Some(edge.order)));
             }
-            surveyor.join(edge);
+            loop_builder.join(edge);
         }
         for (terms, _) in &mut loops {
-            surveyor.orient(terms);
+            loop_builder.orient(terms);
         }
-        surveyor.turn_unnamed(&mut loops);
+        loop_builder.turn_unnamed(&mut loops);
         for (terms, _) in &mut loops {
-            surveyor.begin(terms);
+            loop_builder.rotate_to_frame(terms);
         }
-        loops.extend(surveyor.free_loops());
+        loops.extend(loop_builder.free_loops());
         let loops = loops.into_iter().filter(|(terms, _)| terms.len() > 1);
         Polygon {
             loops: loops.map(|(terms, group)| Loop { terms, group }).collect(),
-            sides: surveyor.sides,
-            locks: surveyor.locks,
+            sides: loop_builder.sides,
+            locks: loop_builder.locks,
         }
     }
 }
@@ -76,7 +76,7 @@ impl<'a> LoopBuilder<'a> {
     fn new(scene: &'a Scene) -> Self {
         let mechanism = &scene.mechanism;
         let nodes = mechanism.links().len() + 1 + mechanism.points().len();
-        let mut surveyor = LoopBuilder {
+        let mut loop_builder = LoopBuilder {
             scene,
             locks: Locks::of(mechanism),
             sides: Vec::new(),
@@ -85,9 +85,9 @@ impl<'a> LoopBuilder<'a> {
             ends: vec![Vec::new(); nodes],
             edges: Vec::new(),
         };
-        surveyor.name_guides();
-        surveyor.list_sides();
-        surveyor
+        loop_builder.name_guides();
+        loop_builder.list_sides();
+        loop_builder
     }
 
     // ---- names
@@ -359,10 +359,10 @@ impl<'a> LoopBuilder<'a> {
 
     /// Returns the sides along a path from a point, and back over `closing` if given.
     fn terms(&mut self, path: &[Edge], closing: Option<Edge>) -> Vec<Term> {
-        let ways: Vec<Edge> = path.iter().copied().chain(closing).collect();
+        let paths: Vec<Edge> = path.iter().copied().chain(closing).collect();
         let mut terms = Vec::new();
         // From a point, edges alternately lead into a body and out of it.
-        for pair in ways.chunks(2) {
+        for pair in paths.chunks(2) {
             let &[into, out_of] = pair else { continue };
             terms.extend(self.slide_term(into, false));
             let ports = [into, out_of].map(|edge| self.port(edge));
@@ -431,7 +431,7 @@ impl<'a> LoopBuilder<'a> {
 
     /// Rotates the terms so that the frame's vector comes first, or last if it is traversed
     /// backwards.
-    fn begin(&self, terms: &mut [Term]) {
+    fn rotate_to_frame(&self, terms: &mut [Term]) {
         let on_ground = |term: &Term| {
             matches!(
                 self.sides[term.side].shape,

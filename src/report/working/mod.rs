@@ -68,7 +68,7 @@ pub struct Working {
 
 /// The working of one state.
 #[derive(Clone, Debug)]
-pub struct Worked {
+pub struct WorkedState {
     /// The page.
     pub page: Page,
     /// Every value calculated by a printed formula, with the solver's.
@@ -145,7 +145,7 @@ impl Working {
 
     /// Writes the working of a solved state of this scene, with so many significant digits.
     #[must_use]
-    pub fn of(&self, scene: &Scene, solver: &Solver, state: &State, digits: usize) -> Worked {
+    pub fn of(&self, scene: &Scene, solver: &Solver, state: &State, digits: usize) -> WorkedState {
         self.written(scene, solver, state, digits, WorkingNotation::Krank)
     }
 
@@ -158,7 +158,7 @@ impl Working {
         state: &State,
         digits: usize,
         notation: WorkingNotation,
-    ) -> Worked {
+    ) -> WorkedState {
         let mut context = self.context(scene, solver, state, digits);
         context.notation = notation;
         let mut draft = Draft::default();
@@ -166,13 +166,13 @@ impl Working {
         draft.page.set_symbols(names);
         let mut parts = Vec::new();
         for (part, write) in PARTS {
-            let begin = draft.page.blocks.len();
+            let start = draft.page.blocks.len();
             write(&context, &mut draft);
-            if draft.page.blocks.len() > begin {
-                parts.push((part, begin));
+            if draft.page.blocks.len() > start {
+                parts.push((part, start));
             }
         }
-        Worked {
+        WorkedState {
             page: draft.page,
             agreements: draft.agreements,
             parts,

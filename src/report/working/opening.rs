@@ -211,11 +211,11 @@ pub(super) fn position_table(context: &Context<'_>, draft: &mut Draft) {
     let figures = context.figures;
     let mut rows = Vec::new();
     for (side, reading) in context.polygon.sides.iter().zip(&context.readings) {
-        let sought = [
+        let unknowns = [
             context.schedule.length_group(side),
             context.schedule.angle_group(side),
         ];
-        let exists = sought.map(|group| group.is_none() || context.has_positions());
+        let exists = unknowns.map(|group| group.is_none() || context.has_positions());
         let length = match (exists[0], side.stretches()) {
             (false, _) => "?".into(),
             (true, true) => figures.number(reading.r),
@@ -262,8 +262,8 @@ fn input_mark(context: &Context<'_>, side: &Side) -> &'static str {
 
 fn angle_mark(context: &Context<'_>, side: &Side) -> String {
     let Some(link) = side.turns_with() else {
-        let sought = context.schedule.angle_group(side).is_some();
-        return match sought {
+        let unknowns = context.schedule.angle_group(side).is_some();
+        return match unknowns {
             true => words().is_sought().into(),
             false => words().given().into(),
         };

@@ -4,12 +4,12 @@ use super::draft::{Context, Draft};
 use super::figures::WrittenSum;
 use super::forces::{components, kind, point_name};
 use super::free_body::{BodyForce, guided, is_joint, pin_name};
-use crate::solver::Acted;
+use crate::solver::LoadAction;
 use crate::wording::words;
 use crate::{PointId, Slider, Vec2};
 
 /// Writes the equilibrium of every moving pin that joins several bodies and has a load or a spring.
-pub(super) fn pins(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
+pub(super) fn pins(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
     let mechanism = &context.scene.mechanism;
     // A load on a ground pin goes directly into the ground.
     let moving = mechanism
@@ -64,11 +64,11 @@ fn balance(context: &Context<'_>, draft: &mut Draft, point: PointId, rows: &[(St
     draft.page.text(words().load_at_pin());
     let size = rows
         .iter()
-        .fold(0.0_f64, |most, row| most.max(row.1.norm()));
+        .fold(0.0_f64, |maximum, row| maximum.max(row.1.norm()));
     for (axis, pick) in [("x", (|v| v.x) as fn(Vec2) -> f64), ("y", |v| v.y)] {
         let mut sum = WrittenSum::default();
         for (_, force) in rows {
-            let figure = f.beside(pick(*force), size);
+            let figure = f.format_or_zero(pick(*force), size);
             if figure != "0" {
                 sum.push_figure(&figure);
             }

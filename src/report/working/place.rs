@@ -158,7 +158,7 @@ fn without_loop(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
             };
             let at = context.state.position(point);
             let size = at.norm();
-            let figure = |v: f64| context.figures.beside(v, size);
+            let figure = |v: f64| context.figures.format_or_zero(v, size);
             rows.push([name.to_owned(), figure(at.x), figure(at.y)]);
         }
     }

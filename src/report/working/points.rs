@@ -93,8 +93,8 @@ pub(super) fn earliest(
 pub(super) fn places(context: &Context<'_>) -> Vec<usize> {
     let mut places = vec![0; context.scene.mechanism.points().len()];
     let groups = context.solver.plan().groups.iter();
-    for (place, point) in groups.flat_map(|group| &group.points).enumerate() {
-        places[point.index()] = place + 1;
+    for (index, point) in groups.flat_map(|group| &group.points).enumerate() {
+        places[point.index()] = index + 1;
     }
     places
 }
@@ -113,14 +113,14 @@ struct VectorFormatter<'a> {
 impl VectorFormatter<'_> {
     /// Formats a vector with its symbol, by magnitude and direction.
     fn polar(&self, symbol: impl Into<String>, v: Vec2) -> [String; 2] {
-        [symbol.into(), self.told(v.norm(), v)]
+        [symbol.into(), self.format_vector(v.norm(), v)]
     }
 
     /// Formats a vector with this magnitude, in the direction of another.
-    fn told(&self, size: f64, along: Vec2) -> String {
+    fn format_vector(&self, size: f64, along: Vec2) -> String {
         let f = self.context.figures;
         let unit = f.length_unit(self.order);
-        let length = f.beside(size, self.size);
+        let length = f.format_or_zero(size, self.size);
         if length == "0" {
             return format!("0 {UNIT}{unit}");
         }
@@ -131,8 +131,8 @@ impl VectorFormatter<'_> {
     /// Writes a component by its magnitude:
     /// `aCt = alpha4 r = 95.5036*250 = 23875.9 mm/s^2 at 200.753 deg`.
     fn part(&self, draft: &mut Draft, symbol: String, size: &Expression, value: Vec2) {
-        let worked = draft.worked(&symbol, size, |size| self.told(size, value));
-        draft.agree(&symbol, worked, value.norm(), self.size);
+        let computed = draft.worked(&symbol, size, |size| self.format_vector(size, value));
+        draft.agree(&symbol, computed, value.norm(), self.size);
     }
 
     /// Writes x and y as sums of the components:
@@ -142,17 +142,17 @@ impl VectorFormatter<'_> {
         let unit = f.length_unit(self.order);
         for (axis, function) in [("x", Function::Cos), ("y", Function::Sin)] {
             let terms = parts.iter().filter_map(|part| {
-                let length = f.beside(part.norm(), self.size);
+                let length = f.format_or_zero(part.norm(), self.size);
                 let direction = angle::degrees(*part);
                 let at = Expression::figure(f.direction(direction), direction);
                 let along = Expression::of(function, [at]);
                 (length != "0").then(|| Expression::figure(length, part.norm()) * along)
             });
             let symbol = part_symbol(self.figure, name, axis);
-            let figure = |value| format!("{} {UNIT}{unit}", f.beside(value, self.size));
+            let figure = |value| format!("{} {UNIT}{unit}", f.format_or_zero(value, self.size));
             match Expression::total(terms) {
                 Some(sum) => {
-                    draft.reckoned(&symbol, &sum, figure);
+                    draft.write_numbers(&symbol, &sum, figure);
                 }
                 None => draft.page.equation([symbol, "0".into(), figure(0.0)]),
             }
@@ -160,23 +160,23 @@ impl VectorFormatter<'_> {
     }
 
     /// Writes the magnitude from two perpendicular lengths: tangential and normal, or x and y.
-    fn whole(&self, draft: &mut Draft, name: &str, sum: Vec2, parts: [f64; 2]) {
+    fn write_magnitude(&self, draft: &mut Draft, name: &str, sum: Vec2, parts: [f64; 2]) {
         let f = self.context.figures;
-        let [x, y] = parts.map(|v| Expression::figure(f.beside(v, self.size), v));
+        let [x, y] = parts.map(|v| Expression::figure(f.format_or_zero(v, self.size), v));
         let size = (x.squared() + y.squared()).sqrt();
         let symbol = of_point(self.figure, name);
-        draft.reckoned(&symbol, &size, |size| self.told(size, sum));
+        draft.write_numbers(&symbol, &size, |size| self.format_vector(size, sum));
     }
 
     /// Records the difference between a sum of components and the solver's vector.
-    fn agree(&self, draft: &mut Draft, name: &str, worked: Vec2, solved: Vec2) {
+    fn agree(&self, draft: &mut Draft, name: &str, computed: Vec2, solved: Vec2) {
         let symbol = of_point(self.figure, name);
-        draft.agree(&symbol, (worked - solved).norm(), 0.0, self.size);
+        draft.agree(&symbol, (computed - solved).norm(), 0.0, self.size);
     }
 }
 
 /// A point on a link, relative to another point of it.
-struct OnLink<'a> {
+struct LinkPoint<'a> {
     context: &'a Context<'a>,
     point: PointId,
     name: &'a str,
@@ -203,7 +203,7 @@ fn on_link(
     let Some(arm) = arm(mechanism, link, base, point) else {
         return;
     };
-    let on = OnLink {
+    let on = LinkPoint {
         context,
         point,
         name,
@@ -215,7 +215,7 @@ fn on_link(
         r: arm.norm(),
         is_pivot: mechanism.point(base).ground.is_some(),
     };
-    let OnLink {
+    let LinkPoint {
         link_name,
         base_name,
         ..
@@ -240,7 +240,7 @@ fn arm(mechanism: &Mechanism, link: LinkId, from: PointId, to: PointId) -> Optio
     Some(link.local(to)? - link.local(from)?)
 }
 
-impl OnLink<'_> {
+impl LinkPoint<'_> {
     fn arm(&self, draft: &mut Draft) {
         let f = self.context.figures;
         let direction = f.direction(angle::degrees(self.e));
@@ -255,7 +255,7 @@ impl OnLink<'_> {
         let f = self.context.figures;
         match self.context.scene.mechanism.is_crank(self.link) {
             true => f.given(value.abs()),
-            false => f.beside(value.abs(), size / self.r),
+            false => f.format_or_zero(value.abs(), size / self.r),
         }
     }
 
@@ -270,26 +270,26 @@ impl OnLink<'_> {
         let w = state.omega(self.link);
         let turning = self.e.perp() * w;
         let (v, base) = (state.velocity(self.point), state.velocity(self.base));
-        let scribe = VectorFormatter {
+        let formatter = VectorFormatter {
             context: self.context,
             figure: "v",
             order: 1,
             size: turning.norm().max(self.context.fastest[0]),
         };
         let rate = size_of(&symbols::omega(self.link_name), w);
-        let rate = Expression::known(rate, self.rate(w, scribe.size), w.abs());
+        let rate = Expression::known(rate, self.rate(w, formatter.size), w.abs());
         let size = rate * self.length();
         let sum = base + turning;
-        scribe.agree(draft, self.name, sum, v);
+        formatter.agree(draft, self.name, sum, v);
         if self.is_pivot {
-            return scribe.part(draft, of_point("v", self.name), &size, turning);
+            return formatter.part(draft, of_point("v", self.name), &size, turning);
         }
-        scribe.part(draft, part_symbol("v", self.name, "t"), &size, turning);
+        formatter.part(draft, part_symbol("v", self.name, "t"), &size, turning);
         draft
             .page
-            .equation(scribe.polar(of_point("v", self.base_name), base));
-        scribe.components(draft, self.name, &[turning, base]);
-        scribe.whole(draft, self.name, sum, [sum.x, sum.y]);
+            .equation(formatter.polar(of_point("v", self.base_name), base));
+        formatter.components(draft, self.name, &[turning, base]);
+        formatter.write_magnitude(draft, self.name, sum, [sum.x, sum.y]);
     }
 
     /// Writes a = a of the base + alpha k x e - omega^2 e.
@@ -302,32 +302,32 @@ impl OnLink<'_> {
             state.acceleration(self.base),
         );
         let parts = tangential.norm().max(normal.norm());
-        let scribe = VectorFormatter {
+        let formatter = VectorFormatter {
             context: self.context,
             figure: "a",
             order: 2,
             size: parts.max(self.context.fastest[1]),
         };
         let rate = size_of(&symbols::alpha(self.link_name), alpha);
-        let rate = Expression::known(rate, self.rate(alpha, scribe.size), alpha.abs());
+        let rate = Expression::known(rate, self.rate(alpha, formatter.size), alpha.abs());
         let size = rate * self.length();
-        scribe.part(draft, part_symbol("a", self.name, "t"), &size, tangential);
+        formatter.part(draft, part_symbol("a", self.name, "t"), &size, tangential);
         let rate = symbols::omega(self.link_name);
         let rate = Expression::known(rate, self.rate(w, 0.0), w.abs());
         let size = rate.squared() * self.length();
-        scribe.part(draft, part_symbol("a", self.name, "n"), &size, normal);
+        formatter.part(draft, part_symbol("a", self.name, "n"), &size, normal);
         let sum = base + tangential + normal;
-        scribe.agree(draft, self.name, sum, a);
+        formatter.agree(draft, self.name, sum, a);
         if self.is_pivot {
             let parts = [tangential.norm(), normal.norm()];
-            scribe.whole(draft, self.name, sum, parts);
-            return self.between(draft, parts, scribe.size);
+            formatter.write_magnitude(draft, self.name, sum, parts);
+            return self.between(draft, parts, formatter.size);
         }
         draft
             .page
-            .equation(scribe.polar(of_point("a", self.base_name), base));
-        scribe.components(draft, self.name, &[tangential, normal, base]);
-        scribe.whole(draft, self.name, sum, [sum.x, sum.y]);
+            .equation(formatter.polar(of_point("a", self.base_name), base));
+        formatter.components(draft, self.name, &[tangential, normal, base]);
+        formatter.write_magnitude(draft, self.name, sum, [sum.x, sum.y]);
     }
 
     /// Writes the angle between an acceleration about a pivot and its normal component.
@@ -337,11 +337,11 @@ impl OnLink<'_> {
         }
         let f = self.context.figures;
         let parts = [t, n].map(|v| Expression::figure(f.number(v), v));
-        let whole = of_point("a", self.name);
+        let text = of_point("a", self.name);
         let [above, below] = parts;
         let quotient = Expression::of(Function::Atan, [above / below]);
-        draft.reckoned("β", &quotient, |beta| {
-            words().between_normal_part(&f.number(beta), &whole)
+        draft.write_numbers("β", &quotient, |beta| {
+            words().between_normal_part(&f.number(beta), &text)
         });
         self.direction(draft, (t / n).atan().to_degrees(), size);
     }
@@ -363,9 +363,9 @@ impl OnLink<'_> {
         let is_behind = state.alpha(self.link) > 0.0;
         let beta = Expression::known("β", f.number(beta), beta).minus_if(is_behind);
         let symbol = symbols::theta(&of_point("a", self.name));
-        let worked = draft.worked(&symbol, &(sum + beta), |worked| angle_sum(f, worked));
+        let computed = draft.worked(&symbol, &(sum + beta), |computed| angle_sum(f, computed));
         let a = state.acceleration(self.point);
-        draft.agree_angle(&symbol, worked, angle::degrees(a), 1.0 + size / a.norm());
+        draft.agree_angle(&symbol, computed, angle::degrees(a), 1.0 + size / a.norm());
     }
 }
 
@@ -413,7 +413,7 @@ fn on_guide(
         ..
     } = state.travel(slide);
     let (v, a) = (state.velocity(point), state.acceleration(point));
-    let scribe = |figure, order, size| VectorFormatter {
+    let formatter = |figure, order, size| VectorFormatter {
         context,
         figure,
         order,
@@ -423,12 +423,12 @@ fn on_guide(
     let rate_name = size_of(&symbols::rate(slide_name), rate);
     let accel_name = size_of(&symbols::accel(slide_name), accel);
     if on == Body::Ground {
-        for (scribe, symbol, value, solved) in [
-            (scribe("v", 1, context.fastest[0]), rate_name, along, v),
-            (scribe("a", 2, context.fastest[1]), accel_name, second, a),
+        for (formatter, symbol, value, solved) in [
+            (formatter("v", 1, context.fastest[0]), rate_name, along, v),
+            (formatter("a", 2, context.fastest[1]), accel_name, second, a),
         ] {
-            scribe.agree(draft, name, value, solved);
-            let [whole, text] = scribe.polar(of_point(scribe.figure, name), value);
+            formatter.agree(draft, name, value, solved);
+            let [whole, text] = formatter.polar(of_point(formatter.figure, name), value);
             draft.page.equation([whole, symbol, text]);
         }
         return;
@@ -436,7 +436,7 @@ fn on_guide(
     // The remaining motion is that of the guide's point under the pin.
     let coriolis = t.perp() * (2.0 * omega * rate);
     let (guide_v, guide_a) = (v - along, a - second - coriolis);
-    let of_v = scribe("v", 1, context.fastest[0]);
+    let of_v = formatter("v", 1, context.fastest[0]);
     for line in [
         of_v.polar(words().of_under("v", body, name), guide_v),
         of_v.polar(rate_name.clone(), along),
@@ -444,7 +444,7 @@ fn on_guide(
     ] {
         draft.page.equation(line);
     }
-    let of_a = scribe("a", 2, coriolis.norm().max(context.fastest[1]));
+    let of_a = formatter("a", 2, coriolis.norm().max(context.fastest[1]));
     let turning = size_of(&symbols::omega(body), omega);
     let f = context.figures;
     let size = Expression::Number(2.0)
@@ -454,7 +454,7 @@ fn on_guide(
         .page
         .equation(of_a.polar(words().of_under("a", body, name), guide_a));
     let symbol = format!("{} (Coriolis)", part_symbol("a", name, "c"));
-    draft.worked(&symbol, &size, |size| of_a.told(size, coriolis));
+    draft.worked(&symbol, &size, |size| of_a.format_vector(size, coriolis));
     for line in [
         of_a.polar(accel_name, second),
         of_a.polar(of_point("a", name), guide_a + coriolis + second),

@@ -105,7 +105,7 @@ fn removed(
     draft: &mut Draft,
     stage: &Stage,
     order: Order,
-    sought: LoopUnknown,
+    unknowns: LoopUnknown,
     other: LoopUnknown,
 ) {
     let Some(&number) = stage.loops.first() else {
@@ -113,7 +113,7 @@ fn removed(
     };
     let of = &context.polygon.loops[number];
     let members = context.members(of, stage);
-    let symbol = rate_symbol(context, sought, order);
+    let symbol = rate_symbol(context, unknowns, order);
     let other_symbol = rate_symbol(context, other, order);
     let Some(axis) = removing(&members, other) else {
         return;
@@ -122,23 +122,23 @@ fn removed(
     // The vector of several sides that rotate together is parallel to the axis only as a sum.
     pieces.retain(|piece| piece.unknown.as_deref() != Some(&other_symbol));
     let (sum, factor) = (known(&pieces), coefficient(&pieces, &symbol));
-    let solved = rate_value(context, sought, order);
-    let unit = rate_unit(context, sought, order);
+    let solved = rate_value(context, unknowns, order);
+    let unit = rate_unit(context, unknowns, order);
     let f = context.figures;
     draft
         .page
         .text(words().multiplied_by(&axis.name(context.notation), &other_symbol));
     draft.page.equation([in_symbols(&pieces), "0".into()]);
-    let worked = -sum / factor;
-    let size = pieces.iter().fold(0.0_f64, |most, p| match p.unknown {
-        Some(_) => most,
-        None => most.max(p.size),
+    let computed = -sum / factor;
+    let size = pieces.iter().fold(0.0_f64, |maximum, p| match p.unknown {
+        Some(_) => maximum,
+        None => maximum.max(p.size),
     });
     let longest = members
         .iter()
-        .fold(0.0_f64, |most, m| most.max(m.reading.r.abs()));
+        .fold(0.0_f64, |maximum, m| maximum.max(m.reading.r.abs()));
     // At a singular position, the quotient of two rounding errors has no meaning.
-    let sine = match sought {
+    let sine = match unknowns {
         LoopUnknown::Angle(_) | LoopUnknown::Direction(_) => factor.abs() / longest,
         LoopUnknown::Travel(_) | LoopUnknown::Length(_) => factor.abs(),
     };
@@ -154,11 +154,11 @@ fn removed(
     draft.page.equation([in_figures(&pieces, f), "0".into()]);
     draft.agree(
         &symbol,
-        worked,
+        computed,
         solved,
         size / factor.abs() * (1.0 + 1.0 / sine),
     );
-    let shown = f.beside(worked, size / factor.abs());
+    let shown = f.format_or_zero(computed, size / factor.abs());
     let [in_symbols, in_numbers] = solved_for(&pieces, &symbol);
     draft.page.equation([
         symbol,
@@ -377,26 +377,26 @@ fn table_row(
     (value, rate): (f64, f64),
     order: Order,
 ) -> [String; 4] {
-    let length = length.map_or_else(|| "-".into(), |(value, _)| seen(context, value));
+    let length = length.map_or_else(|| "-".into(), |(value, _)| format_value(context, value));
     let turning = word_of((value, rate), context, order);
-    let value = seen(context, value);
+    let value = format_value(context, value);
     [name.to_owned(), length, value, turning.to_owned()]
 }
 
 /// Formats a value of a table: rounding errors become 0, as in the other tables.
-fn seen(context: &Context<'_>, value: f64) -> String {
+fn format_value(context: &Context<'_>, value: f64) -> String {
     let entry = Entry {
         value: Some(value),
         given: false,
         bound: None,
     };
-    context.figures.number(entry.seen().unwrap_or(0.0))
+    context.figures.number(entry.display_value().unwrap_or(0.0))
 }
 
 /// Returns the word for whether a rate increases or decreases in magnitude, from its derivative and
 /// its value.
 fn word_of((value, rate): (f64, f64), context: &Context<'_>, order: Order) -> &'static str {
-    let is_zero = |value| seen(context, value) == "0";
+    let is_zero = |value| format_value(context, value) == "0";
     if order == Order::Velocity || is_zero(rate) || is_zero(value) {
         ""
     } else if (value < 0.0) == (rate < 0.0) {

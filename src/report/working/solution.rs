@@ -105,7 +105,7 @@ impl<'a> Solution<'a> {
         let [x, y] = ["x", "y"].map(|axis| format!("{letter}{axis}"));
         [(Multiplier::X, x, m.x), (Multiplier::Y, y, m.y)].map(|(axis, name, value)| {
             let [symbols, figures] = self.known_text(&axis);
-            let found = f.beside(value, size);
+            let found = f.format_or_zero(value, size);
             draft.page.equation([
                 name.clone(),
                 format!("-({symbols})"),
@@ -190,11 +190,11 @@ impl<'a> Solution<'a> {
     pub(super) fn in_order<'t>(&self, a: &'t [Term], b: &'t [Term]) -> [Vec<Term>; 2] {
         let count = self.of.terms.len();
         let is_arm = |term: &Term| a.contains(term) || b.contains(term);
-        let begins = (0..count).find(|&i| {
+        let starts = (0..count).find(|&i| {
             let before = (i + count - 1) % count;
             is_arm(&self.of.terms[i]) && !is_arm(&self.of.terms[before])
         });
-        let at = begins.unwrap_or(0);
+        let at = starts.unwrap_or(0);
         let rotated: Vec<Term> = (0..count)
             .map(|i| self.of.terms[(at + i) % count])
             .collect();
@@ -221,19 +221,19 @@ impl<'a> Solution<'a> {
             return;
         }
         let symbol = super::symbols::theta(self.context.scene.link_name(link));
-        let worked = theta - ahead;
-        draft.agree_angle(&symbol, worked, self.context.state.angle(link), loss);
+        let computed = theta - ahead;
+        draft.agree_angle(&symbol, computed, self.context.state.angle(link), loss);
         draft.page.equation([
             symbol,
             format!("{} - {}", side.theta(), f.direction(ahead)),
-            turn(f, worked),
+            turn(f, computed),
         ]);
     }
 
     pub(super) fn longest(&self) -> f64 {
         self.members
             .iter()
-            .fold(0.0, |most, m| most.max(m.reading.r.abs()))
+            .fold(0.0, |maximum, m| maximum.max(m.reading.r.abs()))
     }
 }
 

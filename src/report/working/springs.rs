@@ -7,12 +7,12 @@ use super::knots::{line_at, on_line};
 use super::symbols;
 use crate::angle::{TURN, radians};
 use crate::page::UNIT;
-use crate::solver::Acted;
+use crate::solver::LoadAction;
 use crate::wording::words;
 use crate::{Body, LinkId, Load, PointId, Profile};
 
 /// Writes the law of a spring; does nothing for other loads.
-pub(super) fn law(context: &Context<'_>, draft: &mut Draft, load: &Load, acted: &Acted) {
+pub(super) fn law(context: &Context<'_>, draft: &mut Draft, load: &Load, acted: &LoadAction) {
     match *load {
         Load::Spring {
             from,
@@ -131,9 +131,11 @@ fn turn_back(
     if turns != 0.0 {
         phi = phi + Expression::figure(f.given(turns), turns);
     }
-    let phi = draft.worked("θ", &phi, |phi| format!("{} deg", f.beside(phi, TURN)));
+    let phi = draft.worked("θ", &phi, |phi| {
+        format!("{} deg", f.format_or_zero(phi, TURN))
+    });
     let phi = radians(phi);
-    let written = f.beside(phi, radians(TURN));
+    let written = f.format_or_zero(phi, radians(TURN));
     draft
         .page
         .equation(["θ".to_owned(), format!("{written} rad")]);
@@ -143,8 +145,8 @@ fn turn_back(
             * Expression::known("θ", written, phi)
         - Expression::known("c", f.given(damping), damping)
             * Expression::known("ω", f.number(turning), turning);
-    let worked = draft.worked("M", &turn, |turn| format!("{} {UNIT}N m", f.number(turn)));
-    draft.agree("M", worked, found, size.max(found.abs()));
+    let computed = draft.worked("M", &turn, |turn| format!("{} {UNIT}N m", f.number(turn)));
+    draft.agree("M", computed, found, size.max(found.abs()));
 }
 
 /// The current length of a spring, and the rate of it, in the scene's unit.
@@ -161,7 +163,7 @@ impl SpringNow {
         let [from, to] = ends.map(|point| point_name(context, point));
         let name = words().spring_between(from, to);
         let length = f.number(spring.length);
-        let rate = f.beside(spring.rate, context.fastest[0]);
+        let rate = f.format_or_zero(spring.rate, context.fastest[0]);
         draft
             .page
             .equation([name, format!("{length} {UNIT}{}", f.unit)]);
@@ -177,7 +179,7 @@ impl SpringNow {
         let f = context.figures;
         let metres = context.scene.mechanism.metres();
         let rate = self.rate * metres;
-        let figure = f.beside(rate, context.fastest[0] * metres);
+        let figure = f.format_or_zero(rate, context.fastest[0] * metres);
         Expression::known("c", f.given(damping), damping) * Expression::known("dL/dt", figure, rate)
     }
 

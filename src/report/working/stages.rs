@@ -71,8 +71,8 @@ impl Stage {
         };
         let is_sought = |link: LinkId| self.unknowns.contains(&LoopUnknown::Angle(root(link)));
         let elbows = mechanism.elbows().map(|(link, from)| [link, from]);
-        let sought = elbows.filter(|pair| pair.iter().any(|&link| is_sought(link)));
-        sought.collect()
+        let unknowns = elbows.filter(|pair| pair.iter().any(|&link| is_sought(link)));
+        unknowns.collect()
     }
 }
 
@@ -147,8 +147,9 @@ impl Schedule {
     pub(super) fn input(&self, side: &Side) -> Option<Input> {
         let link = side.turns_with();
         let gives = |(input, root): &&(Input, Option<LinkId>)| {
-            let turns = root.is_some() && *root == link;
-            turns || matches!(side.shape, SideShape::Slide(slide) if *input == Input::Push(slide))
+            let is_rotary = root.is_some() && *root == link;
+            is_rotary
+                || matches!(side.shape, SideShape::Slide(slide) if *input == Input::Push(slide))
         };
         self.inputs.iter().find(gives).map(|(input, _)| *input)
     }

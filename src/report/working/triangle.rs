@@ -87,10 +87,10 @@ impl Solution<'_> {
             0.0 => theta,
             ahead => theta - Expression::figure(f.angle(ahead), ahead),
         };
-        let worked = draft.worked(&arm.theta, &theta, |worked| turn(f, worked));
-        draft.agree_angle(&arm.theta, worked, arm.solved, loss);
+        let computed = draft.worked(&arm.theta, &theta, |computed| turn(f, computed));
+        draft.agree_angle(&arm.theta, computed, arm.solved, loss);
         if let Some(side) = arm.side {
-            self.write_link_angle(draft, side, worked, loss);
+            self.write_link_angle(draft, side, computed, loss);
         }
     }
 }

@@ -58,7 +58,7 @@ impl VectorFigure {
     /// Returns the text before the solution: a given value, `θ3 = ?`, or `from loop 1` for an
     /// unknown of another loop.
     #[must_use]
-    pub fn asked(&self) -> String {
+    pub fn text_before(&self) -> String {
         match (&self.value, self.is_sought, self.found_by) {
             (Some(value), false, _) => value.clone(),
             (_, true, Some(number)) => words().found_by_loop(number),
@@ -74,11 +74,11 @@ impl VectorFigure {
 
     /// Returns the text after the solution: a given value, or `θ3 = 29.3794`.
     #[must_use]
-    pub fn told(&self) -> String {
+    pub fn text_after(&self) -> String {
         match (&self.value, self.is_sought) {
             (Some(value), true) => format!("{} = {value}", self.symbol),
             (None, true) => format!("{} = ?", self.symbol),
-            (_, false) => self.asked(),
+            (_, false) => self.text_before(),
         }
     }
 }
@@ -135,8 +135,8 @@ fn vector(context: &Context<'_>, of: &Loop, term: Term) -> LoopVector {
 fn found_by(context: &Context<'_>, of: &Loop, group: Option<usize>) -> Option<usize> {
     let group = group.filter(|group| Some(*group) != of.group)?;
     let finds = |other: &Loop| other.group == Some(group);
-    let place = context.polygon.loops.iter().position(finds)?;
-    Some(place + 1)
+    let index = context.polygon.loops.iter().position(finds)?;
+    Some(index + 1)
 }
 
 /// Returns the columns of length and angle of a side, or of their rates. A side without a name in
@@ -166,7 +166,7 @@ fn figures(
         context.schedule.length_group(side),
         context.schedule.angle_group(side),
     ];
-    let sought = groups.map(|group| group.is_some());
+    let unknowns = groups.map(|group| group.is_some());
     let turner = side.turner(context.scene);
     let (symbols, values, exists) = match order {
         Order::Position => (
@@ -191,7 +191,7 @@ fn figures(
     let [length, angle] = symbols;
     let columns = columns(side, turner, order);
     let figure = |k: usize, symbol: String| {
-        let value = match (is_direction[k], sought[k]) {
+        let value = match (is_direction[k], unknowns[k]) {
             (true, _) => f.direction(values[k]),
             (false, true) => f.number(values[k]),
             (false, false) => f.given(values[k]),
@@ -199,8 +199,8 @@ fn figures(
         VectorFigure {
             symbol,
             column: columns[k].clone(),
-            value: (exists || !sought[k]).then_some(value),
-            is_sought: sought[k],
+            value: (exists || !unknowns[k]).then_some(value),
+            is_sought: unknowns[k],
             found_by: found_by(context, of, groups[k]),
         }
     };

@@ -2,7 +2,7 @@
 
 use super::shell::SceneBefore;
 use super::{App, Mode};
-use crate::tui::Opened;
+use crate::tui::OpenedScene;
 use crate::tui::document::opening;
 use crate::tui::player::Player;
 use crate::tui::player::open_scene::OpenScene;
@@ -13,32 +13,32 @@ impl App {
     /// Opens the preset at a distance from the current one in the list of presets.
     pub(super) fn open(&mut self, distance: isize) {
         let Some(preset) = self.player.open_scene.preset_at(distance) else {
-            self.shell.say(words().no_presets());
+            self.shell.set_message(words().no_presets());
             return;
         };
         match opening::preset(preset) {
             Ok(opened) => self.show(opened),
-            Err(message) => self.shell.say(message),
+            Err(message) => self.shell.set_message(message),
         }
     }
 
     /// Shows another scene, paused at its initial coordinate, and resets all state of the previous
     /// one.
-    pub(super) fn show_now(&mut self, opened: Opened) {
+    pub(super) fn show_now(&mut self, opened: OpenedScene) {
         self.end_comparison();
-        self.let_go();
+        self.end_drag();
         self.document.open(&opened.scene);
         self.player = Player::new(opened);
         self.shell.before = None;
         self.scenes += 1;
         self.views.open();
-        self.look(self.shell.view);
+        self.select_view(self.shell.view);
         self.meet();
     }
 
     /// Replaces the scene by an edited form of it. The driver keeps its coordinate as far as the
     /// new scene can reach it; view and selections stay.
-    pub(crate) fn exchange(&mut self, opened: Opened, now: Duration) {
+    pub(crate) fn exchange(&mut self, opened: OpenedScene, now: Duration) {
         let before = self.player.open_scene.scene();
         self.views.followed = self.views.followed.moved(before, &opened.scene);
         self.views.viewport.lens.move_to(before, &opened.scene);
@@ -51,7 +51,7 @@ impl App {
             is_past: false,
         });
         self.views.study_run.forget();
-        self.look(self.shell.view);
-        self.lay_out();
+        self.select_view(self.shell.view);
+        self.clamp_positions();
     }
 }

@@ -13,9 +13,9 @@ impl App {
         match AssemblyList::new(&self.player.open_scene) {
             Some(assemblies) => {
                 self.shell.mode = Mode::Assemblies(Box::new(assemblies));
-                self.look(View::Motion);
+                self.select_view(View::Motion);
             }
-            None => self.shell.say(words().no_other_assembly()),
+            None => self.shell.set_message(words().no_other_assembly()),
         }
     }
 
@@ -27,30 +27,32 @@ impl App {
         let Some(row) = assemblies.list.chosen() else {
             return;
         };
-        let (group, pick, wish) = (row.group, row.choice.pick, row.wish());
+        let (group, choice, request) = (row.group, row.choice.pick, row.option_text());
         if row.choice.is_current {
             self.shell.mode = Mode::Normal;
             return;
         }
         if !row.choice.closes {
-            self.shell.say(words().rest_does_not_close(&wish));
+            self.shell
+                .set_message(words().rest_does_not_close(&request));
             return;
         }
-        match self.player.open_scene.switched(group, pick) {
+        match self.player.open_scene.switched(group, choice) {
             Ok(open_scene) => {
                 self.player.open_scene = open_scene;
                 self.views.study_run.forget();
-                self.look(self.shell.view);
+                self.select_view(self.shell.view);
                 self.shell.mode = Mode::Normal;
                 self.player.rebase(now);
-                let is_told = self.record_assembly(&wish);
-                self.shell.say(match self.shell.keymap.key(Action::Save) {
-                    _ if !is_told => words().assembly_now_untold(&wish),
-                    Some(key) => words().assembly_now_saved_by(&wish, &key),
-                    None => words().assembly_now(&wish),
-                });
+                let is_shown = self.record_assembly(&request);
+                self.shell
+                    .set_message(match self.shell.keymap.key(Action::Save) {
+                        _ if !is_shown => words().assembly_now_untold(&request),
+                        Some(key) => words().assembly_now_saved_by(&request, &key),
+                        None => words().assembly_now(&request),
+                    });
             }
-            Err(why) => self.shell.say(format!("{wish}: {why}")),
+            Err(why) => self.shell.set_message(format!("{request}: {why}")),
         }
     }
 }

@@ -25,13 +25,13 @@ impl App {
         }
         self.player.follow(now);
         self.refresh();
-        self.look_at_file(now, false);
+        self.check_file(now, false);
         self.drain_results(now);
     }
 
     /// Measures the cost of solving a state, if that is worthwhile.
-    pub(crate) fn weigh(&mut self) {
-        self.player.weigh(self.now);
+    pub(crate) fn measure_cost(&mut self) {
+        self.player.measure_cost(self.now);
     }
 
     /// Returns the time of the next [`App::tick`]: for the next frame, or to remove an expired
@@ -39,7 +39,7 @@ impl App {
     pub(crate) fn next_frame(&self) -> Option<Duration> {
         // This scene pauses while the user picks another one.
         let frame = match self.shell.mode {
-            Mode::Pick(_) => None,
+            Mode::AssemblyChoice(_) => None,
             Mode::Candidates => {
                 let moves = |list: &&CandidateList| list.is_playing() || list.percent().is_some();
                 let list = self.candidates.as_ref().filter(moves);
@@ -68,7 +68,8 @@ impl App {
 
     /// Returns `true` if a running study needs computing time between frames while it is shown.
     pub(crate) fn is_working(&self) -> bool {
-        self.views.study_run.phase() == Phase::Running && self.standing().contains(&View::Accuracy)
+        self.views.study_run.phase() == Phase::Running
+            && self.visible_views().contains(&View::Accuracy)
     }
 
     /// Sets the clock for studies.
@@ -79,6 +80,6 @@ impl App {
 
 /// Returns the time since the first call, for timing studies.
 pub(super) fn wall_clock() -> Duration {
-    static BEGUN: LazyLock<Instant> = LazyLock::new(Instant::now);
-    BEGUN.elapsed()
+    static EPOCH: LazyLock<Instant> = LazyLock::new(Instant::now);
+    EPOCH.elapsed()
 }

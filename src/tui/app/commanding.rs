@@ -6,11 +6,11 @@ use crate::files::{from_home, places};
 use crate::scene::presets;
 use crate::tui::commands::action::{Action, KeyContext, entry_of};
 use crate::tui::commands::key::Key;
-use crate::tui::document::opening::{self, OpenedFile, Unopened};
+use crate::tui::document::opening::{self, OpenFileError, OpenedFile};
 use crate::tui::document::saving::Leave;
 use crate::tui::document::writing::SavedContent;
 use crate::tui::views::help::text::Help;
-use crate::tui::views::palette::list::{CommandList, Listed};
+use crate::tui::views::palette::list::{CommandList, ListEntry};
 use crate::wording::words;
 use std::time::Duration;
 
@@ -48,47 +48,49 @@ impl App {
         };
         let (typed, argument) = (palette.line.text(), palette.argument());
         match palette.list.chosen() {
-            Some(Listed::Command(action)) => {
+            Some(ListEntry::Command(action)) => {
                 if let KeyContext::In(view) = entry_of(*action).place {
-                    self.look(view);
+                    self.select_view(view);
                 }
                 return self.update(*action, now);
             }
-            Some(Listed::Topic(at)) => {
+            Some(ListEntry::Topic(at)) => {
                 let columns = self.shell.size.width;
                 let help = Help::telling(*at, typed, columns, &self.shell.keymap);
                 self.shell.mode = Mode::Help(help);
             }
-            Some(Listed::GoTo) => {
+            Some(ListEntry::GoTo) => {
                 self.player.playback.pause();
                 self.accept_coordinate(&palette.line, now);
             }
-            Some(Listed::Theme(theme)) => {
+            Some(ListEntry::Theme(theme)) => {
                 self.shell.theme = *theme;
-                self.shell.say(words().theme_is(theme.name()));
+                self.shell.set_message(words().theme_is(theme.name()));
             }
-            Some(Listed::SaveAndQuit) if !self.is_held_up(Action::Save) => {
+            Some(ListEntry::SaveAndQuit) if !self.is_blocked_by_staging(Action::Save) => {
                 self.save_own();
                 self.pending = Some(Pending::Quit);
             }
-            Some(Listed::SaveTo) if !self.is_held_up(Action::SaveAs) => {
+            Some(ListEntry::SaveTo) if !self.is_blocked_by_staging(Action::SaveAs) => {
                 let to = from_home(argument, places::environment);
                 self.store(SavedContent::Scene, to, Leave::default());
             }
-            Some(Listed::OpenFile) if !self.is_held_up(Action::Open) => self.open_named(argument),
-            Some(Listed::SaveAndQuit | Listed::SaveTo | Listed::OpenFile) | None => {}
+            Some(ListEntry::OpenFile) if !self.is_blocked_by_staging(Action::Open) => {
+                self.open_named(argument)
+            }
+            Some(ListEntry::SaveAndQuit | ListEntry::SaveTo | ListEntry::OpenFile) | None => {}
         }
         Effect::Show
     }
 
     /// Opens a file, or the preset of this name if there is no such file.
     fn open_named(&mut self, name: &str) {
-        self.shell.say(words().reading(name));
+        self.shell.set_message(words().reading(name));
         let (name, path) = (name.to_owned(), from_home(name, places::environment));
-        self.clerk.give(move || {
+        self.clerk.submit(move || {
             let opened = match presets::find(&name).filter(|_| !path.exists()) {
                 Some(preset) => opening::preset(preset).map(|o| OpenedFile::Scene(Box::new(o))),
-                None => opening::file(&path).map_err(Unopened::first_words),
+                None => opening::file(&path).map_err(OpenFileError::first_words),
             };
             Box::new(move |app, _| app.opened_named(opened))
         });
@@ -101,7 +103,7 @@ impl App {
             _ if !self.shell.mode.is_normal() => {}
             Ok(OpenedFile::Scene(opened)) => self.show(*opened),
             Ok(OpenedFile::Task(order)) => self.synthesize(*order),
-            Err(why) => self.shell.say(why),
+            Err(why) => self.shell.set_message(why),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Compares the open scene with another one.
 
-use super::super::Opened;
+use super::super::OpenedScene;
 use super::{App, BackTarget};
 use crate::report::Tables;
 use crate::tui::figures::sheet::Sheet;
@@ -27,7 +27,7 @@ impl App {
     pub(super) fn compare(&mut self) {
         if self.end_comparison() {
             self.sample();
-            self.shell.say(words().no_longer_compared());
+            self.shell.set_message(words().no_longer_compared());
             return;
         }
         let edited = self.is_edited().then_some(PickerTarget::Original);
@@ -41,7 +41,7 @@ impl App {
         &mut self,
         place: PickerTarget,
         name: String,
-        opened: Opened,
+        opened: OpenedScene,
     ) -> Result<(), String> {
         self.comparison = Comparison {
             compared: Some(ComparedScene::new(name, opened, &self.player.open_scene)?),
@@ -50,7 +50,7 @@ impl App {
         self.scroll_by(0);
         self.sample();
         if self.back_target() == BackTarget::Comparison {
-            self.shell.say(words().esc_ends_comparison());
+            self.shell.set_message(words().esc_ends_comparison());
         }
         Ok(())
     }
@@ -68,7 +68,7 @@ impl App {
         }
         match compared.again(&self.player.open_scene) {
             Ok(compared) => self.comparison.compared = Some(compared),
-            Err(why) => self.shell.say(why),
+            Err(why) => self.shell.set_message(why),
         }
         self.scroll_by(0);
     }

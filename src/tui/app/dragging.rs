@@ -29,7 +29,7 @@ pub(super) struct TypedPlace {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum TypedCoordinate {
     /// A Cartesian coordinate.
-    Along(CoordinateAxis),
+    PlotAxis(CoordinateAxis),
     /// The distance from a reference point at this position.
     Length(Vec2),
     /// The direction seen from a reference point at this position, in degrees.
@@ -37,15 +37,15 @@ enum TypedCoordinate {
 }
 
 impl TypedCoordinate {
-    /// Returns this coordinate of `place`, given in the frame of the values. An angle is shifted by
+    /// Returns this coordinate of `position`, given in the frame of the values. An angle is shifted by
     /// full turns to be nearest to `present`.
-    fn of(self, place: Vec2, present: f64) -> f64 {
+    fn of(self, position: Vec2, present: f64) -> f64 {
         match self {
-            TypedCoordinate::Along(CoordinateAxis::X) => place.x,
-            TypedCoordinate::Along(CoordinateAxis::Y) => place.y,
-            TypedCoordinate::Length(from) => (place - from).norm(),
+            TypedCoordinate::PlotAxis(CoordinateAxis::X) => position.x,
+            TypedCoordinate::PlotAxis(CoordinateAxis::Y) => position.y,
+            TypedCoordinate::Length(from) => (position - from).norm(),
             TypedCoordinate::Angle(from) => {
-                let angle = (place - from).angle().to_degrees();
+                let angle = (position - from).angle().to_degrees();
                 angle + ((present - angle) / FULL_TURN).round() * FULL_TURN
             }
         }
@@ -72,11 +72,11 @@ impl TypedPlace {
             // A link's start point is the origin of its frame.
             (Some(_), Some((from, _))) if from == point => Vec::new(),
             (Some(link), Some((_, to))) if to == point => {
-                let along = TypedCoordinate::Along(CoordinateAxis::X);
+                let along = TypedCoordinate::PlotAxis(CoordinateAxis::X);
                 vec![(format!("{link} length"), along)]
             }
-            (Some(called), _) if seen(scene, link, point).is_some() => {
-                let from = seen(scene, link, point).unwrap_or_default();
+            (Some(called), _) if reference_point(scene, link, point).is_some() => {
+                let from = reference_point(scene, link, point).unwrap_or_default();
                 vec![
                     (
                         format!("{called} {name} length"),
@@ -93,7 +93,8 @@ impl TypedPlace {
                     .as_ref()
                     .map_or(name.clone(), |l| format!("{l} {name}"));
                 let axes = [("x", CoordinateAxis::X), ("y", CoordinateAxis::Y)];
-                let value = |(axis, along)| (format!("{of} {axis}"), TypedCoordinate::Along(along));
+                let value =
+                    |(axis, along)| (format!("{of} {axis}"), TypedCoordinate::PlotAxis(along));
                 axes.map(value).to_vec()
             }
         };
@@ -108,7 +109,7 @@ impl TypedPlace {
 impl App {
     /// Returns the named point nearest to `place` within `reach`, among ground points and points of
     /// a single link.
-    pub(super) fn typed_near(&self, place: Vec2, reach: f64) -> Option<PointId> {
+    pub(super) fn typed_near(&self, position: Vec2, reach: f64) -> Option<PointId> {
         let (scene, state) = (
             self.player.open_scene.scene(),
             self.player.open_scene.state(),
@@ -121,7 +122,7 @@ impl App {
                 Some(at) => at,
                 None => state.position(id).filter(|_| mechanism.is_free(id))?,
             };
-            Some((id, (at - place).norm()))
+            Some((id, (at - position).norm()))
         });
         let near = away.filter(|(_, away)| *away <= reach);
         near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(id, _)| id)
@@ -136,7 +137,8 @@ impl App {
         let first = typed.values.first().and_then(|(name, _)| editor.row(name));
         let Some(row) = first else {
             if let Some(link) = &typed.link {
-                self.shell.say(words().begins_a_frame(&typed.point, link));
+                self.shell
+                    .set_message(words().begins_a_frame(&typed.point, link));
             }
             return;
         };
@@ -149,20 +151,21 @@ impl App {
         }
         // The cursor may already have been on this value.
         editor.history.part();
-        self.shell.grip = DragTarget::Point(typed);
+        self.shell.drag_target = DragTarget::Point(typed);
     }
 
     /// Moves a point's values to the mouse position, in multiples of the editor's step.
-    pub(super) fn drag_point(&mut self, typed: &TypedPlace, place: Vec2, now: Duration) {
+    pub(super) fn drag_point(&mut self, typed: &TypedPlace, position: Vec2, now: Duration) {
         let open_scene = &self.player.open_scene;
         let link = typed.link.as_deref();
-        let Some(place) = in_frame(open_scene.scene(), open_scene.state(), link, place) else {
+        let Some(position) = in_frame(open_scene.scene(), open_scene.state(), link, position)
+        else {
             return;
         };
         let step = self.document.editor.notch().size();
         let texts = typed.values.iter().filter_map(|(name, coordinate)| {
             let value = self.document.editor.named(name)?;
-            let to = coordinate.of(place, value.number);
+            let to = coordinate.of(position, value.number);
             let step = match value.measure {
                 Measure::Angle => ANGLE_STEP,
                 _ => step,
@@ -170,12 +173,12 @@ impl App {
             Some((value.clone(), moved_to(value, to, step)?))
         });
         let texts = texts.collect();
-        self.put_all(texts, Deed::Nudge(typed.point.clone()), now);
+        self.replace_values(texts, Deed::Nudge(typed.point.clone()), now);
     }
 }
 
 /// Returns the reference point, in the link's frame, of a point given by length and angle.
-fn seen(scene: &Scene, link: Option<LinkId>, point: PointId) -> Option<Vec2> {
+fn reference_point(scene: &Scene, link: Option<LinkId>, point: PointId) -> Option<Vec2> {
     let link = scene.mechanism.link(link?);
     let polar = link.member(point)?.polar?;
     match polar.from {
@@ -191,16 +194,16 @@ fn is_centre(scene: &Scene, point: PointId) -> bool {
 }
 
 /// Transforms a position of the drawing to the current frame of a link, or to the ground frame.
-fn in_frame(scene: &Scene, state: &State, link: Option<&str>, place: Vec2) -> Option<Vec2> {
+fn in_frame(scene: &Scene, state: &State, link: Option<&str>, position: Vec2) -> Option<Vec2> {
     let Some(link) = link else {
-        return Some(place);
+        return Some(position);
     };
     let named = |id: &LinkId| scene.link_name(*id) == link;
     let id = scene.mechanism.link_ids().find(named)?;
     let x = state.direction(id)?;
     // Uses a point that the link has in this state: the frame's origin may carry no point.
     let member = scene.mechanism.link(id).members.first()?;
-    let away = place - state.position(member.point)?;
+    let away = position - state.position(member.point)?;
     Some(member.local + Vec2::new(away.dot(x), x.cross(away)))
 }
 

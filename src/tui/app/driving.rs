@@ -19,11 +19,13 @@ impl App {
             }
             None if line.text().trim().is_empty() => self.shell.mode = Mode::Normal,
             None if with_point(line.text()).is_none() => {
-                self.shell.say(words().typed_two_marks(line.text().trim()));
+                self.shell
+                    .set_message(words().typed_two_marks(line.text().trim()));
             }
             None => {
                 let unit = self.player.open_scene.unit();
-                self.shell.say(words().no_number_of(unit, line.text()));
+                self.shell
+                    .set_message(words().no_number_of(unit, line.text()));
             }
         }
     }
@@ -44,14 +46,14 @@ impl App {
                 words().out_of_reach(&low, &high, unit)
             }
         };
-        self.shell.say(message);
+        self.shell.set_message(message);
         reached.is_ok()
     }
 
     /// Moves the driver by a step, as far as the motion permits.
     pub(super) fn step(&mut self, by: f64, now: Duration) {
         if !self.player.step(by, now) {
-            self.shell.say(words().motion_ends());
+            self.shell.set_message(words().motion_ends());
         }
     }
 }

@@ -6,7 +6,7 @@ use super::{App, Mode, View};
 use crate::scene::{Measure, Value, coordinate_key};
 use crate::tui::commands::action::{Action, SceneAction};
 use crate::tui::commands::line::EditLine;
-use crate::tui::document::edited::{self, Edited};
+use crate::tui::document::edited::{self, EditedScene};
 use crate::tui::document::history::Deed;
 use crate::tui::figures::format::coordinate;
 use crate::wording::words;
@@ -21,7 +21,7 @@ impl App {
             SceneAction::NudgeUp => self.nudge(1.0, now),
             SceneAction::FinerNudge => self.document.editor.finer(),
             SceneAction::CoarserNudge => self.document.editor.coarser(),
-            SceneAction::Gather => self.gather(now),
+            SceneAction::Gather => self.toggle_staging(now),
             SceneAction::Goal => self.type_goal(),
         }
     }
@@ -44,12 +44,12 @@ impl App {
         match value.typed(typed) {
             Ok(text) => {
                 if self.stage_edit(&value, text.clone())
-                    || self.put(&value, text, Deed::Other(value.name.clone()), now)
+                    || self.replace_value(&value, text, Deed::Other(value.name.clone()), now)
                 {
                     self.shell.mode = Mode::Normal;
                 }
             }
-            Err(why) => self.shell.say(why.to_string()),
+            Err(why) => self.shell.set_message(why.to_string()),
         }
     }
 
@@ -59,7 +59,7 @@ impl App {
             return;
         };
         let by = steps * self.document.editor.notch().size();
-        let gathered = self.document.editor.gathered.as_ref();
+        let gathered = self.document.editor.staged.as_ref();
         let waiting = gathered.and_then(|gathered| gathered.text(&value.name));
         let waiting = waiting.map(|text| value.with_text(text));
         let from = waiting.as_ref().unwrap_or(&value);
@@ -70,7 +70,7 @@ impl App {
             self.report_dependencies(&value);
             return;
         }
-        self.put(
+        self.replace_value(
             &value,
             value.moved(by),
             Deed::Nudge(value.name.clone()),
@@ -85,7 +85,7 @@ impl App {
             return;
         };
         let names = value.follows_from();
-        self.shell.say(match names.is_empty() {
+        self.shell.set_message(match names.is_empty() {
             true => words().follows_from_formula(&value.name, formula),
             false => words().follows_from_parameters(&value.name, formula, &names.join(", ")),
         });
@@ -93,21 +93,27 @@ impl App {
 
     /// Replaces the text of a value. If the scene would be invalid, reports why and returns
     /// `false`.
-    pub(super) fn put(&mut self, value: &Value, text: String, deed: Deed, now: Duration) -> bool {
-        self.put_all(vec![(value.clone(), text)], deed, now)
+    pub(super) fn replace_value(
+        &mut self,
+        value: &Value,
+        text: String,
+        action: Deed,
+        now: Duration,
+    ) -> bool {
+        self.replace_values(vec![(value.clone(), text)], action, now)
     }
 
     /// Replaces the texts of several values in one edit. If the scene would be invalid, reports why
     /// and returns `false`.
-    pub(super) fn put_all(
+    pub(super) fn replace_values(
         &mut self,
         texts: Vec<(Value, String)>,
-        deed: Deed,
+        action: Deed,
         now: Duration,
     ) -> bool {
         let editor = &self.document.editor;
         let filed = texts.into_iter().map(|(value, text)| {
-            let text = editor.as_filed(&value, text);
+            let text = editor.in_file_notation(&value, text);
             (value, text)
         });
         let changed: Vec<_> = filed
@@ -116,7 +122,7 @@ impl App {
         if changed.is_empty() {
             return true;
         }
-        self.say_what_is_shown();
+        self.record_shown_assembly();
         // Recording the shown assembly may have moved the values in the text.
         let there = |(value, text): (Value, String)| {
             Some((self.document.editor.named(&value.name)?.clone(), text))
@@ -124,30 +130,31 @@ impl App {
         let Some(changed) = changed.into_iter().map(there).collect::<Option<Vec<_>>>() else {
             return false;
         };
-        let whole = self.player.open_scene.scene().with_values(&changed);
+        let whole_text = self.player.open_scene.scene().with_values(&changed);
         // A changed start value selects another assembly.
         let reopens = changed
             .iter()
             .any(|(value, _)| value.measure == Measure::Start);
         let edited = match reopens {
-            true => edited::reopened(&self.player.open_scene, &whole),
-            false => edited::keeping(&self.player.open_scene, &whole),
+            true => edited::reopened(&self.player.open_scene, &whole_text),
+            false => edited::keeping(&self.player.open_scene, &whole_text),
         };
         match edited {
             Ok(edited) => {
                 let opens = changed.iter().any(|(value, _)| self.is_opening(value));
-                self.change(edited, deed, now);
+                self.change(edited, action, now);
                 if opens {
                     self.player.go_to_opening(now);
                 }
                 true
             }
             Err(why) => {
-                let told = changed
+                let shown_text = changed
                     .iter()
                     .map(|(value, text)| format!("{} {text}", value.name));
-                let told: Vec<String> = told.collect();
-                self.shell.say(format!("{}: {why}", told.join(", ")));
+                let shown_text: Vec<String> = shown_text.collect();
+                self.shell
+                    .set_message(format!("{}: {why}", shown_text.join(", ")));
                 false
             }
         }
@@ -161,9 +168,9 @@ impl App {
 
     /// Records the shown assembly in the text before the first edit, if the command line chose
     /// another one than the text. The record is an edit of its own.
-    fn say_what_is_shown(&mut self) {
+    fn record_shown_assembly(&mut self) {
         if self.document.editor.history.is_empty()
-            && !edited::says_what_is_shown(&self.player.open_scene)
+            && !edited::opens_in_shown_assembly(&self.player.open_scene)
         {
             self.record_assembly(words().assembly());
         }
@@ -172,28 +179,28 @@ impl App {
     /// Records the shown assembly in the scene's text. Returns `false` if no text can express it.
     pub(super) fn record_assembly(&mut self, name: &str) -> bool {
         let before = self.player.open_scene.scene().text().to_owned();
-        let told = self.player.open_scene.saved_text();
-        let scene = told.and_then(|text| self.player.open_scene.scene().again(&text));
+        let shown_text = self.player.open_scene.saved_text();
+        let scene = shown_text.and_then(|text| self.player.open_scene.scene().reparse(&text));
         let Some(scene) = scene else {
             return false;
         };
-        let deed = Deed::Other(name.to_owned());
+        let action = Deed::Other(name.to_owned());
         self.document
             .editor
             .history
-            .record(&before, scene.text(), deed);
-        self.player.open_scene.retell(scene);
+            .record(&before, scene.text(), action);
+        self.player.open_scene.replace_text(scene);
         self.relist();
         self.keep();
         true
     }
 
     /// Replaces the scene by an edited one and records the edit for undo.
-    pub(super) fn change(&mut self, edited: Edited, deed: Deed, now: Duration) {
+    pub(super) fn change(&mut self, edited: EditedScene, action: Deed, now: Duration) {
         let before = self.player.open_scene.scene().text();
         let after = edited.opened.scene.text();
-        let goes_on = self.document.editor.history.record(before, after, deed);
-        let first = self.shell.before.take().filter(|_| goes_on);
+        let continues = self.document.editor.history.record(before, after, action);
+        let first = self.shell.before.take().filter(|_| continues);
         self.take_edit(edited, now);
         // Several steps of one edit keep the scene from before the first of them.
         if let Some(SceneBefore { open_scene, .. }) = first {
@@ -205,7 +212,7 @@ impl App {
     }
 
     /// Shows an edited scene at the driver's coordinate, as far as the scene can reach it.
-    fn take_edit(&mut self, edited: Edited, now: Duration) {
+    fn take_edit(&mut self, edited: EditedScene, now: Duration) {
         let at = self.player.open_scene.at();
         self.exchange(edited.opened, now);
         let reached = self.player.open_scene.at();
@@ -215,16 +222,17 @@ impl App {
                 self.player.open_scene.unit(),
             );
             let at = coordinate(at, decimals);
-            self.shell.say(words().no_longer_in_reach(&at, unit));
+            self.shell
+                .set_message(words().no_longer_in_reach(&at, unit));
         } else if edited.started {
-            self.shell.say(words().start_follows());
+            self.shell.set_message(words().start_follows());
         }
         self.keep();
     }
 
     /// Lists the values again, if a view needs them.
     pub(super) fn relist(&mut self) {
-        if self.standing().contains(&View::Scene) {
+        if self.visible_views().contains(&View::Scene) {
             self.document.editor.list(self.player.open_scene.scene());
         }
     }
@@ -232,7 +240,7 @@ impl App {
     /// Undoes or redoes an edit.
     pub(super) fn edit_history(&mut self, action: Action, now: Duration) {
         let is_undo = action == Action::Undo;
-        if is_undo && self.bring_gathered_back() {
+        if is_undo && self.restore_dropped_edits() {
             return;
         }
         let text = self.player.open_scene.scene().text();
@@ -248,7 +256,7 @@ impl App {
             } else {
                 words().nothing_to_redo()
             };
-            self.shell.say(nothing);
+            self.shell.set_message(nothing);
             return;
         };
         let name = name.to_owned();
@@ -256,12 +264,12 @@ impl App {
             Ok(edited) => {
                 let history = &mut self.document.editor.history;
                 if is_undo {
-                    history.taken_back();
+                    history.mark_undone();
                 } else {
-                    history.made_again();
+                    history.mark_redone();
                 }
                 self.take_edit(edited, now);
-                let said = match is_undo {
+                let message = match is_undo {
                     true => words().undone(&name),
                     false => words().redone(&name),
                 };
@@ -271,10 +279,10 @@ impl App {
                     .message
                     .take()
                     .map_or(String::new(), |m| format!("; {m}"));
-                self.shell.say(format!("{said}{more}"));
+                self.shell.set_message(format!("{message}{more}"));
             }
             // Not expected: every text of the history was opened before.
-            Err(why) => self.shell.say(format!("{name}: {why}")),
+            Err(why) => self.shell.set_message(format!("{name}: {why}")),
         }
     }
 }

@@ -21,23 +21,23 @@ impl App {
         match action {
             Action::Copy => return self.copy(),
             Action::Picture => return Effect::Picture,
-            Action::Still => return self.ask_for_still(),
-            Action::Svg => self.ask_for_svg(),
-            Action::Report => self.ask_for_report(),
-            _ => self.ask_for_csv(),
+            Action::Still => return self.request_image(),
+            Action::Svg => self.prompt_for_svg(),
+            Action::Report => self.prompt_for_report(),
+            _ => self.prompt_for_csv(),
         }
         Effect::Show
     }
 
     /// Pauses playback and requests a pixel image, or reports why the terminal cannot show one.
-    fn ask_for_still(&mut self) -> Effect {
+    fn request_image(&mut self) -> Effect {
         match &self.shell.pictures.value {
             Some(_) => {
                 self.player.playback.pause();
                 Effect::Still
             }
             None => {
-                self.shell.say(self.shell.pictures.why.clone());
+                self.shell.set_message(self.shell.pictures.why.clone());
                 Effect::Show
             }
         }
@@ -55,24 +55,25 @@ impl App {
 
     /// Reports the outcome of sending an image.
     pub(crate) fn report_image(&mut self, message: String) {
-        self.shell.say(message);
+        self.shell.set_message(message);
     }
 
     /// Copies what the view shows; in the tables, first asks how much of them to copy.
     fn copy(&mut self) -> Effect {
         if !self.shell.capability.modern {
-            self.shell.say(self.mended(words().no_clipboard().into()));
+            self.shell
+                .set_message(self.with_alternative(words().no_clipboard().into()));
             return Effect::Show;
         }
         match self.shell.view.pane().copy(self) {
             Copied::Text(text) => return self.send(&text),
             Copied::Lines => {
-                let lines = views::lines_looked_at(self);
+                let lines = views::current_view_lines(self);
                 return self.send(&lines.join("\n"));
             }
             Copied::Asked => self.shell.mode = Mode::Copy,
             Copied::Nothing => {
-                self.shell.say(words().nothing_to_copy());
+                self.shell.set_message(words().nothing_to_copy());
             }
         }
         Effect::Show
@@ -92,7 +93,7 @@ impl App {
         if let Some(text) = text {
             return Some(self.send(&text));
         }
-        self.shell.say(words().no_value_to_copy());
+        self.shell.set_message(words().no_value_to_copy());
         Some(Effect::Show)
     }
 
@@ -109,11 +110,13 @@ impl App {
     fn send(&mut self, text: &str) -> Effect {
         match clipboard::sequence(text) {
             Ok(bytes) => {
-                self.shell.say(words().sent_to_clipboard(text.len()));
+                self.shell
+                    .set_message(words().sent_to_clipboard(text.len()));
                 Effect::Send(bytes)
             }
             Err(too_large) => {
-                self.shell.say(self.mended(too_large.to_string()));
+                self.shell
+                    .set_message(self.with_alternative(too_large.to_string()));
                 Effect::Show
             }
         }
@@ -121,7 +124,7 @@ impl App {
 
     /// Appends the alternative to a message that copying is impossible: `: use Y`, which writes a
     /// file.
-    fn mended(&self, why: String) -> String {
+    fn with_alternative(&self, why: String) -> String {
         match self.shell.keymap.key(Action::Csv) {
             Some(key) => words().use_instead(&why, &key),
             None => why,
@@ -130,11 +133,11 @@ impl App {
 
     /// Asks for a file for the current values or the plotted curves; in a view of text lines, for
     /// all its lines.
-    fn ask_for_csv(&mut self) {
+    fn prompt_for_csv(&mut self) {
         if let Some((what, page)) = self.shell.view.pane().page(self) {
             let text = Text::of_page(what, page, self.row_of_sweep().ok());
             let proposal = self.proposal("txt");
-            return self.ask_for_file(SavedContent::Text(text), &proposal);
+            return self.prompt_for_file(SavedContent::Text(text), &proposal);
         }
         let text = self.shell.view.pane().csv(self);
         self.offer_file(text, words().the_figures(), "csv");
@@ -147,9 +150,9 @@ impl App {
                 let proposal = self.proposal(ending);
                 let what = what.into();
                 let text = Text::new(what, text);
-                self.ask_for_file(SavedContent::Text(text), &proposal);
+                self.prompt_for_file(SavedContent::Text(text), &proposal);
             }
-            Err(why) => self.shell.say(why),
+            Err(why) => self.shell.set_message(why),
         }
     }
 
@@ -186,33 +189,35 @@ impl App {
     }
 
     /// Asks for a file for the screen as it was when the key was pressed.
-    pub(crate) fn ask_for_picture(&mut self, text: String) {
+    pub(crate) fn prompt_for_picture(&mut self, text: String) {
         self.offer_file(Ok(text), words().the_screen(), "txt");
     }
 
     /// Asks for an SVG file of the drawing or plot as shown.
-    fn ask_for_svg(&mut self) {
+    fn prompt_for_svg(&mut self) {
         match self.shell.view.pane().svg(self) {
             Ok((what, text)) => self.offer_file(Ok(text), what, "svg"),
-            Err(why) => self.shell.say(why),
+            Err(why) => self.shell.set_message(why),
         }
     }
 
     /// Asks for a file for a report on the linkage at its current position. The file name's
     /// extension selects the format.
-    fn ask_for_report(&mut self) {
+    fn prompt_for_report(&mut self) {
         let open_scene = &self.player.open_scene;
         let (scene, solver) = (open_scene.scene(), open_scene.solver());
         if !Explained::is_possible(scene) {
-            return self.shell.say(words().too_many_links_to_report());
+            return self.shell.set_message(words().too_many_links_to_report());
         }
         let mut state = solver.state();
-        let _ = open_scene.stand().solve(solver, Order::Force, &mut state);
+        let _ = open_scene
+            .driver_state()
+            .solve(solver, Order::Force, &mut state);
         solver.enclose(&mut state, Order::Force, &mut solver.enclosure());
         let report = Report::new(scene, solver, &state, DIGITS);
         let text = Text::of_report(words().the_report(), &report);
         let proposal = self.proposal("html");
-        self.ask_for_file(SavedContent::Text(text), &proposal);
+        self.prompt_for_file(SavedContent::Text(text), &proposal);
     }
 
     /// Proposes a file name, such as `four-bar-60.csv`, or `four-bar-plot.csv` for the whole
@@ -224,13 +229,14 @@ impl App {
             Origin::Stdin => None,
         };
         let stem = stem.unwrap_or_else(|| "scene".into());
-        let whole = self
+        let complete = self
             .shell
             .view
             .pane()
             .file_part()
             .filter(|_| !matches!(ending, "txt" | "html"));
-        let place = whole.map_or_else(|| coordinate(self.player.open_scene.at(), 0), str::to_owned);
+        let place =
+            complete.map_or_else(|| coordinate(self.player.open_scene.at(), 0), str::to_owned);
         format!("{stem}-{place}.{ending}")
     }
 }

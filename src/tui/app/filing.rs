@@ -4,10 +4,10 @@ use super::{App, Effect, Unsaved};
 use crate::scene::Scene;
 use crate::tui::commands::action::Action;
 use crate::tui::document::clerk::JobOwner;
-use crate::tui::document::disk::{FileStatus, SeenFile, unmarked};
+use crate::tui::document::disk::{FileCheckOutcome, FileStatus, unmarked};
 use crate::tui::document::history::Deed;
 use crate::tui::document::opening;
-use crate::tui::{Opened, Origin};
+use crate::tui::{OpenedScene, Origin};
 use crate::wording::words;
 use std::io;
 use std::path::Path;
@@ -16,7 +16,7 @@ use std::time::Duration;
 impl JobOwner for App {
     fn fail(&mut self, error: &io::Error) {
         self.document.storing = false;
-        self.shell.say(error.to_string());
+        self.shell.set_message(error.to_string());
     }
 }
 
@@ -39,7 +39,7 @@ impl App {
     pub(super) fn watch(&mut self) {
         let origin = self.player.open_scene.origin();
         self.document.belong_to(origin);
-        self.look_at_file(self.now, true);
+        self.check_file(self.now, true);
     }
 
     /// Returns the watched file.
@@ -49,23 +49,23 @@ impl App {
 
     /// Checks whether another program has written the file: immediately if `at_once`, or else when
     /// the next check is due.
-    pub(crate) fn look_at_file(&mut self, now: Duration, at_once: bool) {
+    pub(crate) fn check_file(&mut self, now: Duration, at_once: bool) {
         let look = self
             .document
             .disk
             .as_mut()
-            .and_then(|disk| disk.look(now, at_once));
+            .and_then(|disk| disk.due_check(now, at_once));
         if let Some(look) = look {
-            self.clerk.give(move || {
+            self.clerk.submit(move || {
                 let seen = look.run();
-                Box::new(move |app, now| app.see(seen, now))
+                Box::new(move |app, now| app.handle_file_check(seen, now))
             });
         }
     }
 
     /// Handles the outcome of a file check. It is ignored while a prompt is open or a save is
     /// running; the next check reports it.
-    fn see(&mut self, seen: SeenFile, now: Duration) {
+    fn handle_file_check(&mut self, seen: FileCheckOutcome, now: Duration) {
         let is_free = self.shell.mode.is_normal() && !self.document.storing;
         let Some(disk) = self
             .document
@@ -76,7 +76,7 @@ impl App {
             return;
         };
         if disk.see(&seen, is_free || seen.news.is_none()) {
-            self.look_at_file(now, true);
+            self.check_file(now, true);
         }
         let Some(news) = seen.news.filter(|_| is_free) else {
             return;
@@ -88,15 +88,16 @@ impl App {
             FileStatus::Written(bytes)
                 if unmarked(&bytes) == self.document.editor.saved().as_bytes() => {}
             FileStatus::Written(_) if self.is_changed() => {
-                let key = |action| self.shell.keymap.told(action);
+                let key = |action| self.shell.keymap.key_label(action);
                 let [reload, elsewhere] = [Action::Reload, Action::SaveAs].map(key);
                 self.shell
-                    .say(words().file_changed(&name, &reload, &elsewhere));
+                    .set_message(words().file_changed(&name, &reload, &elsewhere));
             }
-            FileStatus::Written(bytes) => self.read_in(&bytes, &name, now),
+            FileStatus::Written(bytes) => self.load_changed_file(&bytes, &name, now),
             FileStatus::Gone => self.report_missing(&name),
             FileStatus::Unreadable(error) => {
-                self.shell.say(words().name_cannot_be_read(&name, &error));
+                self.shell
+                    .set_message(words().name_cannot_be_read(&name, &error));
             }
         }
     }
@@ -104,10 +105,10 @@ impl App {
     /// Rereads the file on request; replaces unsaved edits only if `over`.
     pub(super) fn reload(&mut self, over: bool) {
         let Origin::File(path) = self.player.open_scene.origin().clone() else {
-            self.shell.say(words().no_file_to_read());
+            self.shell.set_message(words().no_file_to_read());
             return;
         };
-        self.clerk.give(move || {
+        self.clerk.submit(move || {
             let news = FileStatus::of(&path);
             Box::new(move |app, now| app.reread(news, over, now))
         });
@@ -119,25 +120,26 @@ impl App {
         };
         match news {
             FileStatus::Written(_) if self.is_changed() && !over => {
-                self.ask_about_edits(Unsaved::Reload);
+                self.prompt_about_edits(Unsaved::Reload);
             }
-            FileStatus::Written(bytes) => self.read_in(&bytes, &name, now),
+            FileStatus::Written(bytes) => self.load_changed_file(&bytes, &name, now),
             // A deleted file does not endanger the edits.
             FileStatus::Gone => self.report_missing(&name),
             FileStatus::Unreadable(error) => {
-                self.shell.say(words().name_cannot_be_read(&name, &error));
+                self.shell
+                    .set_message(words().name_cannot_be_read(&name, &error));
             }
         }
     }
 
     fn report_missing(&mut self, name: &str) {
-        let key = self.shell.keymap.told(Action::Save);
-        self.shell.say(words().file_is_gone(name, &key));
+        let key = self.shell.keymap.key_label(Action::Save);
+        self.shell.set_message(words().file_is_gone(name, &key));
     }
 
     /// Shows the file's new contents as an edit that can be undone. If they are invalid, the last
     /// valid scene stays on the screen.
-    fn read_in(&mut self, bytes: &[u8], name: &str, now: Duration) {
+    fn load_changed_file(&mut self, bytes: &[u8], name: &str, now: Duration) {
         let origin = self.player.open_scene.scene().origin().to_owned();
         let scene = Scene::read(bytes, &origin);
         let opened = scene.and_then(opening::assembled);
@@ -148,10 +150,10 @@ impl App {
                     self.player.open_scene.scene().text(),
                     scene.text().to_owned(),
                 );
-                let deed = Deed::Other(words().reading_the_file().into());
-                self.document.editor.history.record(before, &after, deed);
+                let action = Deed::Other(words().reading_the_file().into());
+                self.document.editor.history.record(before, &after, action);
                 self.document.editor.filed(&after);
-                let opened = Opened {
+                let opened = OpenedScene {
                     scene,
                     solver,
                     origin,
@@ -159,11 +161,12 @@ impl App {
                 self.exchange(opened, now);
                 self.keep();
                 self.watch();
-                self.shell.say(words().was_read_again(name));
+                self.shell.set_message(words().was_read_again(name));
             }
             Err(faults) => {
                 let fault = faults.first_words();
-                self.shell.say(words().is_broken_not_shown(name, fault));
+                self.shell
+                    .set_message(words().is_broken_not_shown(name, fault));
             }
         }
     }

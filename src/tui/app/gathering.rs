@@ -3,17 +3,17 @@
 use super::{App, View};
 use crate::scene::Value;
 use crate::tui::commands::action::{Action, SceneAction};
-use crate::tui::document::gathered::GatheredEdits;
+use crate::tui::document::gathered::StagedEdits;
 use crate::tui::document::history::Deed;
 use crate::wording::words;
 use std::time::Duration;
 
 impl App {
     /// Starts staging edits, or applies the staged edits as one.
-    pub(super) fn gather(&mut self, now: Duration) {
-        let Some(gathered) = self.document.editor.gathered.take() else {
-            self.document.editor.gathered = Some(GatheredEdits::default());
-            self.say_that_edits_wait();
+    pub(super) fn toggle_staging(&mut self, now: Duration) {
+        let Some(gathered) = self.document.editor.staged.take() else {
+            self.document.editor.staged = Some(StagedEdits::default());
+            self.report_staged_edits();
             return;
         };
         let values = gathered.list().iter().filter_map(|(name, text)| {
@@ -22,51 +22,54 @@ impl App {
         });
         let texts: Vec<_> = values.collect();
         let names: Vec<&str> = texts.iter().map(|(value, _)| value.name.as_str()).collect();
-        let deed = Deed::Other(names.join(", "));
+        let action = Deed::Other(names.join(", "));
         let count = texts.len();
-        if !self.put_all(texts, deed, now) {
+        if !self.replace_values(texts, action, now) {
             // The rejected edits stay staged, to be corrected.
-            self.document.editor.gathered = Some(gathered);
+            self.document.editor.staged = Some(gathered);
         } else if self.shell.message.is_none() {
-            self.shell.say(words().gathered_made(count));
+            self.shell.set_message(words().gathered_made(count));
         }
         self.keep();
     }
 
-    fn say_that_edits_wait(&mut self) {
-        let key = self.shell.keymap.told(Action::Scene(SceneAction::Gather));
-        self.shell.say(words().edits_wait(&key));
+    fn report_staged_edits(&mut self) {
+        let key = self
+            .shell
+            .keymap
+            .key_label(Action::Scene(SceneAction::Gather));
+        self.shell.set_message(words().edits_wait(&key));
     }
 
     /// Stages another text for a value. Returns `false` if no staging is active.
     pub(super) fn stage_edit(&mut self, value: &Value, text: String) -> bool {
-        let Some(gathered) = &mut self.document.editor.gathered else {
+        let Some(gathered) = &mut self.document.editor.staged else {
             return false;
         };
-        gathered.put(&value.name, text, &value.text());
+        gathered.stage(&value.name, text, &value.text());
         self.keep();
         true
     }
 
     /// Restores the staged edits of an earlier session and opens the scene view.
-    pub(super) fn restore_staged(&mut self, edits: GatheredEdits) {
+    pub(super) fn restore_staged(&mut self, edits: StagedEdits) {
         if edits.is_empty() {
             return;
         }
-        self.look(View::Scene);
-        self.document.editor.gathered = Some(edits);
+        self.select_view(View::Scene);
+        self.document.editor.staged = Some(edits);
         self.keep();
-        self.say_that_edits_wait();
+        self.report_staged_edits();
     }
 
     /// Returns `true` if staged edits are pending.
     pub(super) fn is_waiting(&self) -> bool {
-        let gathered = self.document.editor.gathered.as_ref();
+        let gathered = self.document.editor.staged.as_ref();
         gathered.is_some_and(|gathered| !gathered.is_empty())
     }
 
     /// Returns `true` and reports it if staged edits block an action that depends on the text.
-    pub(super) fn is_held_up(&mut self, action: Action) -> bool {
+    pub(super) fn is_blocked_by_staging(&mut self, action: Action) -> bool {
         let waits = self.is_waiting();
         let takes_text = matches!(
             action,
@@ -82,32 +85,32 @@ impl App {
         );
         let is_held_up = waits && takes_text && self.shell.mode.is_normal();
         if is_held_up {
-            self.say_that_edits_wait();
+            self.report_staged_edits();
         }
         is_held_up
     }
 
     /// Drops the staged edits; undo restores them.
-    pub(super) fn drop_gathered(&mut self) {
+    pub(super) fn drop_staged(&mut self) {
         let text = self.player.open_scene.scene().text();
-        let Some(dropped) = self.document.editor.drop_gathered(text) else {
+        let Some(dropped) = self.document.editor.drop_staged(text) else {
             return;
         };
         self.keep();
-        self.shell.say(match dropped {
+        self.shell.set_message(match dropped {
             0 => words().gathered_made(0),
-            _ => words().gathered_dropped(&self.shell.keymap.told(Action::Undo)),
+            _ => words().gathered_dropped(&self.shell.keymap.key_label(Action::Undo)),
         });
     }
 
     /// Restores dropped staged edits. Returns `false` if there are none, or if a later edit must be
     /// undone first.
-    pub(super) fn bring_gathered_back(&mut self) -> bool {
+    pub(super) fn restore_dropped_edits(&mut self) -> bool {
         let text = self.player.open_scene.scene().text();
-        let is_back = self.document.editor.bring_gathered_back(text);
+        let is_back = self.document.editor.restore_dropped_edits(text);
         if is_back {
             self.keep();
-            self.say_that_edits_wait();
+            self.report_staged_edits();
         }
         is_back
     }

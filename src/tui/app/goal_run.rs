@@ -29,24 +29,24 @@ pub(crate) struct GoalRequest {
 
 /// The result of a search.
 #[derive(Debug)]
-pub(super) struct GoalFinding {
+pub(super) struct GoalOutcome {
     outcome: SearchOutcome,
     /// Messages on why values are missing for the given design.
-    lacks: Vec<String>,
+    missing_reasons: Vec<String>,
 }
 
 /// A search for designs and its result.
 #[derive(Debug)]
 pub(crate) struct GoalRun {
-    pub(super) wish: GoalRequest,
-    pub(super) job: BackgroundJob<GoalFinding>,
+    pub(super) request: GoalRequest,
+    pub(super) job: BackgroundJob<GoalOutcome>,
     /// The index of the selected design.
     cursor: usize,
 }
 
 impl GoalRequest {
     /// Searches designs on a number of threads. This may take long.
-    pub(super) fn search(&self, threads: usize, progress: &JobProgress) -> GoalFinding {
+    pub(super) fn search(&self, threads: usize, progress: &JobProgress) -> GoalOutcome {
         let figures = self.goals.iter().map(|goal| goal.figure.clone());
         let mut figures = DesignFigures::new(&self.space, figures.collect(), None);
         let given = figures.of(&self.space.given()).ok();
@@ -58,16 +58,23 @@ impl GoalRequest {
             given,
             outcome: &outcome,
         };
-        let lacks = report.reasons();
-        GoalFinding { outcome, lacks }
+        let missing = report.reasons();
+        GoalOutcome {
+            outcome,
+            missing_reasons: missing,
+        }
     }
 }
 
 impl GoalRun {
     /// Creates a run whose search has just started.
-    pub(super) fn new(wish: GoalRequest, job: BackgroundJob<GoalFinding>) -> GoalRun {
+    pub(super) fn new(request: GoalRequest, job: BackgroundJob<GoalOutcome>) -> GoalRun {
         let cursor = 0;
-        GoalRun { wish, job, cursor }
+        GoalRun {
+            request,
+            job,
+            cursor,
+        }
     }
 
     /// Returns the progress of the search in percent; `None` once it has finished.
@@ -92,31 +99,35 @@ impl GoalRun {
 
     /// Returns the scene's values, each with its text in the selected design.
     pub(super) fn texts(&self) -> Option<Vec<(Value, String)>> {
-        Some(texts(self.wish.space.values(), self.chosen()?))
+        Some(texts(self.request.space.values(), self.chosen()?))
     }
 
     /// Describes the selected design in a line: its number, its values, and its motion if that
     /// differs in kind from the given design's.
     pub(crate) fn line(&self) -> Option<String> {
-        let told = words().design_of(self.cursor + 1, self.count(), &told_values(&self.texts()?));
+        let text = words().design_of(
+            self.cursor + 1,
+            self.count(),
+            &format_values(&self.texts()?),
+        );
         let outcome = &self.job.result.as_ref()?.outcome;
         let family = Some(outcome.freedoms()).filter(|freedoms| *freedoms > 0);
         let family = family.map(|freedoms| words().family_of_designs(freedoms));
-        let told = [Some(told), self.motion(), family];
-        Some(told.into_iter().flatten().collect::<Vec<_>>().join(" - "))
+        let text = [Some(text), self.motion(), family];
+        Some(text.into_iter().flatten().collect::<Vec<_>>().join(" - "))
     }
 
     /// Describes the motion of the selected design, if its kind differs from the given design's.
     fn motion(&self) -> Option<String> {
-        let found = self.chosen().filter(|found| !found.moves_as_given)?;
+        let found = self.chosen().filter(|found| !found.is_same_motion_kind)?;
         let motion = crate::report::motion_text(&found.design.scene, &found.design.solver);
         Some(words().moves_otherwise_as(&motion))
     }
 
     /// Returns a message that the selected design meets the goal.
     pub(super) fn is_met(&self) -> Option<String> {
-        let told = words().goal_is_met(&told_values(&self.texts()?));
-        Some(told + &self.motion().map_or(String::new(), |m| format!(" - {m}")))
+        let text = words().goal_is_met(&format_values(&self.texts()?));
+        Some(text + &self.motion().map_or(String::new(), |m| format!(" - {m}")))
     }
 
     /// Returns a message on why there is no design, with the nearest miss.
@@ -126,11 +137,11 @@ impl GoalRun {
         };
         match &found.outcome.nearest {
             Some(nearest) => {
-                let texts = texts(self.wish.space.values(), nearest);
-                let figures = told_figures(&self.wish.goals, nearest);
-                words().goal_not_met(&figures, &told_values(&texts))
+                let texts = texts(self.request.space.values(), nearest);
+                let figures = format_targets(&self.request.goals, nearest);
+                words().goal_not_met(&figures, &format_values(&texts))
             }
-            None => words().goal_needs_opening(&found.lacks.join("; ")),
+            None => words().goal_needs_opening(&found.missing_reasons.join("; ")),
         }
     }
 }
@@ -144,7 +155,7 @@ fn texts(values: &[Value], design: &FoundDesign) -> Vec<(Value, String)> {
 }
 
 /// Formats values and their new texts as a list.
-fn told_values(texts: &[(Value, String)]) -> String {
+fn format_values(texts: &[(Value, String)]) -> String {
     let all = texts
         .iter()
         .map(|(value, text)| format!("{} {text}", value.name));
@@ -152,12 +163,12 @@ fn told_values(texts: &[(Value, String)]) -> String {
 }
 
 /// Formats the target quantities of a design that misses its goals.
-fn told_figures(goals: &[Goal], design: &FoundDesign) -> String {
+fn format_targets(goals: &[Goal], design: &FoundDesign) -> String {
     let pairs = goals.iter().zip(&design.figures);
     let figures = pairs.filter_map(|(goal, figure)| {
         let value = coordinate((*figure).ok()?, DECIMALS);
-        let told = format!("{} {value} {}", goal.figure.name(), goal.figure.unit());
-        Some(told.trim_end().to_owned())
+        let text = format!("{} {value} {}", goal.figure.name(), goal.figure.unit());
+        Some(text.trim_end().to_owned())
     });
     figures.collect::<Vec<_>>().join(", ")
 }

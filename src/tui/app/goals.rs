@@ -1,6 +1,6 @@
 //! Finds values of the scene that meet typed goals and applies a chosen solution as one edit.
 
-use super::goal_run::{GoalFinding, GoalRequest, GoalRun};
+use super::goal_run::{GoalOutcome, GoalRequest, GoalRun};
 use super::{App, Effect, Mode};
 use crate::parallel;
 use crate::quantity::Catalogue;
@@ -26,29 +26,29 @@ impl App {
             self.shell.mode = Mode::Normal;
             return;
         }
-        let wish = match self.wish(typed) {
-            Ok(wish) => wish,
-            Err(why) => return self.shell.say(why),
+        let request = match self.parse_goals(typed) {
+            Ok(request) => request,
+            Err(why) => return self.shell.set_message(why),
         };
-        let order = wish.clone();
+        let order = request.clone();
         let work = move |progress: &JobProgress| order.search(parallel::cores(), progress);
-        let job = BackgroundJob::start(&mut self.clerk, work, App::see_goal_run);
-        self.shell.mode = Mode::GoalRun(Box::new(GoalRun::new(wish, job)));
+        let job = BackgroundJob::start(&mut self.clerk, work, App::handle_goal_outcome);
+        self.shell.mode = Mode::GoalRun(Box::new(GoalRun::new(request, job)));
         self.drain_results(self.now);
     }
 
     /// Handles the end of a search: applies a single design, lets the user choose among several, or
     /// reopens the typed goal if there is none.
-    fn see_goal_run(&mut self, found: GoalFinding, now: Duration) {
+    fn handle_goal_outcome(&mut self, found: GoalOutcome, now: Duration) {
         let Mode::GoalRun(run) = &mut self.shell.mode else {
             return;
         };
         run.job.result = Some(found);
         match run.count() {
             0 => {
-                let (why, line) = (run.not_met(), EditLine::for_goal(&run.wish.typed));
+                let (why, line) = (run.not_met(), EditLine::for_goal(&run.request.typed));
                 self.shell.mode = Mode::Goal(line);
-                self.shell.say(why);
+                self.shell.set_message(why);
             }
             1 => self.take_design(now),
             _ => {}
@@ -60,13 +60,13 @@ impl App {
         let Mode::GoalRun(run) = std::mem::take(&mut self.shell.mode) else {
             return;
         };
-        let (Some(texts), Some(said)) = (run.texts(), run.is_met()) else {
+        let (Some(texts), Some(text)) = (run.texts(), run.is_met()) else {
             return;
         };
         let names: Vec<&str> = texts.iter().map(|(value, _)| value.name.as_str()).collect();
-        let deed = Deed::Other(names.join(", "));
-        if self.put_all(texts, deed, now) {
-            self.shell.say(said);
+        let action = Deed::Other(names.join(", "));
+        if self.replace_values(texts, action, now) {
+            self.shell.set_message(text);
         }
     }
 
@@ -86,7 +86,7 @@ impl App {
         match self.shell.keymap.action_in_list(key)? {
             Action::Leave | Action::Suspend | Action::Redraw => return None,
             Action::Back | Action::Quit => {
-                let line = EditLine::for_goal(&run.wish.typed);
+                let line = EditLine::for_goal(&run.request.typed);
                 self.shell.mode = Mode::Goal(line);
             }
             Action::LineUp | Action::StepBack | Action::Tables(TablesAction::Left) => {
@@ -102,7 +102,7 @@ impl App {
 
     /// Parses goals separated by `;`, with the values to vary after `by`. Without `by`, the value
     /// under the cursor is varied.
-    fn wish(&self, typed: &str) -> Result<GoalRequest, String> {
+    fn parse_goals(&self, typed: &str) -> Result<GoalRequest, String> {
         let (goals, names) = match typed.split_once(" by ") {
             Some((goals, names)) => (goals, Some(names)),
             None => (typed, None),

@@ -17,7 +17,7 @@ impl App {
     /// Returns the mode to restore when an overlay closes.
     pub(super) fn below(&self) -> Mode {
         match &self.shell.mode {
-            Mode::Help(help) if help.over_candidates => Mode::Candidates,
+            Mode::Help(help) if help.returns_to_candidates => Mode::Candidates,
             _ => Mode::Normal,
         }
     }
@@ -25,7 +25,7 @@ impl App {
     /// Wraps the shown topic to the screen's width.
     pub(super) fn relayout_help(&mut self) {
         if let Mode::Help(help) = &mut self.shell.mode {
-            help.lay_out(self.shell.size.width, &self.shell.keymap);
+            help.layout_topic(self.shell.size.width, &self.shell.keymap);
         }
     }
 
@@ -39,9 +39,9 @@ impl App {
         let line = help.typed()?;
         self.shell.message = None;
         match key {
-            Key::Backspace if line.text().is_empty() => help.leave_search(),
-            Key::Escape => help.leave_search(),
-            Key::Enter if is_topic && line.text().trim().is_empty() => help.leave_search(),
+            Key::Backspace if line.text().is_empty() => help.end_search_view(),
+            Key::Escape => help.end_search_view(),
+            Key::Enter if is_topic && line.text().trim().is_empty() => help.end_search_view(),
             Key::Enter if is_topic => help.seek(true, columns, keymap),
             Key::Enter => {
                 help.accept();

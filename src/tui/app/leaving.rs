@@ -1,6 +1,6 @@
 //! Quits the program or replaces the scene, with a prompt about unsaved edits.
 
-use super::super::Opened;
+use super::super::OpenedScene;
 use super::{App, Effect, Mode};
 use crate::tui::commands::key::Key;
 use std::time::Duration;
@@ -22,7 +22,7 @@ pub(crate) enum Pending {
     /// Quit the program.
     Quit,
     /// Show another scene.
-    Show(Box<Opened>),
+    Show(Box<OpenedScene>),
 }
 
 impl App {
@@ -32,35 +32,35 @@ impl App {
     }
 
     /// Returns `true` if closing the scene would lose something.
-    fn would_lose(&self) -> bool {
+    fn loses_edits(&self) -> bool {
         self.is_unsaved() || self.is_waiting()
     }
 
     /// Quits, or asks first if something would be lost.
     pub(super) fn quit(&mut self) -> Effect {
-        if !self.would_lose() {
+        if !self.loses_edits() {
             return Effect::Quit;
         }
         self.player.playback.pause();
         self.pending = Some(Pending::Quit);
-        self.ask_about_edits(Unsaved::Quit);
+        self.prompt_about_edits(Unsaved::Quit);
         Effect::Show
     }
 
     /// Shows another scene, or asks first if something would be lost.
-    pub(crate) fn show(&mut self, opened: Opened) {
-        if !self.would_lose() {
+    pub(crate) fn show(&mut self, opened: OpenedScene) {
+        if !self.loses_edits() {
             self.show_now(opened);
             return;
         }
         self.player.playback.pause();
         self.pending = Some(Pending::Show(Box::new(opened)));
-        self.ask_about_edits(Unsaved::Open);
+        self.prompt_about_edits(Unsaved::Open);
     }
 
     /// Asks whether to save or discard unsaved edits.
-    pub(super) fn ask_about_edits(&mut self, question: Unsaved) {
-        self.shell.ask(Mode::Unsaved(question));
+    pub(super) fn prompt_about_edits(&mut self, question: Unsaved) {
+        self.shell.open_prompt(Mode::Unsaved(question));
     }
 
     /// Handles a key of the prompt about unsaved edits. Returns `None` for keys with the same
@@ -84,7 +84,7 @@ impl App {
             (Key::Char('q'), Unsaved::Quit) | (Key::Char('d'), Unsaved::Open) => {
                 self.release();
                 self.shell.mode = Mode::Normal;
-                return Some(self.go_on());
+                return Some(self.run_pending());
             }
             (Key::Enter, Unsaved::Reload) => {
                 self.shell.mode = Mode::Normal;
@@ -101,14 +101,14 @@ impl App {
         if !self.shell.mode.is_normal() || self.pending.is_none() || self.document.storing {
             return effect;
         }
-        if self.would_lose() {
+        if self.loses_edits() {
             self.pending = None;
             return effect;
         }
-        self.go_on()
+        self.run_pending()
     }
 
-    fn go_on(&mut self) -> Effect {
+    fn run_pending(&mut self) -> Effect {
         match self.pending.take() {
             Some(Pending::Quit) => Effect::Quit,
             Some(Pending::Show(opened)) => {

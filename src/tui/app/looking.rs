@@ -16,29 +16,29 @@ impl App {
     pub(super) fn turn_view(&mut self, places: usize) {
         let here = View::ALL.iter().position(|view| *view == self.shell.view);
         let there = (here.unwrap_or(0) + places) % View::ALL.len();
-        self.look_from_tabs(View::ALL[there]);
+        self.select_view_from_tabs(View::ALL[there]);
     }
 
     /// Selects a view by its key, which also continues or repeats a study.
-    pub(super) fn look_at(&mut self, view: View) {
-        self.look_from_tabs(view);
+    pub(super) fn select_view_by_key(&mut self, view: View) {
+        self.select_view_from_tabs(view);
         if view == View::Accuracy {
             self.study();
         }
     }
 
     /// Selects a view and reports why it is empty, if it is.
-    fn look_from_tabs(&mut self, view: View) {
-        self.look(view);
+    fn select_view_from_tabs(&mut self, view: View) {
+        self.select_view(view);
         if let Some(why) = view.pane().nothing(self) {
-            self.shell.say(why);
+            self.shell.set_message(why);
         }
     }
 
     /// Selects a view, in its pane or in one assigned to it.
-    pub(crate) fn look(&mut self, view: View) {
+    pub(crate) fn select_view(&mut self, view: View) {
         let (before, size) = (self.shell.view, self.shell.size);
-        self.shell.composition.look(view, before, size);
+        self.shell.composition.show_view(view, before, size);
         self.shell.view = view;
         if view != before {
             self.views.found = None;
@@ -52,7 +52,7 @@ impl App {
     pub(super) fn update_needs(&mut self) {
         self.refresh();
         self.relist();
-        let studies = self.standing().contains(&View::Accuracy);
+        let studies = self.visible_views().contains(&View::Accuracy);
         if studies && self.views.study_run.phase() == Phase::Idle {
             self.study();
         }
@@ -61,7 +61,7 @@ impl App {
 
     /// Brings the results of the visible views to the driver's position.
     pub(super) fn refresh(&mut self) {
-        let visible = self.standing();
+        let visible = self.visible_views();
         self.views.refresh(&visible, &mut self.player.open_scene);
     }
 
@@ -71,24 +71,24 @@ impl App {
     pub(super) fn next_pane(&mut self) {
         let (view, size) = (self.shell.view, self.shell.size);
         match self.shell.composition.next_pane(view, size) {
-            Some(next) => self.look(next),
-            None => self.shell.say(words().no_other_pane()),
+            Some(next) => self.select_view(next),
+            None => self.shell.set_message(words().no_other_pane()),
         }
     }
 
     /// Maximizes the current pane, or restores the others.
     pub(super) fn toggle_alone(&mut self) {
         if !self.shell.composition.toggle_alone(self.shell.size) {
-            self.shell.say(words().no_other_pane());
+            self.shell.set_message(words().no_other_pane());
         }
         self.rearrange();
     }
 
     /// Moves the border next to the drawing by a number of steps.
     pub(super) fn move_split(&mut self, steps: i8) {
-        let is_split = self.standing().contains(&View::Motion);
+        let is_split = self.visible_views().contains(&View::Motion);
         if !(is_split && self.shell.composition.move_split(steps)) {
-            self.shell.say(words().no_split_here());
+            self.shell.set_message(words().no_split_here());
         }
         self.rearrange();
     }
@@ -96,7 +96,7 @@ impl App {
     /// Switches to the next layout.
     pub(super) fn next_layout(&mut self) {
         let name = self.shell.composition.next_layout().name();
-        self.shell.say(words().layout_is(name));
+        self.shell.set_message(words().layout_is(name));
         self.rearrange();
     }
 
@@ -105,7 +105,7 @@ impl App {
         let (view, size) = (self.shell.view, self.shell.size);
         self.shell.composition.keep(view, size);
         self.update_needs();
-        self.lay_out();
+        self.clamp_positions();
     }
 
     /// Watches the next method on the current state. After the last one, the study is shown again.
@@ -114,9 +114,9 @@ impl App {
         let here = all
             .iter()
             .position(|method| Some(*method) == self.views.method.method);
-        self.watch_method(all.get(here.map_or(0, |place| place + 1)).copied());
+        self.watch_method(all.get(here.map_or(0, |index| index + 1)).copied());
         if let Some(why) = View::Accuracy.pane().nothing(self) {
-            self.shell.say(why);
+            self.shell.set_message(why);
         }
     }
 
@@ -129,28 +129,28 @@ impl App {
     }
 
     /// Asks for the initial guess of the watched method.
-    pub(super) fn ask_for_guess(&mut self) {
+    pub(super) fn prompt_for_guess(&mut self) {
         let watch = &self.views.method;
         match watch.method {
             _ if watch.watched().is_none() => {
-                let method = self.shell.keymap.told(Action::Method);
-                self.shell.say(words().no_method_watched(&method));
+                let method = self.shell.keymap.key_label(Action::Method);
+                self.shell.set_message(words().no_method_watched(&method));
             }
             Some(method) if method.takes_guess() => {
                 self.shell.mode = Mode::Guess(EditLine::for_guess(&watch.guess));
             }
-            _ => self.shell.say(words().begins_at_no_guess()),
+            _ => self.shell.set_message(words().begins_at_no_guess()),
         }
     }
 
     /// Applies the typed guess, or keeps the line for correction.
     pub(super) fn accept_guess(&mut self, guess: &str) {
-        match self.views.method.begin_at(guess, &self.player.open_scene) {
+        match self.views.method.set_guess(guess, &self.player.open_scene) {
             Ok(()) => {
                 self.views.found = None;
                 self.shell.mode = Mode::Normal;
             }
-            Err(why) => self.shell.say(why),
+            Err(why) => self.shell.set_message(why),
         }
     }
 
@@ -161,7 +161,9 @@ impl App {
 
     /// Starts, continues or repeats a study.
     pub(super) fn study(&mut self) {
-        self.views.study_run.go_on(self.player.open_scene.solver());
+        self.views
+            .study_run
+            .start_or_resume(self.player.open_scene.solver());
     }
 
     /// Adapts to a new screen size.
@@ -171,7 +173,7 @@ impl App {
     }
 
     /// Keeps the cursor and the scroll positions in range after a change of layout.
-    pub(super) fn lay_out(&mut self) {
+    pub(super) fn clamp_positions(&mut self) {
         self.place_cursor(|cursor, _| cursor);
         self.scroll_by(0);
     }
@@ -194,16 +196,16 @@ impl App {
             Listing::Values => self.document.editor.go_to_part(forward),
             Listing::Figures => self.place_cursor(|cursor, table| cursor.in_part(table, forward)),
             Listing::Lines => {
-                let parts = views::parts_looked_at(self);
+                let parts = views::current_part_starts(self);
                 let here = self.views.scroll[self.shell.view as usize];
                 let next = match forward {
                     true => parts.into_iter().find(|line| *line > here),
                     false => parts.into_iter().rfind(|line| *line < here),
                 };
-                let most = views::most_scroll(self);
-                match next.filter(|line| !forward || (*line <= most || here < most)) {
-                    Some(line) => self.views.scroll[self.shell.view as usize] = line.min(most),
-                    None => self.shell.say(words().no_further_part()),
+                let maximum = views::max_scroll(self);
+                match next.filter(|line| !forward || (*line <= maximum || here < maximum)) {
+                    Some(line) => self.views.scroll[self.shell.view as usize] = line.min(maximum),
+                    None => self.shell.set_message(words().no_further_part()),
                 }
             }
         }
@@ -212,7 +214,7 @@ impl App {
     /// Scrolls the topmost list or text, within its limits.
     pub(super) fn scroll_by(&mut self, lines: isize) {
         self.relayout_help();
-        let most = views::most_scroll(self);
+        let maximum = views::max_scroll(self);
         let scroll = match &mut self.shell.mode {
             Mode::Help(help) => &mut help.scroll,
             Mode::Assemblies(assemblies) => return assemblies.list.move_by(lines),
@@ -224,6 +226,6 @@ impl App {
                 Listing::Values => return self.document.editor.move_by(lines),
             },
         };
-        *scroll = moved(*scroll, lines, most + 1);
+        *scroll = moved(*scroll, lines, maximum + 1);
     }
 }

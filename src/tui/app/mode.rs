@@ -41,7 +41,7 @@ pub(crate) enum Mode {
     /// The prompt before writing to a file.
     Confirm(Question),
     /// The list of presets and files.
-    Pick(Box<Picker>),
+    AssemblyChoice(Box<Picker>),
     /// The candidate linkages for a synthesis task.
     Candidates,
     /// The input line of a search by name.
@@ -80,7 +80,7 @@ impl Mode {
             | Mode::Confirm(_)
             | Mode::Unsaved(_)
             | Mode::Recovery(_)
-            | Mode::Pick(_)
+            | Mode::AssemblyChoice(_)
             | Mode::Candidates
             | Mode::Copy => None,
         }

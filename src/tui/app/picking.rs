@@ -4,7 +4,7 @@ use super::super::Origin;
 use super::{App, Effect, Mode};
 use crate::scene::presets;
 use crate::tui::commands::key::Key;
-use crate::tui::document::opening::{self, OpenedFile, Unopened};
+use crate::tui::document::opening::{self, OpenFileError, OpenedFile};
 use crate::tui::views::picker::list::{FolderReading, Picker, PickerItem, PickerTarget, Purpose};
 use crate::tui::views::picker::preview::Preview;
 use crate::wording::words;
@@ -29,8 +29,8 @@ impl App {
         let first = self.first_listed(purpose);
         let folder = folder.unwrap_or_default();
         self.previews.forget();
-        self.shell.mode = Mode::Pick(Box::new(Picker::new(purpose, first, here)));
-        self.look_into(folder, at, true);
+        self.shell.mode = Mode::AssemblyChoice(Box::new(Picker::new(purpose, first, here)));
+        self.list_folder(folder, at, true);
     }
 
     /// Returns the first item of the list: the unedited scene for a comparison, or the last task's
@@ -48,17 +48,17 @@ impl App {
     }
 
     /// Lists a folder once it is read, with the cursor on an entry of it, or on the open scene.
-    fn look_into(&mut self, folder: PathBuf, at: Option<PickerTarget>, or_here: bool) {
+    fn list_folder(&mut self, folder: PathBuf, at: Option<PickerTarget>, or_here: bool) {
         let origin = self.player.open_scene.origin().clone();
-        let Mode::Pick(picker) = &self.shell.mode else {
+        let Mode::AssemblyChoice(picker) = &self.shell.mode else {
             return;
         };
         let purpose = picker.purpose();
-        self.clerk.give(move || {
+        self.clerk.submit(move || {
             let read = FolderReading::of(&folder, purpose);
             let at = at.or_else(|| or_here.then(|| PickerTarget::of(&origin)).flatten());
             Box::new(move |app, _| {
-                if let Mode::Pick(picker) = &mut app.shell.mode {
+                if let Mode::AssemblyChoice(picker) = &mut app.shell.mode {
                     picker.list(read, at.as_ref());
                 }
             })
@@ -72,19 +72,19 @@ impl App {
 
     /// Updates everything that a frame shows besides the state. Runs once per frame, after any
     /// number of keys.
-    pub(crate) fn catch_up(&mut self) {
+    pub(crate) fn update_before_frame(&mut self) {
         self.refresh();
         self.follow();
         if let (Mode::Candidates, Some(list)) = (&self.shell.mode, &mut self.candidates) {
             list.draw();
         }
-        let Mode::Pick(picker) = &self.shell.mode else {
+        let Mode::AssemblyChoice(picker) = &self.shell.mode else {
             return;
         };
         let chosen = picker.chosen().map(|item| item.place.clone());
         if let Some(place) = chosen.filter(|place| self.previews.expect(place)) {
             let original = Arc::clone(&self.document.original);
-            self.clerk.give(move || {
+            self.clerk.submit(move || {
                 let preview = Preview::of(&place, &original);
                 Box::new(move |app, _| app.previews.put(&place, preview))
             });
@@ -94,7 +94,7 @@ impl App {
 
     /// Returns the preview of the entry under the cursor.
     pub(crate) fn preview(&self) -> Option<&Preview> {
-        let Mode::Pick(picker) = &self.shell.mode else {
+        let Mode::AssemblyChoice(picker) = &self.shell.mode else {
             return None;
         };
         self.previews.of(&picker.chosen()?.place)
@@ -104,7 +104,7 @@ impl App {
     /// meaning everywhere.
     pub(super) fn pick_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         let page = self.page();
-        let Mode::Pick(picker) = &mut self.shell.mode else {
+        let Mode::AssemblyChoice(picker) = &mut self.shell.mode else {
             return None;
         };
         match key {
@@ -113,13 +113,13 @@ impl App {
             Key::Ctrl('p') => picker.list.move_by(-1),
             Key::Ctrl('n') => picker.list.move_by(1),
             Key::Left => {
-                if let Some((above, here)) = picker.above() {
-                    self.look_into(above, Some(here), false);
+                if let Some((above, here)) = picker.parent_entry() {
+                    self.list_folder(above, Some(here), false);
                 }
             }
-            Key::Right => self.look_into_chosen(),
+            Key::Right => self.list_chosen_folder(),
             Key::Enter => self.accept_pick(),
-            Key::Escape => self.leave_list(now),
+            Key::Escape => self.close_list(now),
             Key::Ctrl(_) => return None,
             _ => {}
         }
@@ -128,26 +128,26 @@ impl App {
     }
 
     /// Returns to the open scene and resumes its playback.
-    fn leave_list(&mut self, now: Duration) {
+    fn close_list(&mut self, now: Duration) {
         self.shell.mode = Mode::Normal;
         self.previews.forget();
         self.player.resume(now);
     }
 
-    fn look_into_chosen(&mut self) {
-        let Mode::Pick(picker) = &self.shell.mode else {
+    fn list_chosen_folder(&mut self) {
+        let Mode::AssemblyChoice(picker) = &self.shell.mode else {
             return;
         };
         if let Some(PickerTarget::Folder(path)) = picker.chosen().map(|item| item.place.clone()) {
-            let above = picker.above().filter(|_| picker.is_above(&path));
-            self.look_into(path, above.map(|(_, here)| here), false);
+            let above = picker.parent_entry().filter(|_| picker.is_above(&path));
+            self.list_folder(path, above.map(|(_, here)| here), false);
         }
     }
 
     /// Opens the entry under the cursor, or lists it if it is a folder.
     fn accept_pick(&mut self) {
         self.shell.message = None;
-        let Mode::Pick(picker) = &mut self.shell.mode else {
+        let Mode::AssemblyChoice(picker) = &mut self.shell.mode else {
             return;
         };
         let Some(place) = picker.chosen().map(|item| item.place.clone()) else {
@@ -155,7 +155,7 @@ impl App {
         };
         let purpose = picker.purpose();
         match place {
-            PickerTarget::Folder(_) => return self.look_into_chosen(),
+            PickerTarget::Folder(_) => return self.list_chosen_folder(),
             PickerTarget::Candidates => return self.list_candidates(),
             PickerTarget::Original | PickerTarget::File(_) | PickerTarget::Preset(_) => {}
         }
@@ -166,8 +166,8 @@ impl App {
             Arc::clone(&self.document.original),
             self.player.open_scene.origin().clone(),
         );
-        self.shell.say(words().reading(&name));
-        self.clerk.give(move || {
+        self.shell.set_message(words().reading(&name));
+        self.clerk.submit(move || {
             let opened = opened(&place, &original, origin);
             Box::new(move |app, now| app.picked(purpose, place, name, opened, now))
         });
@@ -184,12 +184,12 @@ impl App {
     ) {
         self.shell.message = None;
         // The user may have closed the list before the file was read.
-        if !matches!(self.shell.mode, Mode::Pick(_)) {
+        if !matches!(self.shell.mode, Mode::AssemblyChoice(_)) {
             return;
         }
         let done = opened.and_then(|opened| match (purpose, opened) {
             (Purpose::Open, OpenedFile::Scene(opened)) => {
-                self.leave_list(now);
+                self.close_list(now);
                 self.show(*opened);
                 Ok(())
             }
@@ -201,12 +201,12 @@ impl App {
             (Purpose::Compare, OpenedFile::Task(_)) => Err(words().task_is_no_scene().to_owned()),
             (Purpose::Compare, OpenedFile::Scene(opened)) => {
                 self.compare_with(place, name, *opened)?;
-                self.leave_list(now);
+                self.close_list(now);
                 Ok(())
             }
         });
         if let Err(why) = done {
-            self.shell.say(why);
+            self.shell.set_message(why);
         }
     }
 }
@@ -217,7 +217,7 @@ fn opened(place: &PickerTarget, original: &str, origin: Origin) -> Result<Opened
     match place {
         PickerTarget::Folder(path) => Err(words().is_folder(&path.display())),
         // The cursor already shows the file's name.
-        PickerTarget::File(path) => opening::file(&near(path)).map_err(Unopened::first_words),
+        PickerTarget::File(path) => opening::file(&near(path)).map_err(OpenFileError::first_words),
         PickerTarget::Preset(name) => match presets::find(name) {
             Some(preset) => opening::preset(preset).map(scene),
             None => Err(words().no_preset(name)),

@@ -1,6 +1,6 @@
 //! Chooses the plotted columns and the x axis.
 
-use super::super::views::most_scroll;
+use super::super::views::max_scroll;
 use super::{App, Effect, Mode, View};
 use crate::tui::commands::action::PlotsAction;
 use crate::tui::commands::key::Key;
@@ -20,25 +20,25 @@ impl App {
                     .views
                     .plots
                     .next_abscissa(self.player.open_scene.scene());
-                self.shell.say(along);
+                self.shell.set_message(along);
             }
             PlotsAction::Extrema => {
                 let marked = self.views.plots.toggle_extrema();
-                self.shell.say(match marked {
+                self.shell.set_message(match marked {
                     true => words().extrema_marked(),
                     false => words().extrema_not_marked(),
                 });
             }
             PlotsAction::Band => {
                 let is_exact = self.player.open_scene.scene().tolerances().is_exact();
-                let told = if is_exact {
+                let text = if is_exact {
                     words().no_tolerances()
                 } else if self.views.plots.toggle_band() {
                     words().band_drawn()
                 } else {
                     words().band_not_drawn()
                 };
-                self.shell.say(told);
+                self.shell.set_message(text);
             }
         }
         self.sample();
@@ -47,7 +47,7 @@ impl App {
     /// Updates the curves and the motor study while a view needs them. Costs nothing if they are up
     /// to date.
     pub(super) fn sample(&mut self) {
-        let visible = self.standing();
+        let visible = self.visible_views();
         if visible.contains(&View::Plots) {
             self.follow();
             let compared = self.comparison.compared();
@@ -65,13 +65,13 @@ impl App {
 
     /// Handles a key of the list. Returns `None` for keys with the same meaning everywhere.
     pub(super) fn list_key(&mut self, key: Key) -> Option<Effect> {
-        let (page, most) = (self.page(), most_scroll(self));
+        let (page, maximum) = (self.page(), max_scroll(self));
         let Mode::PlotList(list) = &mut self.shell.mode else {
             return None;
         };
         if list.read().is_some() {
             match key {
-                _ if let Some(lines) = key.rows_or_letter(page) => list.scroll_by(lines, most),
+                _ if let Some(lines) = key.rows_or_letter(page) => list.scroll_by(lines, maximum),
                 Key::Escape | Key::Char('o') => list.set_reading(false),
                 _ => return None,
             }

@@ -5,7 +5,7 @@ use super::{App, Effect, Mode, View};
 use crate::tui::commands::key::Key;
 use crate::tui::commands::mouse::{Mouse, MouseEventKind};
 use crate::tui::figures::cursor::Cursor;
-use crate::tui::views::{PaneSpot, Under};
+use crate::tui::views::{CellTarget, PaneSpot};
 use crate::wording::words;
 use crate::{Body, Input, Vec2, angle};
 use std::time::Duration;
@@ -13,7 +13,7 @@ use std::time::Duration;
 /// Lines per step of the mouse wheel.
 const WHEEL: isize = 3;
 /// Distance within which a press takes a point, in columns.
-const REACH: f64 = 1.5;
+const PICK_DISTANCE: f64 = 1.5;
 
 /// The object that the pressed button drags.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -26,7 +26,7 @@ pub(super) enum DragTarget {
     /// A point with coordinates in the scene's text.
     Point(TypedPlace),
     /// The cursor of a plot, which marks the driver's coordinate.
-    Course,
+    CyclePath,
 }
 
 impl App {
@@ -38,15 +38,15 @@ impl App {
     /// Takes over the mouse, or returns it to the terminal.
     pub(super) fn toggle_mouse(&mut self) {
         self.shell.has_mouse = !self.shell.has_mouse;
-        self.let_go();
-        self.shell.say(match self.shell.has_mouse {
+        self.end_drag();
+        self.shell.set_message(match self.shell.has_mouse {
             true => words().mouse_on(),
             false => words().mouse_off(),
         });
     }
 
     /// Handles a mouse event over the object at the pointer.
-    pub(crate) fn point(&mut self, mouse: Mouse, under: Under, now: Duration) -> Effect {
+    pub(crate) fn point(&mut self, mouse: Mouse, under: CellTarget, now: Duration) -> Effect {
         if !self.shell.has_mouse {
             return Effect::Show;
         }
@@ -57,12 +57,12 @@ impl App {
         effect
     }
 
-    fn act(&mut self, mouse: Mouse, under: Under, now: Duration) -> Effect {
-        match (mouse.deed, under) {
+    fn act(&mut self, mouse: Mouse, under: CellTarget, now: Duration) -> Effect {
+        match (mouse.kind, under) {
             (MouseEventKind::WheelUp, under) => return self.roll(-WHEEL, &under, now),
             (MouseEventKind::WheelDown, under) => return self.roll(WHEEL, &under, now),
             // A release ends the drag, even if another mode has opened meanwhile.
-            (MouseEventKind::Release, _) => self.let_go(),
+            (MouseEventKind::Release, _) => self.end_drag(),
             // Lists and prompts take keys only.
             _ if !self.shell.mode.is_normal() => {}
             (MouseEventKind::Press, under) => self.press(under, now),
@@ -72,15 +72,15 @@ impl App {
     }
 
     /// Zooms the drawing, or scrolls the topmost list or text.
-    fn roll(&mut self, lines: isize, under: &Under, now: Duration) -> Effect {
+    fn roll(&mut self, lines: isize, under: &CellTarget, now: Duration) -> Effect {
         let up = lines < 0;
         match (&self.shell.mode, under) {
-            (Mode::Normal, Under::Drawing(_, seen)) => self.zoom_at(seen.from_middle, up),
-            (Mode::Normal, &Under::Pane(view, _)) => {
-                self.look(view);
+            (Mode::Normal, CellTarget::Drawing(_, seen)) => self.zoom_at(seen.from_middle, up),
+            (Mode::Normal, &CellTarget::Pane(view, _)) => {
+                self.select_view(view);
                 self.scroll_by(lines);
             }
-            (Mode::Normal, Under::Nothing | Under::Tab(_)) => {}
+            (Mode::Normal, CellTarget::Nothing | CellTarget::Tab(_)) => {}
             (Mode::Help(_) | Mode::Assemblies(_), _) => self.scroll_by(lines),
             // Other lists handle arrow keys themselves, independently of the key bindings.
             _ => {
@@ -93,74 +93,78 @@ impl App {
         Effect::Show
     }
 
-    fn press(&mut self, under: Under, now: Duration) {
+    fn press(&mut self, under: CellTarget, now: Duration) {
         self.shell.message = None;
         self.shell.before = None;
-        self.let_go();
+        self.end_drag();
         match under {
-            Under::Nothing => {}
-            Under::Tab(view) => self.look_at(view),
-            Under::Drawing(view, seen) => {
+            CellTarget::Nothing => {}
+            CellTarget::Tab(view) => self.select_view_by_key(view),
+            CellTarget::Drawing(view, seen) => {
                 self.pause(now);
                 self.views
                     .viewport
                     .lens
                     .hold(&self.player.open_scene, seen.window);
                 let edits = self.shell.view == View::Scene;
-                let point = edits.then(|| self.typed_near(seen.place, REACH * seen.column));
+                let point =
+                    edits.then(|| self.typed_near(seen.position, PICK_DISTANCE * seen.column));
                 match point.flatten() {
                     Some(point) => self.take_point(point),
                     None => {
-                        self.look(view);
-                        self.take_driver(seen.place);
+                        self.select_view(view);
+                        self.take_driver(seen.position);
                     }
                 }
             }
-            Under::Pane(view, spot) => {
-                self.look(view);
+            CellTarget::Pane(view, spot) => {
+                self.select_view(view);
                 match spot {
                     None => {}
                     Some(PaneSpot::Figure(part, row)) => {
                         self.place_cursor(|_, _| Cursor::at(part, row));
                     }
                     Some(PaneSpot::Value(row)) => self.document.editor.go_to(row),
-                    Some(PaneSpot::Along(at)) => {
+                    Some(PaneSpot::PlotAxis(at)) => {
                         self.pause(now);
-                        self.shell.grip = DragTarget::Course;
-                        self.lead_to(at, now);
+                        self.shell.drag_target = DragTarget::CyclePath;
+                        self.move_nearest_to(at, now);
                     }
                     Some(PaneSpot::Time(time)) => {
                         self.pause(now);
-                        self.shell.grip = DragTarget::Course;
-                        self.player.lead_to_time(time, now);
+                        self.shell.drag_target = DragTarget::CyclePath;
+                        self.player.move_to_pointed_time(time, now);
                     }
                 }
             }
         }
     }
 
-    fn drag(&mut self, under: &Under, now: Duration) {
-        match (self.shell.grip.clone(), under) {
-            (DragTarget::Driver(ahead), Under::Drawing(_, seen)) => {
-                self.drag_driver(ahead, seen.place, now);
+    fn drag(&mut self, under: &CellTarget, now: Duration) {
+        match (self.shell.drag_target.clone(), under) {
+            (DragTarget::Driver(ahead), CellTarget::Drawing(_, seen)) => {
+                self.drag_driver(ahead, seen.position, now);
             }
-            (DragTarget::Point(typed), Under::Drawing(_, seen)) => {
-                self.drag_point(&typed, seen.place, now);
+            (DragTarget::Point(typed), CellTarget::Drawing(_, seen)) => {
+                self.drag_point(&typed, seen.position, now);
             }
-            (DragTarget::Course, &Under::Pane(View::Plots, Some(PaneSpot::Along(at)))) => {
-                self.lead_to(at, now);
+            (
+                DragTarget::CyclePath,
+                &CellTarget::Pane(View::Plots, Some(PaneSpot::PlotAxis(at))),
+            ) => {
+                self.move_nearest_to(at, now);
             }
-            (DragTarget::Course, &Under::Pane(View::Plots, Some(PaneSpot::Time(time)))) => {
-                self.player.lead_to_time(time, now);
+            (DragTarget::CyclePath, &CellTarget::Pane(View::Plots, Some(PaneSpot::Time(time)))) => {
+                self.player.move_to_pointed_time(time, now);
             }
             _ => {}
         }
     }
 
     /// Ends a mouse drag.
-    pub(super) fn let_go(&mut self) {
-        self.shell.grip = DragTarget::Nothing;
-        self.views.viewport.lens.let_go();
+    pub(super) fn end_drag(&mut self) {
+        self.shell.drag_target = DragTarget::Nothing;
+        self.views.viewport.lens.end_drag();
     }
 
     /// Pauses playback before a drag.
@@ -171,23 +175,23 @@ impl App {
     }
 
     /// Moves the driver to the coordinate nearest to `at` that the motion permits.
-    fn lead_to(&mut self, at: f64, now: Duration) {
+    fn move_nearest_to(&mut self, at: f64, now: Duration) {
         let here = self.player.open_scene.at();
         let at = self.player.open_scene.driver_range().on_grid(at);
         self.player.step(at - here, now);
     }
 
-    fn take_driver(&mut self, place: Vec2) {
+    fn take_driver(&mut self, position: Vec2) {
         let at = self.player.open_scene.at();
-        if let Some(pointed) = self.pointed_at(place) {
-            self.shell.grip = DragTarget::Driver(at - pointed);
+        if let Some(pointed) = self.pointed_at(position) {
+            self.shell.drag_target = DragTarget::Driver(at - pointed);
         }
     }
 
     /// Turns the driven link with the mouse about its pivot, along the shorter arc; a driven slide
     /// moves along its guide.
-    fn drag_driver(&mut self, ahead: f64, place: Vec2, now: Duration) {
-        let Some(pointed) = self.pointed_at(place) else {
+    fn drag_driver(&mut self, ahead: f64, position: Vec2, now: Duration) {
+        let Some(pointed) = self.pointed_at(position) else {
             return;
         };
         let open_scene = &self.player.open_scene;
@@ -197,19 +201,19 @@ impl App {
             Input::Push(_) => by,
         };
         if by.is_finite() {
-            self.lead_to(self.player.open_scene.at() + by, now);
+            self.move_nearest_to(self.player.open_scene.at() + by, now);
         }
     }
 
     /// Returns the driver coordinate for a position of the mouse, up to a constant: the direction
     /// from the link's pivot in degrees, or the distance along the guide.
-    fn pointed_at(&self, place: Vec2) -> Option<f64> {
+    fn pointed_at(&self, position: Vec2) -> Option<f64> {
         let open_scene = &self.player.open_scene;
         let mechanism = &open_scene.scene().mechanism;
         match mechanism.driver().input {
             Input::Turn(link) => {
                 let state = open_scene.state();
-                let seen = angle::degrees(place - state.position(mechanism.hub(link)?)?);
+                let seen = angle::degrees(position - state.position(mechanism.hub(link)?)?);
                 match mechanism.turned_from(link) {
                     Body::Ground => Some(seen),
                     Body::Link(from) => Some(seen - state.angle(from)?),
@@ -217,7 +221,7 @@ impl App {
             }
             Input::Push(slide) => {
                 let travel = open_scene.state().travel(slide)?;
-                Some(travel.guide.dot(place))
+                Some(travel.guide.dot(position))
             }
         }
     }

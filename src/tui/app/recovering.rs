@@ -4,10 +4,10 @@ use super::super::Origin;
 use super::{App, Effect, Mode};
 use crate::tui::commands::action::Action;
 use crate::tui::commands::key::Key;
-use crate::tui::document::Kept;
+use crate::tui::document::SharedRecovery;
 use crate::tui::document::edited;
 use crate::tui::document::history::Deed;
-use crate::tui::document::recovery::{self, Others, Recovery, UnsavedEdits};
+use crate::tui::document::recovery::{self, OtherSessions, Recovery, UnsavedEdits};
 use crate::tui::views::offer::list::Offer;
 use crate::wording::words;
 use std::path::Path;
@@ -19,14 +19,14 @@ impl Drop for App {
     /// quitting.
     fn drop(&mut self) {
         let kept = self.document.recovery.take();
-        self.clerk.give(move || {
+        self.clerk.submit(move || {
             drop(kept);
             Box::new(|_, _| {})
         });
     }
 }
 
-fn locked(kept: &Kept) -> MutexGuard<'_, Recovery> {
+fn locked(kept: &SharedRecovery) -> MutexGuard<'_, Recovery> {
     kept.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -40,7 +40,7 @@ impl App {
 
     /// Notes that no folder for unsaved edits exists. The first edit then reports it.
     pub(crate) fn recover_nowhere(&mut self) {
-        self.document.is_homeless = true;
+        self.document.has_no_edits_folder = true;
     }
 
     /// Watches the file of a newly opened scene and offers edits of earlier sessions.
@@ -60,18 +60,18 @@ impl App {
             self.player.open_scene.origin().clone(),
         );
         let text = self.document.editor.saved().to_owned();
-        self.clerk.give(move || {
+        self.clerk.submit(move || {
             drop(before);
             let recovery = Recovery::new(&folder, &session, &origin, &text);
             let others = match offers {
                 true => recovery.others(&text),
-                false => Others::default(),
+                false => OtherSessions::default(),
             };
             Box::new(move |app, _| app.met(&origin, recovery, others))
         });
     }
 
-    fn met(&mut self, origin: &Origin, recovery: Recovery, others: Others) {
+    fn met(&mut self, origin: &Origin, recovery: Recovery, others: OtherSessions) {
         // Another scene may have been opened meanwhile.
         if self.player.open_scene.origin() != origin {
             return;
@@ -85,18 +85,18 @@ impl App {
         };
         if matches!(self.shell.mode, Mode::Normal | Mode::Tour(_)) {
             self.player.playback.pause();
-            self.shell.ask(Mode::Recovery(Box::new(offer)));
+            self.shell.open_prompt(Mode::Recovery(Box::new(offer)));
         } else {
-            self.shell.say(words().others_have_edits());
+            self.shell.set_message(words().others_have_edits());
         }
     }
 
     /// Records the edits for recovery after a change, or removes the record if nothing is unsaved.
     pub(super) fn keep(&mut self) {
-        if self.has_edits() && std::mem::take(&mut self.document.is_homeless) {
-            let said = words().edits_kept_nowhere().to_owned();
+        if self.has_edits() && std::mem::take(&mut self.document.has_no_edits_folder) {
+            let message = words().edits_kept_nowhere().to_owned();
             self.clerk
-                .give(|| Box::new(|app, _| app.shell.message = Some(said)));
+                .submit(|| Box::new(|app, _| app.shell.message = Some(message)));
         }
         let Some(kept) = self.document.recovery.clone() else {
             return;
@@ -104,21 +104,21 @@ impl App {
         let text = self.player.open_scene.scene().text().to_owned();
         // The restored edits may have been undone.
         self.document.older &= self.is_changed();
-        let waiting = self.document.editor.gathered.clone().unwrap_or_default();
+        let waiting = self.document.editor.staged.clone().unwrap_or_default();
         let edits = UnsavedEdits { text, waiting };
         let edits = self
             .has_edits()
             .then(|| (edits, self.document.editor.saved().to_owned()));
-        self.clerk.give(move || {
+        self.clerk.submit(move || {
             let mut kept = locked(&kept);
-            let said = match edits {
+            let message = match edits {
                 Some((edits, saved)) => kept.keep(edits, &saved, SystemTime::now()),
                 None => {
                     kept.rest();
                     None
                 }
             };
-            Box::new(move |app, _| app.shell.message = said.or(app.shell.message.take()))
+            Box::new(move |app, _| app.shell.message = message.or(app.shell.message.take()))
         });
     }
 
@@ -130,7 +130,7 @@ impl App {
         }
         self.keep();
         if let Some(kept) = self.document.recovery.clone() {
-            self.clerk.give(move || {
+            self.clerk.submit(move || {
                 locked(&kept).drop_taken();
                 Box::new(|_, _| {})
             });
@@ -140,7 +140,7 @@ impl App {
     /// Removes the recovery record because the edits are saved or discarded.
     pub(super) fn release(&mut self) {
         if let Some(kept) = self.document.recovery.clone() {
-            self.clerk.give(move || {
+            self.clerk.submit(move || {
                 locked(&kept).release();
                 Box::new(|_, _| {})
             });
@@ -173,7 +173,7 @@ impl App {
                 self.shell.mode = Mode::Normal;
                 return None;
             }
-            Key::Enter if offer.page.is_none() => offer.look(),
+            Key::Enter if offer.page.is_none() => offer.open_page(),
             Key::Char('c') => offer.compare(self.player.open_scene.scene().text()),
             Key::Char('t') => self.take_offered(now),
             Key::Char('d') if is_asked => self.drop_offered(),
@@ -197,21 +197,21 @@ impl App {
                 if let Some(kept) = self.document.recovery.clone() {
                     // The text of the reopened scene, which includes its start positions.
                     let text = edited.opened.scene.text().to_owned();
-                    self.clerk.give(move || {
+                    self.clerk.submit(move || {
                         locked(&kept).take(found.file, text);
                         Box::new(|_, _| {})
                     });
                 }
                 self.change(edited, Deed::Other(words().recovered_edits().into()), now);
                 self.document.older |= found.is_stale;
-                let key = self.shell.keymap.told(Action::Undo);
-                self.shell.say(match found.is_stale {
+                let key = self.shell.keymap.key_label(Action::Undo);
+                self.shell.set_message(match found.is_stale {
                     true => words().older_edits_are_back(&key),
                     false => words().edits_are_back(&key),
                 });
                 self.restore_staged(found.edits.waiting);
             }
-            Err(why) => self.shell.say(words().edits_cannot_be_shown(&why)),
+            Err(why) => self.shell.set_message(words().edits_cannot_be_shown(&why)),
         }
     }
 
@@ -225,8 +225,8 @@ impl App {
         if !offer.forget() {
             self.shell.mode = Mode::Normal;
         }
-        self.shell.say(words().edits_deleted());
-        self.clerk.give(move || {
+        self.shell.set_message(words().edits_deleted());
+        self.clerk.submit(move || {
             recovery::delete(&file);
             Box::new(|_, _| {})
         });

@@ -17,8 +17,8 @@ impl App {
         let from = match self.shell.view.pane().list() {
             Listing::Figures => SearchOrigin::Tables(self.views.cursor),
             Listing::Values => SearchOrigin::Scene(self.document.editor.cursor()),
-            Listing::Lines if views::lines_looked_at(self).is_empty() => {
-                self.shell.say(words().nothing_to_search());
+            Listing::Lines if views::current_view_lines(self).is_empty() => {
+                self.shell.set_message(words().nothing_to_search());
                 return;
             }
             Listing::Lines => SearchOrigin::Lines(self.views.scroll[self.shell.view as usize]),
@@ -63,8 +63,8 @@ impl App {
 
     /// Scrolls the current view to a line.
     fn scroll_to(&mut self, line: usize) {
-        let most = views::most_scroll(self);
-        self.views.scroll[self.shell.view as usize] = line.min(most);
+        let maximum = views::max_scroll(self);
+        self.views.scroll[self.shell.view as usize] = line.min(maximum);
     }
 
     /// Returns the line from which to search on: the last match if that is visible, or else the
@@ -109,7 +109,8 @@ impl App {
                 self.document.editor.seek(typed, 0)
             }
             SearchOrigin::Lines(from) => {
-                self.views.found = FoundLine::of(&views::lines_looked_at(self), typed, from, true);
+                self.views.found =
+                    FoundLine::of(&views::current_view_lines(self), typed, from, true);
                 self.scroll_to(self.found_line().unwrap_or(from));
                 self.views.found.is_some()
             }
@@ -157,25 +158,25 @@ impl App {
             return;
         }
         self.views.searched = Some(self.shell.view);
-        let sought = self.views.sought.clone();
+        let query = self.views.sought.clone();
         let found = match self.shell.view.pane().list() {
             Listing::Figures => {
                 let (tables, here) = (self.player.open_scene.tables(), self.views.cursor);
-                let next = search::next(tables, &sought, here, forward);
+                let next = search::next(tables, &query, here, forward);
                 next.map(|next| self.place_cursor(|_, _| next)).is_some()
             }
             Listing::Values => {
                 let step = if forward { 1 } else { -1 };
-                self.document.editor.seek(&sought, step)
+                self.document.editor.seek(&query, step)
             }
             Listing::Lines => {
-                let (lines, from) = (views::lines_looked_at(self), self.next_line(forward));
-                self.views.found = FoundLine::of(&lines, &sought, from, forward);
+                let (lines, from) = (views::current_view_lines(self), self.next_line(forward));
+                self.views.found = FoundLine::of(&lines, &query, from, forward);
                 self.found_line().map(|line| self.scroll_to(line)).is_some()
             }
         };
         if !found {
-            self.shell.say(nameless(&sought));
+            self.shell.set_message(nameless(&query));
         }
     }
 
@@ -183,7 +184,9 @@ impl App {
         match action {
             TablesAction::Choose => self.choose(),
             // Only the tables have columns to move sideways.
-            _ if self.shell.view != View::Tables => self.shell.say(words().nothing_at_the_side()),
+            _ if self.shell.view != View::Tables => {
+                self.shell.set_message(words().nothing_at_the_side())
+            }
             TablesAction::Left => self.place_cursor(|cursor, lines| cursor.aside(lines, -1)),
             TablesAction::Right => self.place_cursor(|cursor, lines| cursor.aside(lines, 1)),
         }
@@ -207,7 +210,7 @@ impl App {
         let moving = followed::moving(self.player.open_scene.scene(), part, row);
         if moving.is_empty() {
             let name = part.name(self.player.open_scene.tables(), row);
-            self.shell.say(words().never_moves(name));
+            self.shell.set_message(words().never_moves(name));
             return;
         }
         let all = moving
@@ -215,7 +218,7 @@ impl App {
             .all(|(point, _)| self.views.followed.contains(*point));
         let names = moving.iter().map(|(_, name)| *name).collect::<Vec<_>>();
         let names = words().all_of(&names);
-        self.shell.say(if all {
+        self.shell.set_message(if all {
             words().no_longer_chosen(&names)
         } else {
             words().chosen_for_motion(&names)

@@ -13,12 +13,12 @@ use ratatui::layout::Size;
 use std::time::Duration;
 
 /// Height of a cell divided by its width in most fonts.
-const USUAL_ASPECT: f64 = 2.0;
+const DEFAULT_ASPECT: f64 = 2.0;
 /// Shortest time between showing a prompt and accepting its answer. Earlier keys were typed before
 /// the user read it.
 const REACTION: Duration = Duration::from_millis(300);
 /// Time after which a message disappears.
-const LEGIBLE: Duration = Duration::from_secs(3);
+const MESSAGE_TIME: Duration = Duration::from_secs(3);
 
 /// The scene as it was before an edit.
 #[derive(Debug)]
@@ -39,7 +39,7 @@ pub(super) struct Shell {
     /// The message in the last line, until the next key or until it expires.
     pub message: Option<String>,
     /// The message on the screen and the time when it appeared.
-    told: Option<(Duration, String)>,
+    shown_message: Option<(Duration, String)>,
     /// The scene as it was before the last edit, until the next key.
     pub before: Option<SceneBefore>,
     /// The time when the current prompt appeared on the screen.
@@ -47,7 +47,7 @@ pub(super) struct Shell {
 
     /// `true` if the workbench handles the mouse.
     pub has_mouse: bool,
-    pub grip: DragTarget,
+    pub drag_target: DragTarget,
 
     // The terminal.
     pub capability: Capability,
@@ -69,11 +69,11 @@ impl Shell {
             view: View::default(),
             composition: Composition::default(),
             message: None,
-            told: None,
+            shown_message: None,
             before: None,
             seen: None,
             has_mouse: false,
-            grip: DragTarget::default(),
+            drag_target: DragTarget::default(),
             capability,
             pictures: Detected {
                 value: None,
@@ -82,40 +82,40 @@ impl Shell {
             theme: Theme::default(),
             ground: None,
             size,
-            aspect: USUAL_ASPECT,
+            aspect: DEFAULT_ASPECT,
         }
     }
 
-    pub(super) fn say(&mut self, message: impl Into<String>) {
+    pub(super) fn set_message(&mut self, message: impl Into<String>) {
         self.message = Some(message.into());
-        self.told = None;
+        self.shown_message = None;
     }
 
     /// Records the time at which the current message appeared on the screen.
     pub(super) fn show_message(&mut self, now: Duration) {
-        let is_told = self.told.as_ref().map(|(_, told)| told) == self.message.as_ref();
-        if !is_told {
-            self.told = self.message.clone().map(|message| (now, message));
+        let is_shown = self.shown_message.as_ref().map(|(_, text)| text) == self.message.as_ref();
+        if !is_shown {
+            self.shown_message = self.message.clone().map(|message| (now, message));
         }
     }
 
     /// Returns the time when the message expires; `None` while the user types, chooses or answers.
     pub(super) fn message_ends(&self) -> Option<Duration> {
-        let (since, _) = self.told.as_ref()?;
-        self.mode.is_normal().then_some(*since + LEGIBLE)
+        let (since, _) = self.shown_message.as_ref()?;
+        self.mode.is_normal().then_some(*since + MESSAGE_TIME)
     }
 
     /// Removes the message if it has expired.
     pub(super) fn forget_message(&mut self, now: Duration) {
         if self.message_ends().is_some_and(|end| now >= end) {
             self.message = None;
-            self.told = None;
+            self.shown_message = None;
         }
     }
 
     pub(super) fn resize(&mut self, size: Size, aspect: Option<f64>) {
         self.size = size;
-        self.aspect = aspect.unwrap_or(USUAL_ASPECT);
+        self.aspect = aspect.unwrap_or(DEFAULT_ASPECT);
     }
 
     pub(super) fn next_glyphs(&mut self) {
@@ -135,13 +135,13 @@ impl Shell {
             Glyphs::Blocks(Blocks::Octants) => (Glyphs::Ascii, words().glyphs_ascii()),
         };
         self.capability.glyphs = glyphs;
-        self.say(words().drawn_with(name));
+        self.set_message(words().drawn_with(name));
     }
 
     pub(super) fn next_colours(&mut self) {
         let colours = self.capability.colours.next();
         self.capability.colours = colours;
-        self.say(match colours {
+        self.set_message(match colours {
             Colours::None => words().no_colours(),
             Colours::Sixteen => words().sixteen_colours(),
             Colours::Indexed => words().colours_of_256(),
@@ -152,7 +152,7 @@ impl Shell {
     // ---- prompts whose answer can lose data: they ignore keys typed before they were readable
 
     /// Opens a prompt. A frame has yet to show it.
-    pub(super) fn ask(&mut self, question: Mode) {
+    pub(super) fn open_prompt(&mut self, question: Mode) {
         self.seen = None;
         self.mode = question;
     }

@@ -17,28 +17,28 @@ impl App {
     pub(super) fn save_own(&mut self) {
         self.player.playback.pause();
         let Origin::File(path) = self.player.open_scene.origin() else {
-            self.ask_where();
+            self.prompt_for_name();
             return;
         };
         let path = path.clone();
-        if self.is_changed() || !edited::says_what_is_shown(&self.player.open_scene) {
+        if self.is_changed() || !edited::opens_in_shown_assembly(&self.player.open_scene) {
             self.store(SavedContent::Scene, path, Leave::default());
             return;
         }
         // The file has the screen's contents, if it still exists.
         let scene = self.scenes;
-        self.clerk.give(move || {
+        self.clerk.submit(move || {
             let is_gone = matches!(FileStatus::of(&path), FileStatus::Gone);
             Box::new(move |app, _| match is_gone {
                 _ if app.scenes != scene => {}
                 true => app.store(SavedContent::Scene, path, Leave::default()),
-                false => app.shell.say(words().unchanged_since_saved()),
+                false => app.shell.set_message(words().unchanged_since_saved()),
             })
         });
     }
 
     /// Asks for the name of another file.
-    pub(super) fn ask_where(&mut self) {
+    pub(super) fn prompt_for_name(&mut self) {
         self.player.playback.pause();
         let proposal = match self.player.open_scene.origin() {
             Origin::File(path) => path.to_string_lossy().into_owned(),
@@ -50,29 +50,29 @@ impl App {
             }
             Origin::Stdin => "scene.toml".into(),
         };
-        self.ask_for_file(SavedContent::Scene, &proposal);
+        self.prompt_for_file(SavedContent::Scene, &proposal);
     }
 
     /// Writes content to a file, within the granted permissions. A saved scene then belongs to that
     /// file.
     pub(super) fn store(&mut self, content: SavedContent, to: PathBuf, leave: Leave) {
         if self.document.storing {
-            self.shell.say(words().still_writing());
+            self.shell.set_message(words().still_writing());
             return;
         }
         let text = match &content {
             SavedContent::Text(text) => text.for_file(&to).to_owned(),
             SavedContent::Scene => {
-                let told = edited::says_what_is_shown(&self.player.open_scene);
-                if !told && !self.record_assembly(words().assembly()) {
-                    self.shell.say(words().not_written_without_start());
+                let is_shown = edited::opens_in_shown_assembly(&self.player.open_scene);
+                if !is_shown && !self.record_assembly(words().assembly()) {
+                    self.shell.set_message(words().not_written_without_start());
                     return;
                 }
                 self.player.open_scene.scene().text().to_owned()
             }
         };
         let is_own = content == SavedContent::Scene && self.is_own(&to);
-        let errand = SaveRequest {
+        let request = SaveRequest {
             text,
             own: is_own.then(|| self.document.editor.saved().to_owned()),
             leave,
@@ -84,15 +84,16 @@ impl App {
             to,
         };
         if is_own && self.document.older && self.is_changed() && !leave.over {
-            self.ask(content, errand, ConfirmReason::Older);
+            self.ask_to_confirm(content, request, ConfirmReason::Older);
             return;
         }
         self.document.storing = true;
-        self.shell.say(words().writing_to(&errand.to.display()));
+        self.shell
+            .set_message(words().writing_to(&request.to.display()));
         let scene = self.scenes;
-        self.clerk.give(move || {
-            let done = errand.run();
-            Box::new(move |app, _| app.stored(content, errand, done, scene))
+        self.clerk.submit(move || {
+            let done = request.run();
+            Box::new(move |app, _| app.stored(content, request, done, scene))
         });
     }
 
@@ -100,13 +101,18 @@ impl App {
         matches!(self.player.open_scene.origin(), Origin::File(own) if own == file)
     }
 
-    fn ask(&mut self, content: SavedContent, errand: SaveRequest, doubt: ConfirmReason) {
+    fn ask_to_confirm(
+        &mut self,
+        content: SavedContent,
+        request: SaveRequest,
+        confirm_reason: ConfirmReason,
+    ) {
         self.shell.message = None;
-        self.shell.ask(Mode::Confirm(Question {
+        self.shell.open_prompt(Mode::Confirm(Question {
             content,
-            to: errand.to,
-            doubt,
-            leave: errand.leave,
+            to: request.to,
+            reason: confirm_reason,
+            leave: request.leave,
         }));
     }
 
@@ -114,46 +120,45 @@ impl App {
     fn stored(
         &mut self,
         content: SavedContent,
-        errand: SaveRequest,
+        request: SaveRequest,
         done: Result<(), WriteError>,
         scene: usize,
     ) {
         self.document.storing = false;
         let is_shown = scene == self.scenes;
-        let trouble = match done {
+        let error = match done {
             Ok(()) => {
-                let to = errand.to.display();
-                self.shell.say(match &content {
+                let to = request.to.display();
+                self.shell.set_message(match &content {
                     SavedContent::Scene => words().written_to(&to),
                     SavedContent::Text(text) => words().all_written_to(&text.what, &to),
                 });
                 if content == SavedContent::Scene && is_shown {
-                    self.filed(&errand);
+                    self.filed(&request);
                 }
                 return;
             }
-            Err(trouble) => trouble,
+            Err(error) => error,
         };
-        self.shell.say(match &content {
-            SavedContent::Scene => refused(&trouble, &errand.to),
-            SavedContent::Text(_) => refused_there(&trouble),
+        self.shell.set_message(match &content {
+            SavedContent::Scene => refused(&error, &request.to),
+            SavedContent::Text(_) => refused_there(&error),
         });
         // A late prompt could be answered by a key meant for something else.
         if !self.shell.mode.is_normal() || !is_shown {
             return;
         }
-        match ConfirmReason::of(&trouble) {
-            Some(doubt) => self.ask(content, errand, doubt),
+        match ConfirmReason::of(&error) {
+            Some(confirm_reason) => self.ask_to_confirm(content, request, confirm_reason),
             // A text is not lost, and correcting a file name is easier than typing it again.
-            None if errand.own.is_none() => {
+            None if request.own.is_none() => {
                 let message = self.shell.message.take();
-                self.ask_for_file(content, &errand.to.to_string_lossy());
+                self.prompt_for_file(content, &request.to.to_string_lossy());
                 self.shell.message = message;
             }
             None => {
-                let key = self.shell.keymap.told(Action::SaveAs);
-                if let (WriteError::NoFile(_), Some(message)) = (&trouble, &mut self.shell.message)
-                {
+                let key = self.shell.keymap.key_label(Action::SaveAs);
+                if let (WriteError::NoFile(_), Some(message)) = (&error, &mut self.shell.message) {
                     *message = words().or_save_elsewhere(message, &key);
                 }
             }
@@ -161,17 +166,17 @@ impl App {
     }
 
     /// Notes that the file holds the scene as it was when the write started.
-    fn filed(&mut self, errand: &SaveRequest) {
-        let is_own = self.is_own(&errand.to);
+    fn filed(&mut self, request: &SaveRequest) {
+        let is_own = self.is_own(&request.to);
         if !is_own {
             self.release();
-            let name = errand.to.display().to_string();
+            let name = request.to.display().to_string();
             if let Ok(scene) = Scene::parse(self.player.open_scene.scene().text(), &name) {
-                self.player.open_scene.rename(scene, errand.to.clone());
+                self.player.open_scene.rename(scene, request.to.clone());
             }
             self.remember(false);
         }
-        self.document.editor.filed(&errand.text);
+        self.document.editor.filed(&request.text);
         self.document.older = false;
         // Edits made meanwhile are recorded before the older record is removed.
         self.keep_saved();

@@ -42,7 +42,7 @@ impl App {
 
     /// Returns to the open scene and resumes its playback. Finished results are kept, and an
     /// unfinished search is cancelled.
-    fn leave_candidates(&mut self, now: Duration) {
+    fn close_candidates(&mut self, now: Duration) {
         self.shell.mode = Mode::Normal;
         self.candidates.take_if(|list| list.percent().is_some());
         self.player.resume(now);
@@ -70,7 +70,7 @@ impl App {
         }
         let page = self.page();
         let action = self.shell.keymap.action_in_list(key)?;
-        let sees_both = candidates::sees_both(self.shell.size);
+        let sees_both = candidates::fits_both(self.shell.size);
         let list = self.candidates.as_mut()?;
         if let (true, Some((step, forward))) = (is_walking, walk_step(action)) {
             list.walk(step, forward);
@@ -81,7 +81,7 @@ impl App {
                 return None;
             }
             Action::Back | Action::Quit if list.step_out() => {}
-            Action::Back | Action::Quit | Action::Open => self.leave_candidates(now),
+            Action::Back | Action::Quit | Action::Open => self.close_candidates(now),
             Action::NextView | Action::PreviousView => list.turn_page(sees_both),
             _ if let Some(rows) = action.rows(page) => list.move_by(rows),
             Action::StepBack | Action::Tables(TablesAction::Left) => list.step(false),
@@ -96,7 +96,8 @@ impl App {
     fn pick_dyad(&mut self) {
         let picks = self.candidates.as_mut().map(CandidateList::pick);
         if picks == Some(false) {
-            self.shell.say(words().dyads_make_nothing().to_owned());
+            self.shell
+                .set_message(words().dyads_make_nothing().to_owned());
         }
     }
 
@@ -110,12 +111,12 @@ impl App {
             return;
         };
         let Some((text, name)) = list.scene() else {
-            self.shell.say(row.reasons.clone());
+            self.shell.set_message(row.reasons.clone());
             return;
         };
         match opening::text(&text, Origin::New(name)) {
             Ok(opened) => {
-                self.leave_candidates(now);
+                self.close_candidates(now);
                 // An unedited scene taken earlier from the list is still listed there, so it may be
                 // replaced without a prompt.
                 let list = self.candidates.as_mut();
@@ -127,7 +128,7 @@ impl App {
                 }
             }
             // Not expected: the search already opened this scene to drive it through the task.
-            Err(faults) => self.shell.say(faults.first_words()),
+            Err(faults) => self.shell.set_message(faults.first_words()),
         }
     }
 }

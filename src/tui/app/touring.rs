@@ -13,7 +13,7 @@ impl App {
 
     /// Starts the tour if the state folder shows no earlier start of krank.
     pub(in crate::tui) fn tour_on_first_start(&mut self) {
-        self.clerk.give(|| {
+        self.clerk.submit(|| {
             let is_first = is_first_start(places::environment);
             Box::new(move |app, _| {
                 if is_first && app.shell.mode.is_normal() {

@@ -16,13 +16,13 @@ impl App {
         }
         let effect = self
             .mode_key(key, now)
-            .unwrap_or_else(|| match self.meant(key) {
+            .unwrap_or_else(|| match self.bound_action(key) {
                 Some(action) => self.update(action, now),
-                None => self.nothing_meant(key),
+                None => self.report_unbound_key(key),
             });
         self.report_rejected();
         self.shell.before.take_if(|before| before.is_past);
-        self.look_at_file(now, false);
+        self.check_file(now, false);
         let effect = match self.attend(now) {
             Effect::Show => effect,
             leaving => leaving,
@@ -35,7 +35,7 @@ impl App {
 
     /// Returns the action bound to a key: in the current view, globally, or else in a visible
     /// drawing next to it.
-    fn meant(&self, key: Key) -> Option<Action> {
+    fn bound_action(&self, key: Key) -> Option<Action> {
         let keymap = &self.shell.keymap;
         if let Mode::Help(_) | Mode::Assemblies(_) | Mode::Candidates | Mode::GoalRun(_) =
             self.shell.mode
@@ -43,15 +43,16 @@ impl App {
             return keymap.action_in_list(key);
         }
         let own = keymap.action(key, self.shell.view);
-        let has_drawing = || self.standing().contains(&View::Motion);
+        let has_drawing = || self.visible_views().contains(&View::Motion);
         own.or_else(|| keymap.action(key, View::Motion).filter(|_| has_drawing()))
     }
 
     /// Reports a key without meaning in normal mode.
-    fn nothing_meant(&mut self, key: Key) -> Effect {
+    fn report_unbound_key(&mut self, key: Key) -> Effect {
         if self.shell.mode.is_normal() {
-            let help = self.shell.keymap.told(Action::Help);
-            self.shell.say(words().means_nothing_here(&key, &help));
+            let help = self.shell.keymap.key_label(Action::Help);
+            self.shell
+                .set_message(words().means_nothing_here(&key, &help));
         }
         Effect::Show
     }
@@ -60,13 +61,13 @@ impl App {
     fn report_rejected(&mut self) {
         let line = self.shell.mode.line();
         if let Some(why) = line.and_then(EditLine::take_refusal) {
-            self.shell.say(why);
+            self.shell.set_message(why);
         }
     }
 
     /// Types pasted text into the current line; ignores it if there is no line.
     pub(crate) fn paste(&mut self, text: &str) {
-        if let Mode::Pick(picker) = &mut self.shell.mode {
+        if let Mode::AssemblyChoice(picker) = &mut self.shell.mode {
             for c in text.chars() {
                 picker.edit(Key::Char(c));
             }
@@ -105,7 +106,7 @@ impl App {
             Mode::PlotList(_) => self.list_key(key),
             Mode::Palette(_) => self.palette_key(key, now),
             Mode::Confirm(_) => self.confirm_key(key, now),
-            Mode::Pick(_) => self.pick_key(key, now),
+            Mode::AssemblyChoice(_) => self.pick_key(key, now),
             Mode::Candidates => self.candidates_key(key, now),
             Mode::GoalRun(_) => self.goal_run_key(key, now),
             Mode::Search(_) => self.search_key(key),
@@ -163,7 +164,7 @@ impl App {
     pub(crate) fn back_target(&self) -> BackTarget {
         let view = self.shell.view;
         let study = self.views.lengths.get();
-        if view == View::Scene && self.document.editor.gathered.is_some() {
+        if view == View::Scene && self.document.editor.staged.is_some() {
             BackTarget::StagedEdits
         } else if view == View::Lengths && study.is_some_and(|study| study.told.is_some()) {
             BackTarget::Tolerance
@@ -192,8 +193,8 @@ impl App {
             return;
         }
         match self.back_target() {
-            BackTarget::StagedEdits => self.drop_gathered(),
-            BackTarget::Tolerance => self.leave_tolerance(),
+            BackTarget::StagedEdits => self.drop_staged(),
+            BackTarget::Tolerance => self.close_tolerance(),
             BackTarget::Method => self.watch_method(None),
             BackTarget::Study => self.views.study_run.stop(),
             BackTarget::Pane => {

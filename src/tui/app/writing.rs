@@ -39,7 +39,7 @@ impl App {
     }
 
     /// Asks for a file name, with a proposal.
-    pub(super) fn ask_for_file(&mut self, content: SavedContent, proposal: &str) {
+    pub(super) fn prompt_for_file(&mut self, content: SavedContent, proposal: &str) {
         let name = EditLine::for_file(proposal);
         self.shell.mode = Mode::FileName(Prompt { content, name });
     }

@@ -7,10 +7,12 @@ use crate::tui::views::motion::viewport::Layer;
 use crate::wording::words;
 
 impl App {
-    pub(super) fn move_lens(&mut self, action: MotionAction) {
+    pub(super) fn move_viewport(&mut self, action: MotionAction) {
         use MotionAction as M;
         match action {
-            M::Names => self.shell.say(self.views.viewport.next_names().text()),
+            M::Names => self
+                .shell
+                .set_message(self.views.viewport.next_names().text()),
             M::Velocities => self.switch(Layer::Velocities, words().arrows_of_velocity()),
             M::Accelerations => self.switch(Layer::Accelerations, words().arrows_of_acceleration()),
             M::Forces => self.switch_forces(),
@@ -20,14 +22,14 @@ impl App {
             M::Guides => self.switch(Layer::Guides, words().guides_and_supports()),
             M::ZoomIn => self.zoom(1),
             M::ZoomOut => self.zoom(-1),
-            M::Fit => self.shell.say(self.views.viewport.fit()),
-            M::FitPose => self.shell.say(self.views.viewport.fit_pose()),
+            M::Fit => self.shell.set_message(self.views.viewport.fit()),
+            M::FitPose => self.shell.set_message(self.views.viewport.fit_pose()),
             M::Follow => {
-                let told = self
+                let text = self
                     .views
                     .viewport
                     .follow(&self.player.open_scene, &self.views.followed);
-                self.shell.say(told);
+                self.shell.set_message(text);
             }
             M::PanLeft => self.pan(-1.0, 0.0),
             M::PanDown => self.pan(0.0, -1.0),
@@ -37,7 +39,7 @@ impl App {
     }
 
     fn switch(&mut self, layer: Layer, name: &str) {
-        self.shell.say(
+        self.shell.set_message(
             match self
                 .views
                 .viewport
@@ -55,7 +57,7 @@ impl App {
         let acts = self.player.open_scene.solver().has_forces();
         self.switch(Layer::Forces, words().loads_and_forces());
         if self.views.viewport.shows_forces() && !acts {
-            self.shell.say(words().nothing_acts_in_short());
+            self.shell.set_message(words().nothing_acts_in_short());
         }
         self.update_needs();
     }
@@ -67,7 +69,7 @@ impl App {
             .lens
             .enlarge(&self.player.open_scene, steps)
         {
-            self.shell.say(words().no_more_to_zoom());
+            self.shell.set_message(words().no_more_to_zoom());
         }
     }
 
@@ -81,7 +83,7 @@ impl App {
             .lens
             .enlarge_at(open_scene, from_middle, steps)
         {
-            self.shell.say(words().no_more_to_zoom());
+            self.shell.set_message(words().no_more_to_zoom());
         }
     }
 
@@ -92,7 +94,7 @@ impl App {
             .lens
             .pan(&self.player.open_scene, right, up)
         {
-            self.shell.say(words().motion_ends());
+            self.shell.set_message(words().motion_ends());
         }
     }
 }

@@ -100,7 +100,7 @@ const fn shade(index: u8, r: u8, g: u8, b: u8) -> Shade {
 
 impl Hue {
     /// Returns the hue of a palette name. Bright names have hues of their own.
-    fn meant(named: Color) -> Option<Hue> {
+    fn hue_of_name(named: Color) -> Option<Hue> {
         Some(match named {
             Color::Red => Hue::Red,
             Color::LightRed => Hue::Orange,
@@ -179,7 +179,7 @@ impl Hue {
 
     /// Returns the palette name that is more legible on a light background. Yellow is illegible
     /// there: notices are magenta as in [`Hue::plain`], and orange becomes the colour of text.
-    fn deep(self) -> Color {
+    fn dark_variant(self) -> Color {
         match self {
             Hue::Red => Color::Red,
             Hue::Orange | Hue::Brown | Hue::Moss => Color::Reset,
@@ -278,13 +278,13 @@ pub(crate) struct Palette {
 impl Palette {
     /// Returns the colour to send for a named one.
     pub(crate) fn colour(self, named: Color) -> Color {
-        match (self.colours, Hue::meant(named)) {
+        match (self.colours, Hue::hue_of_name(named)) {
             (Colours::None, _) => Color::Reset,
             (_, None) if named == INK => self.ink(),
             (_, None) => named,
             (Colours::Sixteen, Some(hue)) => match self.theme {
                 Theme::Auto | Theme::Plain => hue.plain(),
-                Theme::Light => hue.deep(),
+                Theme::Light => hue.dark_variant(),
                 Theme::Dark => hue.bright(),
             },
             (Colours::Indexed, Some(hue)) => hue.colour(self.theme, false),
@@ -466,19 +466,19 @@ mod tests {
         assert_eq!(BRIGHT.len() + NORMAL.len() + DIM.len(), ALL.len());
         for exact in [false, true] {
             for (theme, grounds) in [(Theme::Light, &LIGHT[..]), (Theme::Dark, &DARK)] {
-                for (hues, least) in [(&BRIGHT[..], 7.0), (&NORMAL, 4.5), (&DIM, 2.5)] {
+                for (hues, minimum) in [(&BRIGHT[..], 7.0), (&NORMAL, 4.5), (&DIM, 2.5)] {
                     let worst = worst(hues, theme, exact, grounds);
-                    assert!(worst >= least, "{theme:?}, {exact}, {least}: {worst}");
+                    assert!(worst >= minimum, "{theme:?}, {exact}, {minimum}: {worst}");
                 }
                 // What is dim is dimmer than anything else, on every background.
                 for ground in grounds {
                     let of = |hue: &Hue| contrast(hue.colour(theme, exact), *ground);
-                    let most = DIM.iter().map(of).fold(0.0, f64::max);
+                    let maximum = DIM.iter().map(of).fold(0.0, f64::max);
                     let others = BRIGHT.iter().chain(&NORMAL).map(of);
-                    let least = others.fold(f64::INFINITY, f64::min);
+                    let minimum = others.fold(f64::INFINITY, f64::min);
                     assert!(
-                        most < least,
-                        "{theme:?}, {exact}, {ground:?}: {most}, {least}"
+                        maximum < minimum,
+                        "{theme:?}, {exact}, {ground:?}: {maximum}, {minimum}"
                     );
                 }
                 let colours = if exact {
@@ -497,7 +497,7 @@ mod tests {
     /// The roles of the drawing have the luminances of their kinds.
     #[test]
     fn roles_have_luminances_of_their_kinds() {
-        let hue = |role| theme::role(role).fg.and_then(Hue::meant);
+        let hue = |role| theme::role(role).fg.and_then(Hue::hue_of_name);
         for role in (0..LINK_HUES).map(Role::Link).chain([Role::Driver]) {
             assert!(
                 hue(role).is_some_and(|hue| BRIGHT.contains(&hue)),
@@ -547,10 +547,10 @@ mod tests {
             for exact in [false, true] {
                 for (k, a) in drawn.iter().enumerate() {
                     for b in &drawn[k + 1..] {
-                        let apart = distance(a.colour(theme, exact), b.colour(theme, exact));
+                        let separation = distance(a.colour(theme, exact), b.colour(theme, exact));
                         assert!(
-                            apart >= 0.06,
-                            "{a:?} and {b:?} in {theme:?}, {exact}: {apart}"
+                            separation >= 0.06,
+                            "{a:?} and {b:?} in {theme:?}, {exact}: {separation}"
                         );
                     }
                 }
@@ -565,7 +565,7 @@ mod tests {
         let others = [Role::Driver, Role::Force, Role::Label, Role::Ground];
         let texts = links.chain(others).map(theme::role);
         for style in texts.chain([theme::part(ScreenPart::Warning)]) {
-            let hue = style.fg.and_then(Hue::meant);
+            let hue = style.fg.and_then(Hue::hue_of_name);
             assert!(hue.is_none_or(|hue| written().contains(&hue)), "{style:?}");
         }
     }
@@ -583,14 +583,18 @@ mod tests {
                 Color::Magenta,
                 Color::DarkGray,
             ];
-            assert!(read.contains(&hue.deep()), "{hue:?}: {:?}", hue.deep());
+            assert!(
+                read.contains(&hue.dark_variant()),
+                "{hue:?}: {:?}",
+                hue.dark_variant()
+            );
         }
     }
 
     #[test]
     fn hues_round_trip_through_named_colours() {
         for hue in ALL {
-            assert_eq!(Hue::meant(hue.named()), Some(hue));
+            assert_eq!(Hue::hue_of_name(hue.named()), Some(hue));
         }
     }
 

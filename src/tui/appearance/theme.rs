@@ -21,7 +21,7 @@ pub(crate) enum ScreenPart {
     /// The mode, at the start of the status line.
     Mode,
     /// Unproved digits.
-    Unsure,
+    UnprovedDigits,
     /// A warning.
     Warning,
     /// The caret behind typed text.
@@ -36,7 +36,7 @@ pub(crate) fn part(part: ScreenPart) -> Style {
     match part {
         ScreenPart::Text => style,
         ScreenPart::Title | ScreenPart::Key => style.add_modifier(Modifier::BOLD),
-        ScreenPart::Quiet | ScreenPart::Unsure => style.add_modifier(Modifier::DIM),
+        ScreenPart::Quiet | ScreenPart::UnprovedDigits => style.add_modifier(Modifier::DIM),
         ScreenPart::Name => style.add_modifier(Modifier::BOLD),
         ScreenPart::Mode | ScreenPart::Caret | ScreenPart::Cursor => {
             style.add_modifier(Modifier::REVERSED)

@@ -76,7 +76,7 @@ impl Keymap {
     }
 
     /// Returns the key of an action for messages, or a text that says that it has none.
-    pub(crate) fn told(&self, action: Action) -> String {
+    pub(crate) fn key_label(&self, action: Action) -> String {
         self.key(action)
             .map_or_else(|| words().no_key().into(), |key| key.to_string())
     }
@@ -137,8 +137,8 @@ mod tests {
                 KeyContext::Lists => View::Forces,
                 KeyContext::In(view) => view,
             };
-            let meant = keymap.action(entry.keys[0], view);
-            assert_eq!(meant, Some(entry.action), "{}", entry.name);
+            let intended = keymap.action(entry.keys[0], view);
+            assert_eq!(intended, Some(entry.action), "{}", entry.name);
         }
     }
 
@@ -146,9 +146,9 @@ mod tests {
     fn rebinding_replaces_default_keys() {
         let mut keymap = Keymap::default();
         keymap.set(Action::Play, vec![Key::Function(5)]);
-        let meant = |key| keymap.action(key, View::Motion);
-        assert_eq!(meant(Key::Function(5)), Some(Action::Play));
-        assert_eq!(meant(Key::Char(' ')), None);
+        let intended = |key| keymap.action(key, View::Motion);
+        assert_eq!(intended(Key::Function(5)), Some(Action::Play));
+        assert_eq!(intended(Key::Char(' ')), None);
         assert_eq!(keymap.key(Action::Play), Some(Key::Function(5)));
     }
 
@@ -165,16 +165,16 @@ mod tests {
                 Key::Char('h'),
                 Key::Char('l'),
             ] {
-                let meant = keymap.action(key, view).unwrap();
-                assert!(!crank.contains(&meant), "{key} in {view:?}");
+                let intended = keymap.action(key, view).unwrap();
+                assert!(!crank.contains(&intended), "{key} in {view:?}");
             }
             assert_eq!(
                 keymap.action(Key::Char('.'), view),
                 Some(Action::StepForward)
             );
         }
-        let meant = keymap.action(Key::Left, View::Motion);
-        assert_eq!(meant, Some(Action::StepBack));
+        let intended = keymap.action(Key::Left, View::Motion);
+        assert_eq!(intended, Some(Action::StepBack));
         // Configured keys clash in lists as in any other context.
         let mut keymap = Keymap::default();
         keymap.set(Action::Play, vec![Key::End]);
@@ -195,8 +195,11 @@ mod tests {
     fn keys_clash_only_in_shared_contexts() {
         let mut keymap = Keymap::default();
         keymap.set(Action::Save, vec![Key::Char('m')]);
-        let clash = keymap.clashes().next().unwrap();
-        assert_eq!((clash.key, clash.first.name), (Key::Char('m'), "extrema"));
+        let conflict = keymap.clashes().next().unwrap();
+        assert_eq!(
+            (conflict.key, conflict.first.name),
+            (Key::Char('m'), "extrema")
+        );
         assert_eq!(keymap.clashes().count(), 1);
         keymap.set(Action::Save, vec![Key::Char('w'), Key::Char('w')]);
         assert_eq!(keymap.clashes().count(), 1, "twice in one list");

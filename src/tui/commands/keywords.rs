@@ -27,5 +27,5 @@ const KEYWORDS: [(Action, Wording); 9] = [
 /// Returns the keywords of an action, separated by blanks; empty for most actions.
 pub(crate) fn keywords(action: Action) -> &'static str {
     let found = KEYWORDS.iter().find(|(of, _)| *of == action);
-    found.map_or("", |(_, told)| told(words()))
+    found.map_or("", |(_, wording)| wording(words()))
 }

@@ -24,11 +24,11 @@ pub(crate) struct EditLine {
     text: String,
     /// Maximum length in bytes.
     longest: usize,
-    takes: Takes,
+    takes: AcceptedCharacters,
     /// `true` if the text is a proposal, which the first typed character replaces.
     is_proposal: bool,
     /// The first reason for a rejected character since the last report.
-    refusal: Option<RefusedKey>,
+    rejection: Option<RefusedKey>,
 }
 
 /// The reason why a character is rejected.
@@ -42,7 +42,7 @@ enum RefusedKey {
 
 /// The characters that a line accepts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Takes {
+enum AcceptedCharacters {
     /// ASCII characters.
     Plain,
     /// ASCII characters; Turkish letters are replaced by similar ones, as in the searched texts.
@@ -57,9 +57,9 @@ impl EditLine {
         EditLine {
             text: String::new(),
             longest: MAX_NUMBER_LEN,
-            takes: Takes::Plain,
+            takes: AcceptedCharacters::Plain,
             is_proposal: false,
-            refusal: None,
+            rejection: None,
         }
     }
 
@@ -75,7 +75,7 @@ impl EditLine {
     pub(crate) fn for_words() -> EditLine {
         EditLine {
             longest: MAX_WORDS_LEN,
-            takes: Takes::Words,
+            takes: AcceptedCharacters::Words,
             ..EditLine::for_number()
         }
     }
@@ -107,7 +107,7 @@ impl EditLine {
     pub(crate) fn for_command() -> EditLine {
         EditLine {
             longest: MAX_NAME_LEN,
-            takes: Takes::Any,
+            takes: AcceptedCharacters::Any,
             ..EditLine::for_number()
         }
     }
@@ -115,7 +115,7 @@ impl EditLine {
     /// Creates an empty line for the name or title of a scene.
     pub(crate) fn for_scene() -> EditLine {
         EditLine {
-            takes: Takes::Any,
+            takes: AcceptedCharacters::Any,
             ..EditLine::for_search()
         }
     }
@@ -136,16 +136,18 @@ impl EditLine {
     /// characters are left out silently.
     pub(crate) fn push(&mut self, c: char) {
         let c = match self.takes {
-            Takes::Words => ascii_letter(c).unwrap_or_else(|| ascii_sign(c)),
-            Takes::Plain => ascii_sign(c),
-            Takes::Any => c,
+            AcceptedCharacters::Words => ascii_letter(c).unwrap_or_else(|| ascii_sign(c)),
+            AcceptedCharacters::Plain => ascii_sign(c),
+            AcceptedCharacters::Any => c,
         };
         if is_harmful(c) {
             return;
         }
         let is_taken = match self.takes {
-            Takes::Plain | Takes::Words => c == ' ' || c.is_ascii_graphic(),
-            Takes::Any => true,
+            AcceptedCharacters::Plain | AcceptedCharacters::Words => {
+                c == ' ' || c.is_ascii_graphic()
+            }
+            AcceptedCharacters::Any => true,
         };
         if !is_taken {
             self.refuse(RefusedKey::Character(c));
@@ -158,14 +160,14 @@ impl EditLine {
 
     /// Records a reason for a rejection; the first one is kept.
     fn refuse(&mut self, why: RefusedKey) {
-        self.refusal.get_or_insert(why);
+        self.rejection.get_or_insert(why);
     }
 
     /// Takes the recorded reason for a rejection, in words.
     pub(crate) fn take_refusal(&mut self) -> Option<String> {
-        self.refusal.take().map(|why| match why {
+        self.rejection.take().map(|why| match why {
             RefusedKey::Character(c) => words().character_not_taken(c),
-            RefusedKey::Length(most) => words().no_more_characters(most),
+            RefusedKey::Length(maximum) => words().no_more_characters(maximum),
         })
     }
 
@@ -251,14 +253,14 @@ mod tests {
         let mut line = EditLine::for_number();
         "\u{1b}1\u{e4}2\u{fc}".chars().for_each(|c| line.push(c));
         assert_eq!(line.text(), "12");
-        let told = line.take_refusal();
-        assert_eq!(told.as_deref(), Some("\u{e4} (U+00E4) is not valid here"));
+        let text = line.take_refusal();
+        assert_eq!(text.as_deref(), Some("\u{e4} (U+00E4) is not valid here"));
         assert_eq!(line.take_refusal(), None);
         (0..1000).for_each(|_| line.push('9'));
         assert_eq!(line.text().len(), MAX_NUMBER_LEN);
-        let told = line.take_refusal();
+        let text = line.take_refusal();
         assert_eq!(
-            told.as_deref(),
+            text.as_deref(),
             Some("at most 24 characters are allowed here")
         );
     }
@@ -276,13 +278,13 @@ mod tests {
 
     #[test]
     fn goals_and_formulas_accept_maximum_length() {
-        for (mut line, most) in [
+        for (mut line, maximum) in [
             (EditLine::for_goal(""), 1000),
             (EditLine::for_guess(""), 1000),
             (EditLine::for_value(), expression::MAX_LEN),
         ] {
-            (0..most).for_each(|_| line.push('1'));
-            assert_eq!(line.text().len(), most);
+            (0..maximum).for_each(|_| line.push('1'));
+            assert_eq!(line.text().len(), maximum);
             assert_eq!(line.take_refusal(), None);
         }
     }

@@ -5,7 +5,7 @@ use ratatui::layout::Position;
 /// A mouse event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Mouse {
-    pub(crate) deed: MouseEventKind,
+    pub(crate) kind: MouseEventKind,
     /// The cell, counted from the upper left one.
     pub(crate) at: Position,
 }

@@ -9,7 +9,7 @@ use crate::wording::words;
 
 /// Returns the fixed key of an action and a description of it. Fixed keys ensure that the user can
 /// always leave.
-fn kept(action: Action) -> Option<(Key, String)> {
+fn fixed_key(action: Action) -> Option<(Key, String)> {
     let (leave, back) = (Key::Ctrl('c'), Key::Escape);
     match action {
         Action::Leave => Some((leave, words().always_leaves(&leave))),
@@ -20,7 +20,7 @@ fn kept(action: Action) -> Option<(Key, String)> {
 
 /// Returns `true` if the user may change the action's keys.
 pub(super) fn is_free(entry: &ActionRow) -> bool {
-    kept(entry.action).is_none()
+    fixed_key(entry.action).is_none()
 }
 
 /// Returns `true` for actions that must have a key.
@@ -32,7 +32,7 @@ fn is_needed(action: Action) -> bool {
 struct GivenKey {
     entry: &'static ActionRow,
     key: Key,
-    place: ByteSpan,
+    span: ByteSpan,
 }
 
 /// Reads the section into the keymap: for each action a list of keys, or a single key.
@@ -60,7 +60,7 @@ pub(super) fn read(reader: &mut Reader<'_>, section: &WrittenValue<'_>, keymap: 
         keymap.set(entry.action, keys.iter().map(|(key, _)| *key).collect());
         given.extend(
             keys.into_iter()
-                .map(|(key, place)| GivenKey { entry, key, place }),
+                .map(|(key, span)| GivenKey { entry, key, span }),
         );
     }
     // After errors, incomplete bindings could cause false clashes.
@@ -69,7 +69,7 @@ pub(super) fn read(reader: &mut Reader<'_>, section: &WrittenValue<'_>, keymap: 
     }
 }
 
-fn action_of(reader: &mut Reader<'_>, name: &str, place: ByteSpan) -> Option<&'static ActionRow> {
+fn action_of(reader: &mut Reader<'_>, name: &str, span: ByteSpan) -> Option<&'static ActionRow> {
     let found = action::entries().find(|entry| entry.name == name);
     let Some(entry) = found else {
         let free = action::entries().filter(|entry| is_free(entry));
@@ -77,18 +77,18 @@ fn action_of(reader: &mut Reader<'_>, name: &str, place: ByteSpan) -> Option<&'s
         let listed = || words().config_lists_actions().to_owned();
         reader.report(
             Diagnostic::new(words().unknown_action(&quoted(name)))
-                .at(place, words().unknown_action_here())
+                .at(span, words().unknown_action_here())
                 .help(near.unwrap_or_else(listed))
                 .into_warning(),
         );
         return None;
     };
-    let Some((_, always)) = kept(entry.action) else {
+    let Some((_, always)) = fixed_key(entry.action) else {
         return Some(entry);
     };
     reader.report(
         Diagnostic::new(words().keeps_its_key(&quoted(name)))
-            .at(place, words().cannot_be_changed())
+            .at(span, words().cannot_be_changed())
             .help(always),
     );
     None
@@ -110,8 +110,8 @@ fn keys_of(reader: &mut Reader<'_>, of: &str, value: &WrittenValue<'_>) -> Vec<(
     keys
 }
 
-fn key_of(reader: &mut Reader<'_>, text: &str, place: &ByteSpan) -> Option<(Key, ByteSpan)> {
-    let fault = |message: String, label: &str| Diagnostic::new(message).at(place.clone(), label);
+fn key_of(reader: &mut Reader<'_>, text: &str, span: &ByteSpan) -> Option<(Key, ByteSpan)> {
+    let fault = |message: String, label: &str| Diagnostic::new(message).at(span.clone(), label);
     let Ok(key) = text.parse::<Key>() else {
         let names = key::names();
         let near = did_you_mean(text, names.iter().map(String::as_str));
@@ -124,7 +124,7 @@ fn key_of(reader: &mut Reader<'_>, text: &str, place: &ByteSpan) -> Option<(Key,
         return None;
     };
     if let Some((_, always)) = action::entries()
-        .filter_map(|entry| kept(entry.action))
+        .filter_map(|entry| fixed_key(entry.action))
         .find(|(own, _)| *own == key)
     {
         let fault = fault(always, words().cannot_be_given_away());
@@ -136,20 +136,21 @@ fn key_of(reader: &mut Reader<'_>, text: &str, place: &ByteSpan) -> Option<(Key,
         reader.report(fault.help(words().choose_another_key()));
         return None;
     }
-    Some((key, place.clone()))
+    Some((key, span.clone()))
 }
 
 /// Reports each key with two meanings in one context.
 fn report_clashes(reader: &mut Reader<'_>, keymap: &Keymap, given: &[GivenKey]) {
-    for clash in keymap.clashes() {
+    for conflict in keymap.clashes() {
         let places = |entry: &ActionRow| {
             let mine = given
                 .iter()
-                .filter(|g| g.entry.action == entry.action && g.key == clash.key);
-            mine.map(|g| g.place.clone()).collect::<Vec<_>>()
+                .filter(|g| g.entry.action == entry.action && g.key == conflict.key);
+            mine.map(|g| g.span.clone()).collect::<Vec<_>>()
         };
-        let [first, second] = [clash.first, clash.second].map(|entry| (entry.name, places(entry)));
-        let key = clash.key;
+        let [first, second] =
+            [conflict.first, conflict.second].map(|entry| (entry.name, places(entry)));
+        let key = conflict.key;
         let fault = Diagnostic::new(if first.0 == second.0 {
             words().key_given_twice(&key, first.0)
         } else {
@@ -170,8 +171,8 @@ fn report_clashes(reader: &mut Reader<'_>, keymap: &Keymap, given: &[GivenKey]) 
     }
 }
 
-fn by_default(fault: Diagnostic, place: &ByteSpan, other: &str) -> Diagnostic {
+fn by_default(fault: Diagnostic, span: &ByteSpan, other: &str) -> Diagnostic {
     fault
-        .at(place.clone(), words().has_it_by_default(other))
+        .at(span.clone(), words().has_it_by_default(other))
         .help(words().give_another_key(other))
 }

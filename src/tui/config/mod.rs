@@ -160,7 +160,7 @@ impl Config {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = Reader::new(text);
         let mut config = Config::default();
-        if let Some(file) = document::parse(&mut reader, mend) {
+        if let Some(file) = document::parse(&mut reader, fix) {
             let before = reader.found.len();
             let names = document::entries(&file).map(|(name, _)| name);
             reader.only_these(words().the_configuration(), names, &KEYS);
@@ -179,7 +179,7 @@ impl Config {
     #[must_use]
     pub(crate) fn language_in(text: &str) -> Option<Language> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let file = document::parse(&mut Reader::new(text), mend)?;
+        let file = document::parse(&mut Reader::new(text), fix)?;
         Language::named(file.get("language")?.get_ref().as_str()?)
     }
 
@@ -248,7 +248,7 @@ fn choice<T: Copy>(
 }
 
 /// Returns a hint on the usual cause of invalid TOML.
-fn mend(_text: &str, message: &str, _place: &ByteSpan) -> Option<String> {
+fn fix(_text: &str, message: &str, _place: &ByteSpan) -> Option<String> {
     let help = if message.starts_with("string values must be quoted") {
         words().quote_texts_and_keys()
     } else if message.starts_with("key with no value") {

@@ -56,7 +56,7 @@ fn every_action_can_be_bound_by_its_name() {
 /// Every fault names its line, the cause and a fix.
 #[test]
 fn faults_report_line_and_fix() {
-    for (text, line, message, mend) in [
+    for (text, line, message, fix) in [
         (
             "glyfs = \"ascii\"",
             1,
@@ -226,8 +226,8 @@ fn faults_report_line_and_fix() {
             "{faults}"
         );
         assert!(fault.message.contains(message), "{text:?}: {faults}");
-        let mends = fault.helps.join("\n");
-        assert!(mends.contains(mend), "{text:?}: {faults}");
+        let mends = fault.suggestions.join("\n");
+        assert!(mends.contains(fix), "{text:?}: {faults}");
         assert!(faults.to_string().contains("config.toml:"), "{faults}");
     }
 }

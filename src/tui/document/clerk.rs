@@ -33,9 +33,9 @@ pub(crate) type Completion<T> = Box<dyn FnOnce(&mut T, Duration) + Send>;
 type Job<T> = Box<dyn FnOnce() -> Completion<T> + Send>;
 
 /// Maximum time to wait for a job: too short to notice, but enough for a responsive disk.
-const GRACE: Duration = Duration::from_millis(60);
+const SYNC_WAIT: Duration = Duration::from_millis(60);
 /// Maximum time to wait for pending writes at exit.
-const FAREWELL: Duration = Duration::from_secs(1);
+const SHUTDOWN_TIMEOUT: Duration = Duration::from_secs(1);
 
 /// Runs jobs, in place or on background threads.
 pub(crate) struct JobRunner<T> {
@@ -69,7 +69,7 @@ struct WorkerThreads<T> {
     out: ResultSender<T>,
     done: Receiver<(WorkerKind, Completion<T>)>,
     /// Becomes readable when a job is done.
-    bell: UnixStream,
+    done_signal: UnixStream,
     /// Numbers of pending file jobs and searches, and the time until which to wait for them.
     files: usize,
     searches: usize,
@@ -79,24 +79,24 @@ struct WorkerThreads<T> {
 /// Sends completions to the UI thread and wakes it.
 struct ResultSender<T> {
     finished: Sender<(WorkerKind, Completion<T>)>,
-    rope: Arc<UnixStream>,
+    waker: Arc<UnixStream>,
 }
 
 impl<T> Clone for ResultSender<T> {
     fn clone(&self) -> Self {
         ResultSender {
             finished: self.finished.clone(),
-            rope: Arc::clone(&self.rope),
+            waker: Arc::clone(&self.waker),
         }
     }
 }
 
 impl<T: JobOwner + 'static> ResultSender<T> {
     /// Runs a job and sends its completion. Returns `false` if the owner is gone.
-    fn serve(&self, apart: WorkerKind, job: Job<T>) -> bool {
+    fn run_job(&self, distance: WorkerKind, job: Job<T>) -> bool {
         let then = catch_unwind(AssertUnwindSafe(job)).unwrap_or_else(|_| broken());
         // A full socket already wakes the UI thread.
-        self.finished.send((apart, then)).is_ok() && rings(write(&*self.rope, &[1]))
+        self.finished.send((distance, then)).is_ok() && rings(write(&*self.waker, &[1]))
     }
 }
 
@@ -105,7 +105,7 @@ impl<T: JobOwner + 'static> JobRunner<T> {
     ///
     /// # Errors
     /// Returns an error if the system creates no socket pair or thread.
-    pub(crate) fn apart() -> io::Result<JobRunner<T>> {
+    pub(crate) fn with_file_thread() -> io::Result<JobRunner<T>> {
         let (bell, rope) = UnixStream::pair()?;
         bell.set_nonblocking(true)?;
         rope.set_nonblocking(true)?;
@@ -113,12 +113,12 @@ impl<T: JobOwner + 'static> JobRunner<T> {
         let (finished, done) = channel();
         let out = ResultSender {
             finished,
-            rope: Arc::new(rope),
+            waker: Arc::new(rope),
         };
         let tray = out.clone();
         let work = move || {
             for job in given {
-                if !tray.serve(WorkerKind::Files, job) {
+                if !tray.run_job(WorkerKind::Files, job) {
                     return;
                 }
             }
@@ -129,7 +129,7 @@ impl<T: JobOwner + 'static> JobRunner<T> {
                 jobs,
                 out,
                 done,
-                bell,
+                done_signal: bell,
                 files: 0,
                 searches: 0,
                 patience: Instant::now(),
@@ -139,14 +139,14 @@ impl<T: JobOwner + 'static> JobRunner<T> {
     }
 
     /// Submits a file job.
-    pub(crate) fn give(&mut self, job: impl FnOnce() -> Completion<T> + Send + 'static) {
+    pub(crate) fn submit(&mut self, job: impl FnOnce() -> Completion<T> + Send + 'static) {
         let Some(desk) = &mut self.desk else {
             self.done.push_back(job());
             return;
         };
         // The wait is not repeated with every key while a job hangs.
         if desk.files == 0 {
-            desk.patience = Instant::now() + GRACE;
+            desk.patience = Instant::now() + SYNC_WAIT;
         }
         match desk.jobs.send(Box::new(job)) {
             Ok(()) => desk.files += 1,
@@ -160,13 +160,13 @@ impl<T: JobOwner + 'static> JobRunner<T> {
             self.done.push_back(job());
             return;
         };
-        desk.patience = Instant::now() + GRACE;
+        desk.patience = Instant::now() + SYNC_WAIT;
         let tray = desk.out.clone();
         let job: Arc<Mutex<Option<Job<T>>>> = Arc::new(Mutex::new(Some(Box::new(job))));
         let given = Arc::clone(&job);
         let work = move || {
             if let Some(job) = taken(&given) {
-                tray.serve(WorkerKind::Search, job);
+                tray.run_job(WorkerKind::Search, job);
             }
         };
         if thread::Builder::new()
@@ -193,22 +193,22 @@ impl<T: JobOwner + 'static> JobRunner<T> {
     }
 
     /// Clears the wake-up signal. Completions are sent before the signal.
-    pub(crate) fn hush(&self) {
+    pub(crate) fn clear_signal(&self) {
         if let Some(desk) = &self.desk {
-            let _ = read(&desk.bell, &mut [0; 64]);
+            let _ = read(&desk.done_signal, &mut [0; 64]);
         }
     }
 
     /// Returns a file descriptor that becomes readable when a job is done.
     pub(crate) fn bell(&self) -> Option<BorrowedFd<'_>> {
-        self.desk.as_ref().map(|desk| desk.bell.as_fd())
+        self.desk.as_ref().map(|desk| desk.done_signal.as_fd())
     }
 }
 
 impl<T> WorkerThreads<T> {
     fn take(&mut self, patience: Duration) -> Option<Completion<T>> {
-        let (apart, then) = self.done.recv_timeout(patience).ok()?;
-        match apart {
+        let (distance, then) = self.done.recv_timeout(patience).ok()?;
+        match distance {
             WorkerKind::Files => self.files -= 1,
             WorkerKind::Search => self.searches -= 1,
         }
@@ -219,7 +219,7 @@ impl<T> WorkerThreads<T> {
 impl<T> Drop for JobRunner<T> {
     /// Waits for pending file jobs, up to a time limit.
     fn drop(&mut self) {
-        let end = Instant::now() + FAREWELL;
+        let end = Instant::now() + SHUTDOWN_TIMEOUT;
         while let Some(desk) = self.desk.as_mut().filter(|desk| desk.files > 0) {
             if desk
                 .take(end.saturating_duration_since(Instant::now()))
@@ -270,10 +270,10 @@ mod tests {
     fn jobs_run_while_wakeups_are_unread() {
         const JOBS: usize = 2000;
         let done = Arc::new(AtomicUsize::new(0));
-        let mut clerk = JobRunner::<NullOwner>::apart().unwrap();
+        let mut clerk = JobRunner::<NullOwner>::with_file_thread().unwrap();
         for _ in 0..JOBS {
             let done = Arc::clone(&done);
-            clerk.give(move || {
+            clerk.submit(move || {
                 done.fetch_add(1, Ordering::Relaxed);
                 Box::new(|_, _| {})
             });
@@ -286,7 +286,7 @@ mod tests {
     /// was lost on exit.
     #[test]
     fn searches_do_not_delay_file_jobs() {
-        let mut clerk = JobRunner::<NullOwner>::apart().unwrap();
+        let mut clerk = JobRunner::<NullOwner>::with_file_thread().unwrap();
         let (end, until) = channel::<()>();
         clerk.search(move || {
             let _ = until.recv();
@@ -294,7 +294,7 @@ mod tests {
         });
         let is_written = Arc::new(AtomicUsize::new(0));
         let file = Arc::clone(&is_written);
-        clerk.give(move || {
+        clerk.submit(move || {
             file.store(1, Ordering::Relaxed);
             Box::new(|_, _| {})
         });

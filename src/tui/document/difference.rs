@@ -14,17 +14,17 @@ pub(crate) fn difference(old: &str, new: &str) -> Vec<String> {
     let back = back.take_while(same).count();
     let old = &old_rest[..old_rest.len() - back];
     let new = &new_rest[..new_rest.len() - back];
-    let mut told = Vec::new();
+    let mut texts = Vec::new();
     let (mut i, mut j) = (0, 0);
     let kept = common(old, new);
     for (at_old, at_new) in kept.into_iter().chain([(old.len(), new.len())]) {
         let gone = (i..at_old).map(|n| (n, '-', old[n]));
         let come = (j..at_new).map(|n| (n, '+', new[n]));
         let lines = gone.chain(come);
-        told.extend(lines.map(|(n, sign, line)| format!("{:>4} {sign} {line}", front + n + 1)));
+        texts.extend(lines.map(|(n, sign, line)| format!("{:>4} {sign} {line}", front + n + 1)));
         (i, j) = (at_old + 1, at_new + 1);
     }
-    told
+    texts
 }
 
 /// Returns the longest common subsequence of lines, as pairs of indices; empty if the texts are too
@@ -64,8 +64,8 @@ mod tests {
 
     #[test]
     fn difference_lists_changed_lines_with_numbers() {
-        let told = difference("a\nb\nc\nd\n", "a\nB\nc\nx\nd\n");
-        assert_eq!(told, ["   2 - b", "   2 + B", "   4 + x"]);
+        let lines = difference("a\nb\nc\nd\n", "a\nB\nc\nx\nd\n");
+        assert_eq!(lines, ["   2 - b", "   2 + B", "   4 + x"]);
         assert!(difference("a\nb", "a\nb").is_empty());
         assert_eq!(difference("", "a"), ["   1 + a"]);
         assert_eq!(difference("a\nb", ""), ["   1 - a", "   2 - b"]);

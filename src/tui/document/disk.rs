@@ -42,9 +42,9 @@ pub(crate) struct Disk {
     /// The stamp of the last check. `None` before the first check, which reports any write since the
     /// file was read.
     stamp: Option<Option<Stamp>>,
-    looked: Option<Duration>,
+    checked_at: Option<Duration>,
     /// `true` while a check is running.
-    looking: bool,
+    is_checking: bool,
     /// `true` if the file was written during a check, which may have missed it.
     missed: bool,
 }
@@ -58,7 +58,7 @@ pub(crate) struct FileCheck {
 
 /// The outcome of a check.
 #[derive(Debug)]
-pub(crate) struct SeenFile {
+pub(crate) struct FileCheckOutcome {
     pub(crate) path: PathBuf,
     place: Option<PathBuf>,
     stamp: Option<Stamp>,
@@ -73,8 +73,8 @@ impl Disk {
             path: path.to_owned(),
             place: None,
             stamp: None,
-            looked: None,
-            looking: false,
+            checked_at: None,
+            is_checking: false,
             missed: false,
         }
     }
@@ -90,14 +90,14 @@ impl Disk {
 
     /// Returns a check if one is due: immediately if `at_once`, or else after a pause. During a
     /// running check, an immediate one is postponed.
-    pub(crate) fn look(&mut self, now: Duration, at_once: bool) -> Option<FileCheck> {
-        self.missed |= self.looking && at_once;
-        let is_due = at_once || self.looked.is_none_or(|looked| now >= looked + PAUSE);
-        if self.looking || !is_due {
+    pub(crate) fn due_check(&mut self, now: Duration, at_once: bool) -> Option<FileCheck> {
+        self.missed |= self.is_checking && at_once;
+        let is_due = at_once || self.checked_at.is_none_or(|looked| now >= looked + PAUSE);
+        if self.is_checking || !is_due {
             return None;
         }
-        self.looked = Some(now);
-        self.looking = true;
+        self.checked_at = Some(now);
+        self.is_checking = true;
         Some(FileCheck {
             path: self.path.clone(),
             before: self.stamp,
@@ -107,8 +107,8 @@ impl Disk {
     /// Stores the outcome of a check. If it was not `attended`, the next check reports it again.
     /// Returns `true` if another check is due.
     #[must_use]
-    pub(crate) fn see(&mut self, seen: &SeenFile, attended: bool) -> bool {
-        self.looking = false;
+    pub(crate) fn see(&mut self, seen: &FileCheckOutcome, attended: bool) -> bool {
+        self.is_checking = false;
         // A deleted file may reappear, so its path is kept.
         if seen.place.is_some() {
             self.place.clone_from(&seen.place);
@@ -121,11 +121,11 @@ impl Disk {
 }
 
 impl FileCheck {
-    pub(crate) fn run(self) -> SeenFile {
+    pub(crate) fn run(self) -> FileCheckOutcome {
         let stamp = Stamp::of(&self.path);
         // A file missing since the first check was not deleted.
         let is_new = self.before.unwrap_or(None) != stamp;
-        SeenFile {
+        FileCheckOutcome {
             place: self.path.canonicalize().ok(),
             stamp,
             news: is_new.then(|| FileStatus::of(&self.path)),
@@ -150,10 +150,10 @@ mod tests {
     #[test]
     fn change_during_file_check_requests_another() {
         let mut disk = Disk::new(Path::new("no such file"));
-        let look = disk.look(Duration::ZERO, true).unwrap();
-        assert!(disk.look(Duration::ZERO, true).is_none());
+        let look = disk.due_check(Duration::ZERO, true).unwrap();
+        assert!(disk.due_check(Duration::ZERO, true).is_none());
         assert!(disk.see(&look.run(), true), "one is owed");
-        let look = disk.look(Duration::ZERO, true).unwrap();
+        let look = disk.due_check(Duration::ZERO, true).unwrap();
         assert!(!disk.see(&look.run(), true), "none is owed");
     }
 }

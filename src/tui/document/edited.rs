@@ -6,34 +6,34 @@
 
 use crate::scene::{Scene, figure};
 use crate::solver::{Condition, Fault, Order, Solver};
-use crate::tui::Opened;
+use crate::tui::OpenedScene;
 use crate::tui::player::open_scene::OpenScene;
 use crate::wording::words;
 
 /// The scene after an edit.
 #[derive(Debug)]
-pub(crate) struct Edited {
-    pub(crate) opened: Opened,
+pub(crate) struct EditedScene {
+    pub(crate) opened: OpenedScene,
     /// `true` if `[start]` was updated.
     pub(crate) started: bool,
 }
 
 /// Opens the edited text in the shown assembly. The error is a message.
-pub(crate) fn keeping(open_scene: &OpenScene, text: &str) -> Result<Edited, String> {
+pub(crate) fn keeping(open_scene: &OpenScene, text: &str) -> Result<EditedScene, String> {
     let scene = parsed(open_scene, text)?;
     let plain = Solver::new(&scene.mechanism);
     let shown = open_scene.solver();
-    let at = seen_at(open_scene, &scene);
+    let at = comparison_coordinate(open_scene, &scene);
     if let Ok(solver) = &plain
         && shown.has_sides_of(at, solver)
     {
         let solver = solver.clone();
         return Ok(edited(open_scene, scene, solver, false));
     }
-    let kept = shown.carried_over(at, &scene.mechanism);
+    let kept = shown.with_dimensions_in_assembly(at, &scene.mechanism);
     let kept = kept.map_err(|fault| match &plain {
-        Ok(_) => words().this_assembly(&hindrance(&scene, &fault)),
-        Err(fault) => hindrance(&scene, fault),
+        Ok(_) => words().this_assembly(&fault_line(&scene, &fault)),
+        Err(fault) => fault_line(&scene, fault),
     })?;
     if let Ok(solver) = plain
         && agree(&scene, &kept, &solver)
@@ -43,37 +43,37 @@ pub(crate) fn keeping(open_scene: &OpenScene, text: &str) -> Result<Edited, Stri
     let text = scene.with_start_of(&kept, scene.mechanism.driver().start);
     let text = text.ok_or(words().no_start_tells_it())?;
     let edited = reopened(open_scene, &text)?;
-    Ok(Edited {
+    Ok(EditedScene {
         started: true,
         ..edited
     })
 }
 
 /// Opens a text in the assembly that the text determines.
-pub(crate) fn reopened(open_scene: &OpenScene, text: &str) -> Result<Edited, String> {
+pub(crate) fn reopened(open_scene: &OpenScene, text: &str) -> Result<EditedScene, String> {
     let scene = parsed(open_scene, text)?;
     match Solver::new(&scene.mechanism) {
         Ok(solver) => Ok(edited(open_scene, scene, solver, false)),
-        Err(fault) => Err(hindrance(&scene, &fault)),
+        Err(fault) => Err(fault_line(&scene, &fault)),
     }
 }
 
 /// Returns `true` if the text opens in the shown assembly. The command line may have chosen another
 /// one.
-pub(crate) fn says_what_is_shown(open_scene: &OpenScene) -> bool {
+pub(crate) fn opens_in_shown_assembly(open_scene: &OpenScene) -> bool {
     let scene = open_scene.scene();
     let plain = Solver::new(&scene.mechanism);
     plain.is_ok_and(|plain| agree(scene, open_scene.solver(), &plain))
 }
 
-fn edited(open_scene: &OpenScene, scene: Scene, solver: Solver, started: bool) -> Edited {
+fn edited(open_scene: &OpenScene, scene: Scene, solver: Solver, started: bool) -> EditedScene {
     let origin = open_scene.origin().clone();
-    let opened = Opened {
+    let opened = OpenedScene {
         scene,
         solver,
         origin,
     };
-    Edited { opened, started }
+    EditedScene { opened, started }
 }
 
 fn parsed(open_scene: &OpenScene, text: &str) -> Result<Scene, String> {
@@ -83,7 +83,7 @@ fn parsed(open_scene: &OpenScene, text: &str) -> Result<Scene, String> {
 
 /// Returns the coordinate at which to compare assemblies: the edited scene's initial coordinate if
 /// it is reachable, or else the previous one.
-fn seen_at(open_scene: &OpenScene, changed: &Scene) -> f64 {
+fn comparison_coordinate(open_scene: &OpenScene, changed: &Scene) -> f64 {
     let mut state = open_scene.solver().state();
     let mut reaches =
         |at| open_scene.solver().solve(at, Order::Position, &mut state) != Condition::NoAssembly;
@@ -106,7 +106,7 @@ fn agree(scene: &Scene, one: &Solver, other: &Solver) -> bool {
 }
 
 /// Formats a fault as a short line.
-fn hindrance(scene: &Scene, fault: &Fault) -> String {
+fn fault_line(scene: &Scene, fault: &Fault) -> String {
     match fault {
         Fault::Open { point, gap, .. } => {
             let name = scene.point_name(*point).unwrap_or(words().a_joint());
@@ -161,7 +161,7 @@ mod tests {
                     continue;
                 };
                 kept += 1;
-                let Opened { scene, solver, .. } = &edited.opened;
+                let OpenedScene { scene, solver, .. } = &edited.opened;
                 let name = format!("{}: {}", preset.name, value.name);
                 let far = |after: &[Vec2]| {
                     let pairs = before.iter().zip(after);
@@ -190,7 +190,7 @@ mod nudges {
     fn open_scene(text: &str) -> OpenScene {
         let scene = Scene::parse(text, "test").unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
-        OpenScene::new(Opened {
+        OpenScene::new(OpenedScene {
             scene,
             solver,
             origin: Origin::Preset("test".into()),
@@ -213,11 +213,11 @@ mod nudges {
 
     /// Returns the maximum displacement of any point over the motion, relative to the size of the
     /// linkage.
-    fn farthest(one: &OpenScene, other: &Solver) -> f64 {
+    fn max_displacement(one: &OpenScene, other: &Solver) -> f64 {
         let (low, high) = one.solver().motion().range.ends();
-        let size = one.reach().bounds().size().norm();
+        let size = one.extents().bounds().size().norm();
         let (mut here, mut there) = (one.solver().state(), other.state());
-        let mut most = 0.0_f64;
+        let mut maximum = 0.0_f64;
         for k in 0..8 {
             let at = low + (high - low) * (f64::from(k) + 0.37) / 8.0;
             let closes = [
@@ -229,10 +229,10 @@ mod nudges {
             }
             for point in one.scene().mechanism.point_ids() {
                 let moved = (here.position(point).unwrap() - there.position(point).unwrap()).norm();
-                most = most.max(moved / size);
+                maximum = maximum.max(moved / size);
             }
         }
-        most
+        maximum
     }
 
     /// Every length, coordinate and angle of every preset is nudged both ways. Without change
@@ -244,7 +244,7 @@ mod nudges {
             if !first.solver().motion().change_points.is_empty() {
                 continue;
             }
-            let size = first.reach().bounds().size().norm();
+            let size = first.extents().bounds().size().norm();
             for value in first.scene().values() {
                 if !matches!(
                     value.measure,
@@ -259,7 +259,7 @@ mod nudges {
                         continue;
                     };
                     let named = format!("{} {} {sense}", preset.name, value.name);
-                    let moved = farthest(&first, &edited.opened.solver);
+                    let moved = max_displacement(&first, &edited.opened.solver);
                     assert!(moved < MAX_MOVE, "{named}: {moved}");
                     let again = Scene::parse(edited.opened.scene.text(), "test").unwrap();
                     let solver = Solver::new(&again.mechanism).unwrap();

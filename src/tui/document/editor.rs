@@ -2,41 +2,41 @@
 
 use crate::scene::{Measure, Scene, Value};
 use crate::tui::commands::list::moved;
-use crate::tui::document::gathered::{DroppedEdits, GatheredEdits};
+use crate::tui::document::gathered::{DroppedEdits, StagedEdits};
 use crate::tui::document::history::History;
 use std::collections::HashMap;
 
 /// A step for nudging a value: 1, 2 or 5 times a power of ten, in the value's own unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Notch {
+pub(crate) struct NudgeStep {
     digit: u8,
     exponent: i32,
 }
 
 /// Exponents of the finest and coarsest step. Steps beyond have no practical effect.
-const FINEST: i32 = -12;
+const MIN_STEP_EXPONENT: i32 = -12;
 const COARSEST: i32 = 12;
 /// Size of a step relative to the value.
 const PART: f64 = 0.01;
 /// The step of an angle: one degree, independent of the value.
-const DEGREE: Notch = Notch {
+const DEGREE: NudgeStep = NudgeStep {
     digit: 1,
     exponent: 0,
 };
 
-impl Notch {
+impl NudgeStep {
     /// Returns the largest step that is at most `size`.
-    fn below(size: f64) -> Notch {
+    fn below(size: f64) -> NudgeStep {
         let exponent = size.log10().floor();
         #[expect(
             clippy::cast_possible_truncation,
             reason = "between two small integers"
         )]
-        let exponent = exponent.clamp(f64::from(FINEST), f64::from(COARSEST)) as i32;
+        let exponent = exponent.clamp(f64::from(MIN_STEP_EXPONENT), f64::from(COARSEST)) as i32;
         // The factor keeps rounding from missing a size that equals a step.
         let lead = size / 10.0_f64.powi(exponent) * (1.0 + 1e-9);
         let digit = [5, 2].into_iter().find(|&d| lead >= f64::from(d));
-        Notch {
+        NudgeStep {
             digit: digit.unwrap_or(1),
             exponent,
         }
@@ -48,19 +48,19 @@ impl Notch {
         self.to_string().parse().unwrap_or(1.0)
     }
 
-    fn finer(self) -> Notch {
+    fn finer(self) -> NudgeStep {
         let (digit, exponent) = match self.digit {
             5 => (2, self.exponent),
             2 => (1, self.exponent),
             _ => (5, self.exponent - 1),
         };
-        if exponent < FINEST {
+        if exponent < MIN_STEP_EXPONENT {
             return self;
         }
-        Notch { digit, exponent }
+        NudgeStep { digit, exponent }
     }
 
-    fn coarser(self) -> Notch {
+    fn coarser(self) -> NudgeStep {
         let (digit, exponent) = match self.digit {
             1 => (2, self.exponent),
             2 => (5, self.exponent),
@@ -69,11 +69,11 @@ impl Notch {
         if exponent > COARSEST {
             return self;
         }
-        Notch { digit, exponent }
+        NudgeStep { digit, exponent }
     }
 }
 
-impl std::fmt::Display for Notch {
+impl std::fmt::Display for NudgeStep {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let exponent = usize::try_from(self.exponent.unsigned_abs()).unwrap_or(0);
         let digit = self.digit;
@@ -96,18 +96,18 @@ pub(crate) struct Editor {
     /// The text as last opened or saved.
     saved: String,
     /// The values of the saved text, by name.
-    filed: HashMap<String, Value>,
+    file_values: HashMap<String, Value>,
     /// The values of the shown scene.
     values: Vec<Value>,
     /// The row under the cursor.
     cursor: usize,
     /// The default step for the value under the cursor, computed when the cursor reached it.
-    fitting: Notch,
+    fitting: NudgeStep,
     /// The steps chosen by the user, each for all values with the same measure.
-    chosen: Vec<(Measure, Notch)>,
+    chosen: Vec<(Measure, NudgeStep)>,
     pub(crate) history: History,
     /// The staged edits; `None` while each edit is applied at once.
-    pub(crate) gathered: Option<GatheredEdits>,
+    pub(crate) staged: Option<StagedEdits>,
     /// The last dropped edits, which can be restored.
     dropped: Option<DroppedEdits>,
 }
@@ -117,21 +117,21 @@ impl Editor {
     pub(crate) fn new(scene: &Scene) -> Editor {
         Editor {
             saved: scene.text().to_owned(),
-            filed: HashMap::new(),
+            file_values: HashMap::new(),
             values: Vec::new(),
             cursor: 0,
             fitting: DEGREE,
             chosen: Vec::new(),
             history: History::default(),
-            gathered: None,
+            staged: None,
             dropped: None,
         }
     }
 
     /// Ends staging and returns the number of dropped edits; `None` if no staging was active. The
     /// edits can be restored while the scene has the text `text`.
-    pub(crate) fn drop_gathered(&mut self, text: &str) -> Option<usize> {
-        let edits = self.gathered.take()?;
+    pub(crate) fn drop_staged(&mut self, text: &str) -> Option<usize> {
+        let edits = self.staged.take()?;
         let count = edits.len();
         if count > 0 {
             let text = text.to_owned();
@@ -141,11 +141,11 @@ impl Editor {
     }
 
     /// Restores the dropped edits if the scene has the same text as then. Returns `true` if it did.
-    pub(crate) fn bring_gathered_back(&mut self, text: &str) -> bool {
+    pub(crate) fn restore_dropped_edits(&mut self, text: &str) -> bool {
         let dropped = self.dropped.take_if(|dropped| dropped.text == text);
         let is_any = dropped.is_some();
         if let Some(DroppedEdits { edits, .. }) = dropped {
-            self.gathered = Some(edits);
+            self.staged = Some(edits);
         }
         is_any
     }
@@ -153,7 +153,7 @@ impl Editor {
     /// Notes that the file holds `text` now.
     pub(crate) fn filed(&mut self, text: &str) {
         text.clone_into(&mut self.saved);
-        self.filed.clear();
+        self.file_values.clear();
     }
 
     /// Returns the text that the file holds.
@@ -170,13 +170,13 @@ impl Editor {
     pub(crate) fn list(&mut self, scene: &Scene) {
         let before = self.value().map(|v| v.name.clone());
         self.values = scene.values();
-        if self.filed.is_empty() {
+        if self.file_values.is_empty() {
             let filed = match self.is_changed(scene) {
                 true => Scene::parse(&self.saved, scene.origin()).map(|scene| scene.values()),
                 false => Ok(self.values.clone()),
             };
             let filed = filed.unwrap_or_default().into_iter();
-            self.filed = filed.map(|value| (value.name.clone(), value)).collect();
+            self.file_values = filed.map(|value| (value.name.clone(), value)).collect();
         }
         // Rows above the cursor may have been added or removed: the cursor stays on its value.
         let same = before.and_then(|name| self.values.iter().position(|v| v.name == name));
@@ -211,13 +211,13 @@ impl Editor {
 
     /// Returns the file's version of a value, if it differs.
     pub(crate) fn in_file(&self, value: &Value) -> Option<&Value> {
-        let filed = self.filed.get(&value.name)?;
+        let filed = self.file_values.get(&value.name)?;
         (filed.literal != value.literal || filed.unit != value.unit).then_some(filed)
     }
 
     /// Returns `true` if the file has no such value.
     pub(crate) fn is_new(&self, value: &Value) -> bool {
-        !self.filed.contains_key(&value.name)
+        !self.file_values.contains_key(&value.name)
     }
 
     /// Returns the number of values that differ from the file.
@@ -227,7 +227,7 @@ impl Editor {
     }
 
     /// Returns the text to write for a value: the file's notation if the number and unit are equal.
-    pub(crate) fn as_filed(&self, value: &Value, text: String) -> String {
+    pub(crate) fn in_file_notation(&self, value: &Value, text: String) -> String {
         let number = |text: &str| {
             let number = text.split(' ').next().unwrap_or(text);
             let unit = text.strip_prefix(number).map(str::trim);
@@ -236,7 +236,7 @@ impl Editor {
                 unit.map(str::to_owned),
             )
         };
-        let filed = self.filed.get(&value.name).map(Value::text);
+        let filed = self.file_values.get(&value.name).map(Value::text);
         let same =
             filed.filter(|filed| number(filed).0.is_some() && number(filed) == number(&text));
         same.unwrap_or(text)
@@ -258,12 +258,12 @@ impl Editor {
     /// Moves the cursor to the first value of the next part, or back to the first value of this or
     /// the previous part. Does not move if there is none.
     pub(crate) fn go_to_part(&mut self, next: bool) {
-        let begins = |row: &usize| {
+        let starts = |row: &usize| {
             *row == 0 || part_of(&self.values[*row]) != part_of(&self.values[*row - 1])
         };
         let found = match next {
-            true => (self.cursor + 1..self.values.len()).find(begins),
-            false => (0..self.cursor.min(self.values.len())).rfind(begins),
+            true => (self.cursor + 1..self.values.len()).find(starts),
+            false => (0..self.cursor.min(self.values.len())).rfind(starts),
         };
         if let Some(row) = found {
             self.go_to(row);
@@ -280,7 +280,7 @@ impl Editor {
     /// current value, behind it if `step` is positive, or before it and backwards if `step` is
     /// negative. Returns `false` if there is none.
     pub(crate) fn seek(&mut self, text: &str, step: isize) -> bool {
-        let sought = text.to_ascii_lowercase();
+        let query = text.to_ascii_lowercase();
         let count = self.values.len();
         let rows = (0..count).map(|i| match step < 0 {
             true => (self.cursor + count - 1 - i) % count,
@@ -288,7 +288,7 @@ impl Editor {
         });
         let mut found = rows.filter(|&row| {
             let name = self.values[row].name.to_ascii_lowercase();
-            name.contains(&sought)
+            name.contains(&query)
         });
         let Some(row) = found.next() else {
             return false;
@@ -313,13 +313,13 @@ impl Editor {
         };
         self.fitting = match value.measure {
             Measure::Angle => DEGREE,
-            _ if size > 0.0 => Notch::below(PART * size),
-            _ => Notch::below(1.0),
+            _ if size > 0.0 => NudgeStep::below(PART * size),
+            _ => NudgeStep::below(1.0),
         };
     }
 
     /// Returns the step for the value under the cursor.
-    pub(crate) fn notch(&self) -> Notch {
+    pub(crate) fn notch(&self) -> NudgeStep {
         let chosen = |value: &Value| {
             let mut chosen = self.chosen.iter();
             chosen.find(|(measure, _)| *measure == value.measure)
@@ -338,7 +338,7 @@ impl Editor {
         self.choose(self.notch().coarser());
     }
 
-    fn choose(&mut self, notch: Notch) {
+    fn choose(&mut self, notch: NudgeStep) {
         let Some(measure) = self.value().map(|v| v.measure) else {
             return;
         };
@@ -378,11 +378,11 @@ mod tests {
             (5e6, "5e4"),
             (1e300, "5e12"),
         ] {
-            let notch = Notch::below(PART * size);
+            let notch = NudgeStep::below(PART * size);
             assert_eq!(notch.to_string(), text);
             assert_eq!(notch.size(), text.parse::<f64>().unwrap());
         }
-        let mut notch = Notch::below(1.0);
+        let mut notch = NudgeStep::below(1.0);
         let coarser: Vec<String> = (0..5)
             .map(|_| {
                 notch = notch.coarser();
@@ -393,7 +393,7 @@ mod tests {
         for _ in 0..5 {
             notch = notch.finer();
         }
-        assert_eq!(notch, Notch::below(1.0));
+        assert_eq!(notch, NudgeStep::below(1.0));
         for _ in 0..100 {
             notch = notch.finer();
         }
@@ -430,7 +430,7 @@ mod tests {
         let mut moved = value.clone();
         moved.number = 2.02;
         assert_eq!(moved.moved(-0.02), "2");
-        let text = editor.as_filed(&value, moved.moved(-0.02));
+        let text = editor.in_file_notation(&value, moved.moved(-0.02));
         assert_eq!(scene.with_value(&value, &text), scene.text());
     }
 }

@@ -2,11 +2,11 @@
 
 /// The staged texts of some values, by the values' names.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct GatheredEdits {
+pub(crate) struct StagedEdits {
     list: Vec<(String, String)>,
 }
 
-impl GatheredEdits {
+impl StagedEdits {
     pub(crate) fn len(&self) -> usize {
         self.list.len()
     }
@@ -27,7 +27,7 @@ impl GatheredEdits {
     }
 
     /// Stages another text for a value, or removes the staged one if `text` equals `present`.
-    pub(crate) fn put(&mut self, name: &str, text: String, present: &str) {
+    pub(crate) fn stage(&mut self, name: &str, text: String, present: &str) {
         self.list.retain(|(of, _)| of != name);
         if text != present {
             self.list.push((name.to_owned(), text));
@@ -38,7 +38,7 @@ impl GatheredEdits {
 /// Staged edits dropped before being applied.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct DroppedEdits {
-    pub(crate) edits: GatheredEdits,
+    pub(crate) edits: StagedEdits,
     /// The scene's text at that time. Later edits must be undone before these are restored.
     pub(crate) text: String,
 }
@@ -49,13 +49,13 @@ mod tests {
 
     #[test]
     fn staging_keeps_last_edit_and_drops_unchanged_values() {
-        let mut gathered = GatheredEdits::default();
-        gathered.put("a", "1".into(), "0");
-        gathered.put("b", "2".into(), "0");
-        gathered.put("a", "3".into(), "0");
+        let mut gathered = StagedEdits::default();
+        gathered.stage("a", "1".into(), "0");
+        gathered.stage("b", "2".into(), "0");
+        gathered.stage("a", "3".into(), "0");
         assert_eq!(gathered.text("a"), Some("3"));
         assert_eq!(gathered.len(), 2);
-        gathered.put("a", "0".into(), "0");
+        gathered.stage("a", "0".into(), "0");
         assert_eq!(gathered.text("a"), None);
         assert!(!gathered.is_empty());
     }

@@ -29,11 +29,11 @@ struct TextChange {
     at: usize,
     old: String,
     new: String,
-    deed: Deed,
+    kind: Deed,
 }
 
 impl TextChange {
-    fn between(before: &str, after: &str, deed: Deed) -> TextChange {
+    fn between(before: &str, after: &str, action: Deed) -> TextChange {
         let at = common_prefix(before, after);
         let end = common_suffix(&before[at..], &after[at..]);
         let part = |text: &str| text[at..text.len() - end].to_owned();
@@ -41,7 +41,7 @@ impl TextChange {
             at,
             old: part(before),
             new: part(after),
-            deed,
+            kind: action,
         }
     }
 
@@ -56,11 +56,11 @@ impl TextChange {
     }
 }
 
-fn replaced(text: &str, place: Range<usize>, by: &str) -> String {
-    let mut made = String::with_capacity(text.len() - place.len() + by.len());
-    made.push_str(&text[..place.start]);
+fn replaced(text: &str, span: Range<usize>, by: &str) -> String {
+    let mut made = String::with_capacity(text.len() - span.len() + by.len());
+    made.push_str(&text[..span.start]);
     made.push_str(by);
-    made.push_str(&text[place.end..]);
+    made.push_str(&text[span.end..]);
     made
 }
 
@@ -97,10 +97,10 @@ impl History {
 
     /// Records the change of a text and clears the undone steps. Returns `true` if it merged with
     /// the last step.
-    pub(crate) fn record(&mut self, before: &str, after: &str, deed: Deed) -> bool {
+    pub(crate) fn record(&mut self, before: &str, after: &str, action: Deed) -> bool {
         self.future.clear();
-        let joined = match (self.past.last(), &deed) {
-            (Some(last), Deed::Nudge(_)) if last.deed == deed => Some(last.back(before)),
+        let joined = match (self.past.last(), &action) {
+            (Some(last), Deed::Nudge(_)) if last.kind == action => Some(last.back(before)),
             _ => None,
         };
         let before = match &joined {
@@ -111,7 +111,7 @@ impl History {
             None => before,
         };
         if before != after {
-            self.past.push(TextChange::between(before, after, deed));
+            self.past.push(TextChange::between(before, after, action));
         }
         let surplus = self.past.len().saturating_sub(MAX_STEPS);
         self.past.drain(..surplus);
@@ -121,30 +121,30 @@ impl History {
     /// Prevents later nudges from merging with the last step.
     pub(crate) fn part(&mut self) {
         if let Some(last) = self.past.last_mut() {
-            last.deed = Deed::Other(last.deed.name().to_owned());
+            last.kind = Deed::Other(last.kind.name().to_owned());
         }
     }
 
     /// Returns the text before the last step, and the step's name.
     pub(crate) fn before(&self, text: &str) -> Option<(String, &str)> {
         let last = self.past.last()?;
-        Some((last.back(text), last.deed.name()))
+        Some((last.back(text), last.kind.name()))
     }
 
     /// Returns the text after the last undone step, and the step's name.
     pub(crate) fn after(&self, text: &str) -> Option<(String, &str)> {
         let next = self.future.last()?;
-        Some((next.forth(text), next.deed.name()))
+        Some((next.forth(text), next.kind.name()))
     }
 
     /// Marks the last step as undone.
-    pub(crate) fn taken_back(&mut self) {
+    pub(crate) fn mark_undone(&mut self) {
         self.part();
         self.future.extend(self.past.pop());
     }
 
     /// Marks the last undone step as redone.
-    pub(crate) fn made_again(&mut self) {
+    pub(crate) fn mark_redone(&mut self) {
         self.past.extend(self.future.pop());
     }
 }
@@ -179,7 +179,7 @@ mod tests {
     fn new_step_clears_redo() {
         let mut history = History::default();
         history.record("one", "two", other("first"));
-        history.taken_back();
+        history.mark_undone();
         assert_eq!(history.after("one"), Some(("two".into(), "first")));
         history.record("one", "three", other("second"));
         assert_eq!(history.after("three"), None);
@@ -196,7 +196,7 @@ mod tests {
         let mut now = text(3 * MAX_STEPS);
         while let Some((before, _)) = history.before(&now) {
             now = before;
-            history.taken_back();
+            history.mark_undone();
         }
         assert_eq!(now, text(2 * MAX_STEPS));
     }
@@ -208,19 +208,19 @@ mod tests {
         fn undo_and_redo_restore_every_text(texts in proptest::collection::vec("[ab\u{e4}\u{20ac}]{0,8}", 1..12), nudges in 0_u32..) {
             let mut history = History::default();
             for (i, pair) in texts.windows(2).enumerate() {
-                let deed = if nudges >> (i % 32) & 1 == 1 { Deed::Nudge("n".into()) } else { other("o") };
-                history.record(&pair[0], &pair[1], deed);
+                let action = if nudges >> (i % 32) & 1 == 1 { Deed::Nudge("n".into()) } else { other("o") };
+                history.record(&pair[0], &pair[1], action);
             }
             let last = texts.last().unwrap();
             let mut now = last.clone();
             while let Some((before, _)) = history.before(&now) {
                 now = before;
-                history.taken_back();
+                history.mark_undone();
             }
             prop_assert_eq!(&now, &texts[0]);
             while let Some((after, _)) = history.after(&now) {
                 now = after;
-                history.made_again();
+                history.mark_redone();
             }
             prop_assert_eq!(&now, last);
         }

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::time::Duration;
 
 /// Progress at the end of a job, in thousandths.
-const WHOLE: u32 = 1000;
+const FULL_PROGRESS: u32 = 1000;
 
 /// The progress of a job, shared with its thread.
 #[derive(Debug, Default)]
@@ -19,7 +19,7 @@ pub(crate) struct JobProgress {
 impl JobProgress {
     /// Reports the completed part, from 0 to 1. Returns `true` if the job should continue.
     pub(crate) fn report(&self, part: f64) -> bool {
-        let part = part.clamp(0.0, 1.0) * f64::from(WHOLE);
+        let part = part.clamp(0.0, 1.0) * f64::from(FULL_PROGRESS);
         self.done.store(part as u32, Ordering::Relaxed);
         !self.is_cancelled()
     }
@@ -66,7 +66,9 @@ impl<R> BackgroundJob<R> {
     /// Returns the progress in percent; `None` once the result has arrived.
     pub(crate) fn percent(&self) -> Option<u32> {
         let done = || self.progress.done.load(Ordering::Relaxed);
-        self.result.is_none().then(|| done() / (WHOLE / 100))
+        self.result
+            .is_none()
+            .then(|| done() / (FULL_PROGRESS / 100))
     }
 }
 
@@ -82,9 +84,9 @@ mod tests {
 
     /// The results that have arrived.
     #[derive(Default)]
-    struct Arrivals(Vec<u32>);
+    struct ArrivedResults(Vec<u32>);
 
-    impl JobOwner for Arrivals {
+    impl JobOwner for ArrivedResults {
         fn fail(&mut self, error: &std::io::Error) {
             panic!("{error}");
         }
@@ -92,13 +94,13 @@ mod tests {
 
     #[test]
     fn dropped_job_is_cancelled_and_delivers_nothing() {
-        let (mut runner, mut owner) = (JobRunner::default(), Arrivals::default());
-        let start = |runner: &mut JobRunner<Arrivals>, value: u32| {
+        let (mut runner, mut owner) = (JobRunner::default(), ArrivedResults::default());
+        let start = |runner: &mut JobRunner<ArrivedResults>, value: u32| {
             let work = move |progress: &JobProgress| {
                 assert!(progress.report(0.5));
                 value
             };
-            BackgroundJob::start(runner, work, |owner: &mut Arrivals, value, _| {
+            BackgroundJob::start(runner, work, |owner: &mut ArrivedResults, value, _| {
                 owner.0.push(value);
             })
         };

@@ -24,7 +24,7 @@ use std::sync::{Arc, Mutex};
 use std::time::SystemTime;
 
 /// The recovery record of this session, accessed only by file jobs.
-pub(crate) type Kept = Arc<Mutex<recovery::Recovery>>;
+pub(crate) type SharedRecovery = Arc<Mutex<recovery::Recovery>>;
 
 /// The scene as text, with its file and its unsaved edits.
 #[derive(Debug)]
@@ -39,9 +39,9 @@ pub(crate) struct Document {
     /// and `recovery` the record of this scene.
     pub(crate) folder: Option<PathBuf>,
     /// `true` if no folder for unsaved edits exists and the user does not know yet.
-    pub(crate) is_homeless: bool,
+    pub(crate) has_no_edits_folder: bool,
     pub(crate) session: SessionRun,
-    pub(crate) recovery: Option<Kept>,
+    pub(crate) recovery: Option<SharedRecovery>,
     /// `true` if the restored edits were based on an older text than the file's.
     pub(crate) older: bool,
     /// `true` while a file is being written.
@@ -56,8 +56,8 @@ impl Document {
             editor: Editor::new(scene),
             disk: None,
             folder: None,
-            is_homeless: false,
-            session: SessionRun::begun(SystemTime::now()),
+            has_no_edits_folder: false,
+            session: SessionRun::started_at(SystemTime::now()),
             recovery: None,
             older: false,
             storing: false,

@@ -6,31 +6,31 @@ use crate::scene::presets::Preset;
 use crate::scene::{Diagnostics, MAX_FILE_SIZE, Scene};
 use crate::solver::Solver;
 use crate::task_file::TaskFile;
-use crate::tui::{Opened, Origin, TaskOrder};
+use crate::tui::{OpenedScene, Origin, TaskOrder};
 use crate::wording::words;
 use std::path::Path;
 
 /// The reason why a file cannot be opened.
 #[derive(Debug)]
-pub(crate) enum Unopened {
+pub(crate) enum OpenFileError {
     /// The file cannot be read; the message says why.
     Unread(String),
     /// The file's contents are no valid scene or task.
     Wrong(Diagnostics),
 }
 
-impl Unopened {
+impl OpenFileError {
     /// Returns the first error message.
     pub(crate) fn first_words(self) -> String {
         match self {
-            Unopened::Unread(why) => words().cannot_be_read(&why),
-            Unopened::Wrong(diagnostics) => diagnostics.first_words().to_owned(),
+            OpenFileError::Unread(why) => words().cannot_be_read(&why),
+            OpenFileError::Wrong(diagnostics) => diagnostics.first_words().to_owned(),
         }
     }
 }
 
 /// Opens a preset. The error is a message; a test checks that all presets open.
-pub(crate) fn preset(preset: &Preset) -> Result<Opened, String> {
+pub(crate) fn preset(preset: &Preset) -> Result<OpenedScene, String> {
     let origin = Origin::Preset(preset.name.to_owned());
     let fault = |d: Diagnostics| words().preset_cannot_be_opened(preset.name, &d.first_words());
     text(preset.text, origin).map_err(fault)
@@ -40,17 +40,17 @@ pub(crate) fn preset(preset: &Preset) -> Result<Opened, String> {
 #[derive(Debug)]
 pub(crate) enum OpenedFile {
     /// A scene.
-    Scene(Box<Opened>),
+    Scene(Box<OpenedScene>),
     /// A synthesis task.
     Task(Box<TaskOrder>),
 }
 
 /// Opens a file as a scene or a task.
-pub(crate) fn file(path: &Path) -> Result<OpenedFile, Unopened> {
-    let bytes = read_file(path, MAX_FILE_SIZE).map_err(|e| Unopened::Unread(e.to_string()))?;
+pub(crate) fn file(path: &Path) -> Result<OpenedFile, OpenFileError> {
+    let bytes = read_file(path, MAX_FILE_SIZE).map_err(|e| OpenFileError::Unread(e.to_string()))?;
     let shown = path.display().to_string();
-    if TaskFile::is_meant(&bytes) {
-        let file = TaskFile::read(&bytes, &shown).map_err(Unopened::Wrong)?;
+    if TaskFile::is_task(&bytes) {
+        let file = TaskFile::read(&bytes, &shown).map_err(OpenFileError::Wrong)?;
         let name = path.file_stem().unwrap_or(path.as_os_str());
         let order = TaskOrder {
             folder: path.parent().map(Path::to_owned),
@@ -59,9 +59,9 @@ pub(crate) fn file(path: &Path) -> Result<OpenedFile, Unopened> {
         return Ok(OpenedFile::Task(Box::new(order)));
     }
     let scene = Scene::read(&bytes, &shown);
-    let (scene, solver) = scene.and_then(assembled).map_err(Unopened::Wrong)?;
+    let (scene, solver) = scene.and_then(assembled).map_err(OpenFileError::Wrong)?;
     let origin = Origin::File(path.to_owned());
-    Ok(OpenedFile::Scene(Box::new(Opened {
+    Ok(OpenedFile::Scene(Box::new(OpenedScene {
         scene,
         solver,
         origin,
@@ -69,14 +69,14 @@ pub(crate) fn file(path: &Path) -> Result<OpenedFile, Unopened> {
 }
 
 /// Parses and assembles a text of the given origin.
-pub(crate) fn text(text: &str, origin: Origin) -> Result<Opened, Diagnostics> {
+pub(crate) fn text(text: &str, origin: Origin) -> Result<OpenedScene, Diagnostics> {
     let name = match &origin {
         Origin::Preset(name) | Origin::New(name) => name.clone(),
         Origin::File(path) => path.display().to_string(),
         Origin::Stdin => "stdin".into(),
     };
     let (scene, solver) = Scene::parse(text, &name).and_then(assembled)?;
-    Ok(Opened {
+    Ok(OpenedScene {
         scene,
         solver,
         origin,

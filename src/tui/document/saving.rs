@@ -37,7 +37,7 @@ impl SaveRequest {
         let saving = Saving {
             to: &self.to,
             records: self.records.as_deref(),
-            though_read_only: self.leave.read_only,
+            overwrites_read_only: self.leave.read_only,
             most: MAX_FILE_SIZE + BYTE_ORDER_MARK.len(),
         };
         save(saving, |old| self.instead_of(old))
@@ -64,28 +64,28 @@ impl SaveRequest {
 }
 
 /// Formats a failed save with the file's name, or the folder's name if the folder does not exist.
-pub(crate) fn refused(trouble: &WriteError, to: &Path) -> String {
-    if is_folder(trouble) {
+pub(crate) fn refused(error: &WriteError, to: &Path) -> String {
+    if is_folder(error) {
         return words().add_a_name().into();
     }
-    let missing = matches!(trouble, WriteError::Io(e) if e.kind() == io::ErrorKind::NotFound);
+    let missing = matches!(error, WriteError::Io(e) if e.kind() == io::ErrorKind::NotFound);
     let named = match to.parent().filter(|_| missing) {
         Some(folder) => folder.to_string_lossy(),
         None => to.file_name().unwrap_or(to.as_os_str()).to_string_lossy(),
     };
-    words().not_written_to(&named, &why(trouble))
+    words().not_written_to(&named, &why(error))
 }
 
 /// Formats a failed save for display after the file's name.
-pub(crate) fn refused_there(trouble: &WriteError) -> String {
-    match is_folder(trouble) {
+pub(crate) fn refused_there(error: &WriteError) -> String {
+    match is_folder(error) {
         true => words().add_a_name().into(),
-        false => words().not_written(&why(trouble)),
+        false => words().not_written(&why(error)),
     }
 }
 
-fn is_folder(trouble: &WriteError) -> bool {
-    matches!(trouble, WriteError::Io(e) if e.kind() == io::ErrorKind::IsADirectory)
+fn is_folder(error: &WriteError) -> bool {
+    matches!(error, WriteError::Io(e) if e.kind() == io::ErrorKind::IsADirectory)
 }
 
 /// Returns the reason of a failed save, in short words for common errors because the line is short.
@@ -108,7 +108,7 @@ mod tests {
     use super::*;
     use std::fs;
 
-    fn errand(to: &Path) -> SaveRequest {
+    fn save_request(to: &Path) -> SaveRequest {
         SaveRequest {
             text: "a\nb\n".into(),
             to: to.to_owned(),
@@ -123,12 +123,12 @@ mod tests {
         let folder = std::env::temp_dir().join(format!("krank-saving-{}", std::process::id()));
         fs::create_dir_all(&folder).unwrap();
         let file = folder.join("scene.toml");
-        errand(&file).run().unwrap();
+        save_request(&file).run().unwrap();
         assert_eq!(fs::read_to_string(&file).unwrap(), "a\nb\n");
-        assert!(matches!(errand(&file).run(), Err(WriteError::Exists)));
+        assert!(matches!(save_request(&file).run(), Err(WriteError::Exists)));
         let own = |text: &str| SaveRequest {
             own: Some(text.into()),
-            ..errand(&file)
+            ..save_request(&file)
         };
         assert!(matches!(own("other").run(), Err(WriteError::Changed)));
         fs::write(&file, "\u{feff}a\nb\n").unwrap();
@@ -138,30 +138,30 @@ mod tests {
             over: true,
             ..Leave::default()
         };
-        let meant = SaveRequest {
+        let intended = SaveRequest {
             leave: over,
-            ..errand(&file)
+            ..save_request(&file)
         };
-        meant.run().unwrap();
+        intended.run().unwrap();
         assert_eq!(fs::read_to_string(&file).unwrap(), "a\nb\n");
         fs::remove_dir_all(folder).unwrap();
     }
 
     #[test]
     fn write_errors_have_short_messages() {
-        let told = |kind: io::ErrorKind| {
-            let trouble = WriteError::Io(kind.into());
-            refused(&trouble, Path::new("/nowhere/scene.toml"))
+        let text = |kind: io::ErrorKind| {
+            let error = WriteError::Io(kind.into());
+            refused(&error, Path::new("/nowhere/scene.toml"))
         };
         assert_eq!(
-            told(io::ErrorKind::StorageFull),
+            text(io::ErrorKind::StorageFull),
             "not written, the disk is full: scene.toml"
         );
         assert_eq!(
-            told(io::ErrorKind::NotFound),
+            text(io::ErrorKind::NotFound),
             "not written, no such folder: /nowhere"
         );
-        let device = errand(Path::new("/dev/full")).run().unwrap_err();
+        let device = save_request(Path::new("/dev/full")).run().unwrap_err();
         assert_eq!(
             refused(&device, Path::new("/dev/full")),
             "not written, it is a device, not a file: full"

@@ -79,9 +79,9 @@ impl Text {
 
     /// Returns the text in the format for a file name.
     pub(crate) fn for_file(&self, path: &Path) -> &str {
-        let asked = FileEnding::of(path);
+        let requested = FileEnding::of(path);
         let mut others = self.others.iter();
-        let other = others.find(|(format, _)| Some(*format) == asked);
+        let other = others.find(|(format, _)| Some(*format) == requested);
         other.map_or(&self.text, |(_, text)| text)
     }
 }
@@ -98,7 +98,7 @@ pub(crate) struct Prompt {
 pub(crate) struct Question {
     pub(crate) content: SavedContent,
     pub(crate) to: PathBuf,
-    pub(crate) doubt: ConfirmReason,
+    pub(crate) reason: ConfirmReason,
     /// The permissions granted so far.
     pub(crate) leave: Leave,
 }
@@ -118,8 +118,8 @@ pub(crate) enum ConfirmReason {
 
 impl ConfirmReason {
     /// Returns the reason to ask about a failed write; `None` if no permission would help.
-    pub(crate) fn of(trouble: &WriteError) -> Option<ConfirmReason> {
-        match trouble {
+    pub(crate) fn of(error: &WriteError) -> Option<ConfirmReason> {
+        match error {
             WriteError::Exists => Some(ConfirmReason::Exists),
             WriteError::Changed => Some(ConfirmReason::Changed),
             WriteError::ReadOnly => Some(ConfirmReason::ReadOnly),
@@ -145,7 +145,7 @@ impl ConfirmReason {
 impl Question {
     /// Returns the permissions after the user confirms.
     pub(crate) fn granted(&self) -> Leave {
-        match self.doubt {
+        match self.reason {
             ConfirmReason::Exists | ConfirmReason::Changed | ConfirmReason::Older => Leave {
                 over: true,
                 ..self.leave

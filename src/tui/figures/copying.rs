@@ -1,7 +1,7 @@
 //! Formats values as text for other programs: full digits, so that each value parses to the same
 //! double, in cells separated by tabs below a heading.
 
-use crate::quantity::{Abscissa, Curves, Here};
+use crate::quantity::{Abscissa, Curves, StateValues};
 use crate::report::{Entry, Forces, Tables, shortest};
 use crate::tui::figures::cursor::Cursor;
 use crate::tui::figures::sheet::{Sheet, SheetPart};
@@ -21,7 +21,7 @@ fn cell(entry: Option<Entry>) -> String {
 }
 
 /// Formats the plotted values at the driver's position, below their names.
-pub(crate) fn plotted(curves: &Curves, at: f64, here: Option<Here>) -> String {
+pub(crate) fn plotted(curves: &Curves, at: f64, here: Option<StateValues>) -> String {
     let here = here.unwrap_or_default();
     let [name, unit] = &curves.title;
     let along = match curves.abscissa {

@@ -47,13 +47,13 @@ impl Cursor {
 
     /// Moves to the first value of the next or previous chunk of columns; stays if there is none.
     pub(crate) fn in_part(self, lines: &[TableLine], forward: bool) -> Cursor {
-        let begins = |line: &TableLine| matches!(line, TableLine::Names(..));
-        let parts = lines.iter().enumerate().filter(|(_, line)| begins(line));
+        let starts = |line: &TableLine| matches!(line, TableLine::Names(..));
+        let parts = lines.iter().enumerate().filter(|(_, line)| starts(line));
         let here = self.line(lines).unwrap_or(0);
-        let (before, behind): (Vec<usize>, Vec<usize>) =
+        let (before, after): (Vec<usize>, Vec<usize>) =
             parts.map(|(at, _)| at).partition(|at| *at < here);
         let part = match forward {
-            true => behind.first(),
+            true => after.first(),
             // The last chunk before the cursor's line is the cursor's own.
             false => before.iter().rev().nth(1),
         };
@@ -139,7 +139,7 @@ impl Cursor {
 
 /// Returns the visible lines at a scroll offset. The heading of the first visible rows stays above
 /// them, even if it is scrolled out.
-pub(crate) fn seen(lines: &[TableLine], scroll: usize, height: usize) -> Vec<usize> {
+pub(crate) fn visible_lines(lines: &[TableLine], scroll: usize, height: usize) -> Vec<usize> {
     let mut seen: Vec<usize> = (scroll..lines.len()).take(height).collect();
     let heading = heading_above(lines, scroll);
     let rows_stay = matches!(lines.get(scroll + heading.len()), Some(TableLine::Row(..)));
@@ -165,8 +165,8 @@ fn heading_above(lines: &[TableLine], at: usize) -> Range<usize> {
         return 0..0;
     };
     // If the heading is cut in two, its units belong to it.
-    let behind = lines[last + 1..].iter().take_while(|l| is_heading(l));
-    let end = last + 1 + behind.count();
+    let after = lines[last + 1..].iter().take_while(|l| is_heading(l));
+    let end = last + 1 + after.count();
     let first = above[..last].iter().rposition(|l| !is_heading(l));
     first.map_or(0, |first| first + 1)..end
 }
@@ -174,14 +174,14 @@ fn heading_above(lines: &[TableLine], at: usize) -> Range<usize> {
 /// Returns the scroll offset nearest to `scroll` at which the cursor's line and its heading are
 /// visible.
 pub(crate) fn follow(lines: &[TableLine], cursor: Cursor, scroll: usize, height: usize) -> usize {
-    let most = lines.len().saturating_sub(height);
-    let scroll = scroll.min(most);
+    let maximum = lines.len().saturating_sub(height);
+    let scroll = scroll.min(maximum);
     let Some(line) = cursor.line(lines) else {
         return scroll;
     };
     let names = heading_above(lines, line).start;
     let shows = |scroll: &usize| {
-        let seen = seen(lines, *scroll, height);
+        let seen = visible_lines(lines, *scroll, height);
         seen.contains(&line) && seen.contains(&names)
     };
     if shows(&scroll) {
@@ -190,7 +190,7 @@ pub(crate) fn follow(lines: &[TableLine], cursor: Cursor, scroll: usize, height:
     let found = if line < scroll + height {
         (0..scroll).rev().find(shows)
     } else {
-        (scroll..=most).find(shows)
+        (scroll..=maximum).find(shows)
     };
     found.unwrap_or(scroll)
 }
@@ -301,7 +301,7 @@ mod tests {
             for by in steps {
                 cursor = cursor.moved(&lines, by);
                 scroll = follow(&lines, cursor, scroll, height);
-                let seen = seen(&lines, scroll, height);
+                let seen = visible_lines(&lines, scroll, height);
                 let line = cursor.line(&lines).unwrap();
                 assert!(seen.contains(&line), "{cursor:?} at {height}");
                 let mut names = seen.iter().filter(|&&at| at < line);

@@ -52,7 +52,9 @@ impl Formats {
     fn of(samples: &[Forces]) -> Formats {
         let format = |entries: fn(&Forces) -> Vec<Entry>| {
             let sizes = samples.iter().flat_map(entries);
-            let sizes = sizes.filter_map(|entry| entry.seen()).map(f64::abs);
+            let sizes = sizes
+                .filter_map(|entry| entry.display_value())
+                .map(f64::abs);
             // Zeros are ignored: they say nothing about the magnitude of the other values.
             Format::of_sizes(sizes.filter(|size| *size > 0.0).collect())
         };

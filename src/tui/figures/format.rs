@@ -1,7 +1,7 @@
 //! Number formats with a fixed number of decimals per column, chosen over the whole motion, so that
 //! a changing value does not move its neighbours.
 
-use crate::page::{Cell, Unsure};
+use crate::page::{Cell, UnprovedDigits};
 use crate::report::Entry;
 
 /// Significant digits of a value of typical magnitude.
@@ -59,9 +59,9 @@ impl Format {
     fn of_size(usual: f64) -> Format {
         // Digits before the decimal point.
         let digits = exponent(usual) + 1;
-        let whole = digits.max(1);
+        let integer = digits.max(1);
         let decimals = DIGITS - digits;
-        if decimals > MAX_DECIMALS || whole > 2 * DIGITS {
+        if decimals > MAX_DECIMALS || integer > 2 * DIGITS {
             return Format {
                 decimals: None,
                 width: 11,
@@ -69,7 +69,7 @@ impl Format {
         }
         let decimals = decimals.max(0);
         // Sign, whole digits and a spare one, point, decimals.
-        let width = 2 + whole + i32::from(decimals > 0) + decimals;
+        let width = 2 + integer + i32::from(decimals > 0) + decimals;
         Format {
             decimals: usize::try_from(decimals).ok(),
             width: usize::try_from(width).unwrap_or(0),
@@ -87,21 +87,26 @@ impl Format {
     /// The text is zero only if the value may be entirely error, or if its error is unknown and the
     /// value rounds to zero.
     pub(crate) fn write(self, entry: &Entry) -> Cell {
-        let Some(value) = entry.seen().filter(|v| v.is_finite()) else {
-            return Cell::sure("-");
+        let Some(value) = entry.display_value().filter(|v| v.is_finite()) else {
+            return Cell::proved("-");
         };
         let text = self.text(value, entry.bound.is_some());
         let unsure = match entry.bound {
             // A bare zero among values with exponents represents all decimals that it does not
             // show.
             Some(bound) if self.decimals.is_none() && text == "0" => match unsure(NOUGHT, bound) {
-                Unsure::Nothing => Unsure::Nothing,
-                Unsure::Last(_) | Unsure::Everything => Unsure::Last(0..text.len()),
+                UnprovedDigits::Nothing => UnprovedDigits::Nothing,
+                UnprovedDigits::Last(_) | UnprovedDigits::Everything => {
+                    UnprovedDigits::Last(0..text.len())
+                }
             },
             Some(bound) => unsure(&text, bound),
-            None => Unsure::Everything,
+            None => UnprovedDigits::Everything,
         };
-        Cell { text, unsure }
+        Cell {
+            text,
+            unproved: unsure,
+        }
     }
 
     fn text(self, value: f64, proved: bool) -> String {
@@ -129,7 +134,7 @@ impl Format {
 
 /// Returns the unproved last digits of a number: those with a place value less than twice the
 /// bound. Up to the digit before them the number is correct within one unit, rounding included.
-fn unsure(text: &str, bound: f64) -> Unsure {
+fn unsure(text: &str, bound: f64) -> UnprovedDigits {
     let (digits, exponent) = match text.split_once('e') {
         Some((digits, exponent)) => (digits, exponent.parse().unwrap_or(0)),
         None => (text, 0),
@@ -145,9 +150,9 @@ fn unsure(text: &str, bound: f64) -> Unsure {
     let unsure = places.take_while(|(_, power)| counts(*power) < 2.0 * bound);
     let from = unsure.last().map_or(digits.len(), |((at, _), _)| at);
     if from == digits.len() {
-        Unsure::Nothing
+        UnprovedDigits::Nothing
     } else {
-        Unsure::Last(from..digits.len())
+        UnprovedDigits::Last(from..digits.len())
     }
 }
 
@@ -200,11 +205,11 @@ pub(crate) fn coordinate(value: f64, decimals: usize) -> String {
 }
 
 /// Maximum number of decimals of a coordinate.
-pub(crate) const FINEST: usize = 9;
+pub(crate) const MAX_COORDINATE_DECIMALS: usize = 9;
 
 /// Returns the double nearest to the value rounded to `decimals` decimals.
 pub(crate) fn rounded(value: f64, decimals: usize) -> f64 {
-    let scale = 10.0_f64.powi(i32::try_from(decimals.min(FINEST)).unwrap_or(0));
+    let scale = 10.0_f64.powi(i32::try_from(decimals.min(MAX_COORDINATE_DECIMALS)).unwrap_or(0));
     let rounded = (value * scale).round() / scale;
     // If the product overflows, the value has no such decimals anyway.
     if rounded.is_finite() { rounded } else { value }
@@ -263,7 +268,7 @@ mod tests {
     #[test]
     fn zero_is_shown_only_within_error_bound() {
         let format = Format::of_sizes(vec![100.0]);
-        assert_eq!(format.write(&proved(6e-15, 1e-14)), Cell::sure("0.000"));
+        assert_eq!(format.write(&proved(6e-15, 1e-14)), Cell::proved("0.000"));
         assert_eq!(format.write(&proved(6e-5, 1e-14)).text, "6.0000e-5");
         assert_eq!(format.write(&proved(-6e-14, 1e-14)).text, "-6.00e-14");
     }
@@ -271,25 +276,28 @@ mod tests {
     #[test]
     fn unproved_digits_are_marked() {
         let format = Format::of_sizes(vec![100.0]);
-        let unsure = |bound| format.write(&proved(123.456, bound)).unsure;
-        assert_eq!(unsure(1e-13), Unsure::Nothing);
-        assert_eq!(unsure(0.0005), Unsure::Nothing);
-        assert_eq!(unsure(0.0006), Unsure::Last(6..7));
-        assert_eq!(unsure(0.3), Unsure::Last(4..7));
-        assert_eq!(unsure(0.6), Unsure::Last(2..7));
-        assert_eq!(unsure(100.0), Unsure::Last(0..7));
-        assert_eq!(format.write(&unproved(1.0)).unsure, Unsure::Everything);
+        let unsure = |bound| format.write(&proved(123.456, bound)).unproved;
+        assert_eq!(unsure(1e-13), UnprovedDigits::Nothing);
+        assert_eq!(unsure(0.0005), UnprovedDigits::Nothing);
+        assert_eq!(unsure(0.0006), UnprovedDigits::Last(6..7));
+        assert_eq!(unsure(0.3), UnprovedDigits::Last(4..7));
+        assert_eq!(unsure(0.6), UnprovedDigits::Last(2..7));
+        assert_eq!(unsure(100.0), UnprovedDigits::Last(0..7));
+        assert_eq!(
+            format.write(&unproved(1.0)).unproved,
+            UnprovedDigits::Everything
+        );
         let tiny = Format::of_sizes(vec![1e-12]);
-        let unsure = |bound| tiny.write(&proved(1e-13, bound)).unsure;
+        let unsure = |bound| tiny.write(&proved(1e-13, bound)).unproved;
         assert_eq!(
             (unsure(1e-12), unsure(0.07)),
-            (Unsure::Nothing, Unsure::Last(0..1))
+            (UnprovedDigits::Nothing, UnprovedDigits::Last(0..1))
         );
         // In -1.234e8, mantissa digits count by their decimal place.
         let large = format.write(&proved(-123_456_789.0, 60_000.0));
         assert_eq!(
-            (large.text.as_str(), large.unsure),
-            ("-1.2346e8", Unsure::Last(5..7))
+            (large.text.as_str(), large.unproved),
+            ("-1.2346e8", UnprovedDigits::Last(5..7))
         );
     }
 
@@ -333,15 +341,15 @@ mod tests {
             let format = Format::of_sizes(vec![scale]);
             let (truth, bound) = (share * scale, scale * 10.0_f64.powi(size));
             let value = truth + off * bound;
-            let Cell { text, unsure } = format.write(&proved(value, bound * (1.0 + 1e-9) + 1e-15 * scale));
+            let Cell { text, unproved: unsure } = format.write(&proved(value, bound * (1.0 + 1e-9) + 1e-15 * scale));
             let sure = match unsure {
-                Unsure::Nothing => text.clone(),
-                Unsure::Last(digits) => {
+                UnprovedDigits::Nothing => text.clone(),
+                UnprovedDigits::Last(digits) => {
                     let end = text.find('e').unwrap_or(text.len());
                     prop_assert_eq!(digits.end, end);
                     text[..digits.start].to_owned()
                 }
-                Unsure::Everything => unreachable!("there is a bound"),
+                UnprovedDigits::Everything => unreachable!("there is a bound"),
             };
             if !has_digits(&text) {
                 prop_assert!(value.abs() <= bound * 1.001 + 1e-15 * scale, "{text} for {value:e}");

@@ -27,7 +27,7 @@ pub(crate) enum SearchOrigin {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum NameMatch {
     Within,
-    Beginning,
+    TrackingStart,
     Whole,
 }
 
@@ -36,7 +36,7 @@ impl NameMatch {
         let name = name.to_ascii_lowercase();
         match name.find(typed)? {
             0 if name.len() == typed.len() => Some(NameMatch::Whole),
-            0 => Some(NameMatch::Beginning),
+            0 => Some(NameMatch::TrackingStart),
             _ => Some(NameMatch::Within),
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::ElementId;
 use crate::assembly::pick_text;
-use crate::drawing::Reach;
+use crate::drawing::Extents;
 use crate::solver::{Choice, GroupId, State};
 use crate::tui::commands::list::List;
 use crate::tui::player::open_scene::OpenScene;
@@ -26,7 +26,7 @@ pub(crate) struct AssemblyRow {
 
 impl AssemblyRow {
     /// Formats the choice as on the command line: `C=-`.
-    pub(crate) fn wish(&self) -> String {
+    pub(crate) fn option_text(&self) -> String {
         format!("{}={}", self.name, pick_text(self.choice.pick))
     }
 }
@@ -36,7 +36,7 @@ impl AssemblyRow {
 pub(crate) struct AssemblyList {
     pub(crate) list: List<AssemblyRow>,
     /// The extents of the linkage with all its ghosts.
-    pub(crate) reach: Reach,
+    pub(crate) reach: Extents,
 }
 
 impl AssemblyList {
@@ -44,7 +44,7 @@ impl AssemblyList {
     /// choice. The cursor is on the first one that closes and is not the current one.
     pub(crate) fn new(open_scene: &OpenScene) -> Option<AssemblyList> {
         let (scene, solver) = (open_scene.scene(), open_scene.solver());
-        let (at, reach) = (open_scene.at(), open_scene.reach());
+        let (at, extents) = (open_scene.at(), open_scene.extents());
         let groups = solver.plan().numbered();
         let groups = groups.filter(|(_, g)| g.has_choices()).take(MAX_GROUPS);
         let mut rows = Vec::new();
@@ -53,7 +53,7 @@ impl AssemblyList {
                 let place = match group.name() {
                     Some(ElementId::Point(point)) => {
                         let p = choice.state.known().position(point);
-                        let decimals = decimals(reach);
+                        let decimals = decimals(extents);
                         let [x, y] = [p.x, p.y].map(|v| figure(v, decimals));
                         format!("({x}, {y})")
                     }
@@ -72,11 +72,14 @@ impl AssemblyList {
             }
         }
         let others = rows.iter().filter(|row| row.choice.closes);
-        let reach = reach.with(scene, others.map(|row| &row.choice.state));
+        let extents = extents.with(scene, others.map(|row| &row.choice.state));
         let mut list = List::new(rows);
         list.go_to(|row| !row.choice.is_current && row.choice.closes);
         list.chosen()?;
-        Some(AssemblyList { list, reach })
+        Some(AssemblyList {
+            list,
+            reach: extents,
+        })
     }
 
     /// Returns the states to draw as ghosts: the assembly under the cursor, or all others of its
@@ -87,8 +90,8 @@ impl AssemblyList {
         let rows = self.list.listed().enumerate();
         let shown = rows.filter(move |(i, row)| {
             let same = chosen.is_some_and(|c| c.group == row.group);
-            let meant = *i == cursor || (at_present && same);
-            meant && row.choice.closes && !row.choice.is_current
+            let intended = *i == cursor || (at_present && same);
+            intended && row.choice.closes && !row.choice.is_current
         });
         shown.map(|(_, row)| &row.choice.state)
     }
@@ -108,8 +111,8 @@ fn figure(value: f64, decimals: usize) -> String {
 }
 
 /// Returns the number of decimals that shows four digits of the largest coordinates.
-fn decimals(reach: &Reach) -> usize {
-    let bounds = reach.bounds();
+fn decimals(extents: &Extents) -> usize {
+    let bounds = extents.bounds();
     let largest = bounds.low.norm().max(bounds.high.norm());
     let digits = largest.log10().floor() + 1.0;
     #[expect(

@@ -1,12 +1,12 @@
 //! Compares another scene with the open one at the same driver coordinate: its ghost in the
 //! drawing, and the differences in the tables.
 
-use crate::drawing::{self, Figure, Reach};
+use crate::drawing::{self, Extents, Figure};
 use crate::quantity::DriverState;
 use crate::report::{Pairing, Tables};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, Workspace};
-use crate::tui::Opened;
+use crate::tui::OpenedScene;
 use crate::tui::figures::format::short;
 use crate::tui::figures::sheet::Sheet;
 use crate::tui::player::edition::SceneRevision;
@@ -24,26 +24,26 @@ const SPEED: usize = 8;
 pub(crate) struct ComparedScene {
     edition: SceneRevision,
     /// The revision of the open scene that the comparison belongs to.
-    beside: SceneRevision,
+    base_revision: SceneRevision,
     /// The display name.
     name: String,
     other: Other,
     /// The extents of this scene, in its own unit.
-    own: Reach,
+    own: Extents,
     /// The extents of both scenes, in the unit of the open scene.
-    reach: Reach,
+    reach: Extents,
     pairing: Pairing,
     /// The columns of the differences.
     sheet: Sheet,
     /// The differences: the values of the open scene minus those of this scene.
     tables: Tables,
-    stand: DriverState,
+    driver_state: DriverState,
 }
 
 /// The scene itself, solved at the open scene's coordinate.
 #[derive(Debug)]
 struct Other {
-    opened: Opened,
+    opened: OpenedScene,
     state: Workspace,
     enclosure: Workspace<Ball>,
     /// The length unit of this scene, in units of the open scene.
@@ -54,7 +54,7 @@ impl ComparedScene {
     /// Compares a scene with the open one. Returns a message if they are not comparable.
     pub(crate) fn new(
         name: String,
-        opened: Opened,
+        opened: OpenedScene,
         open_scene: &OpenScene,
     ) -> Result<ComparedScene, String> {
         comparable(&name, &opened.scene, open_scene.scene())?;
@@ -64,21 +64,26 @@ impl ComparedScene {
             scale: opened.scene.unit.in_units_of(open_scene.scene().unit),
             opened,
         };
-        let own = Reach::of(&other.opened.scene, &other.opened.solver);
-        let pairing = Pairing::of(open_scene.tables(), &other.tables(open_scene.stand()));
+        let own = Extents::of(&other.opened.scene, &other.opened.solver);
+        let pairing = Pairing::of(
+            open_scene.tables(),
+            &other.tables(open_scene.driver_state()),
+        );
         let sheet = Sheet::of_differences(&samples(open_scene, &mut other, &pairing));
-        let there = other.tables(open_scene.stand());
+        let there = other.tables(open_scene.driver_state());
         Ok(ComparedScene {
             edition: SceneRevision::default(),
-            beside: open_scene.edition().clone(),
+            base_revision: open_scene.edition().clone(),
             name,
-            reach: open_scene.reach().beside(&own, other.scale, other.driver()),
+            reach: open_scene
+                .extents()
+                .union(&own, other.scale, other.driver()),
             tables: pairing.difference(open_scene.tables(), &there, other.scale),
             pairing,
             sheet,
             other,
             own,
-            stand: *open_scene.stand(),
+            driver_state: *open_scene.driver_state(),
         })
     }
 
@@ -90,11 +95,11 @@ impl ComparedScene {
 
     /// Solves the scene at the open scene's coordinate.
     pub(crate) fn follow(&mut self, open_scene: &OpenScene) {
-        if self.stand == *open_scene.stand() {
+        if self.driver_state == *open_scene.driver_state() {
             return;
         }
-        self.stand = *open_scene.stand();
-        let there = self.other.tables(&self.stand);
+        self.driver_state = *open_scene.driver_state();
+        let there = self.other.tables(&self.driver_state);
         self.tables = self
             .pairing
             .difference(open_scene.tables(), &there, self.other.scale);
@@ -107,7 +112,7 @@ impl ComparedScene {
 
     /// Returns `true` if the comparison belongs to this revision of the open scene.
     pub(crate) fn fits(&self, open_scene: &OpenScene) -> bool {
-        self.beside == *open_scene.edition()
+        self.base_revision == *open_scene.edition()
     }
 
     pub(crate) fn name(&self) -> &str {
@@ -160,13 +165,13 @@ impl ComparedScene {
     }
 
     /// Returns the extents of both scenes, in the unit of the open one.
-    pub(crate) fn reach(&self) -> &Reach {
+    pub(crate) fn extents(&self) -> &Extents {
         &self.reach
     }
 
     /// Returns the union of `reach` and this scene's extents, in the unit of the open scene.
-    pub(crate) fn reach_beside(&self, reach: &Reach) -> Reach {
-        reach.beside(&self.own, self.other.scale, self.other.driver())
+    pub(crate) fn union_of_extents(&self, extents: &Extents) -> Extents {
+        extents.union(&self.own, self.other.scale, self.other.driver())
     }
 
     /// Returns the pairing of the two scenes' rows.
@@ -196,15 +201,15 @@ impl Other {
 
     /// Computes this scene's tables at the driver state of the open scene, with the same speed if
     /// that has a motion over time.
-    fn tables(&mut self, stand: &DriverState) -> Tables {
+    fn tables(&mut self, driver_state: &DriverState) -> Tables {
         let unit = self.driver();
-        let pace = stand.pace.map(|moment| DriverMoment {
+        let pace = driver_state.pace.map(|moment| DriverMoment {
             at: moment.at / unit,
             speed: moment.speed / unit,
             acceleration: moment.acceleration / unit,
             off: moment.off.map(|off| off / unit),
         });
-        let at = stand.at / unit;
+        let at = driver_state.at / unit;
         solved(
             &self.opened,
             &DriverState { at, pace },
@@ -220,9 +225,9 @@ fn samples(open_scene: &OpenScene, other: &mut Other, pairing: &Pairing) -> Vec<
     let (mut state, mut enclosure) = (open_scene.solver().state(), open_scene.solver().enclosure());
     // Fewer positions than for the values suffice for the digits, and an edit has to wait for them.
     let places = open_scene.places().into_iter().step_by(STRIDE);
-    let differences = places.map(|stand| {
-        let here = open_scene.tables_at(&stand, &mut state, &mut enclosure);
-        pairing.difference(&here, &other.tables(&stand), other.scale)
+    let differences = places.map(|driver_state| {
+        let here = open_scene.tables_at(&driver_state, &mut state, &mut enclosure);
+        pairing.difference(&here, &other.tables(&driver_state), other.scale)
     });
     differences.collect()
 }

@@ -12,7 +12,7 @@ const BATCH: Duration = Duration::from_micros(10);
 const MAX_STATES: u32 = 256;
 /// Maximum relative change of a measurement that does not update the displayed value: the
 /// resolution of the clock on a busy machine.
-const SAME: f64 = 0.2;
+const EQUALITY_TOLERANCE: f64 = 0.2;
 /// Significant digits of the displayed value.
 const DIGITS: usize = 2;
 /// Minimum time between two measurements.
@@ -28,9 +28,9 @@ impl Cost {
     /// Measures the duration of `solve`.
     pub(crate) fn measure(&mut self, mut solve: impl FnMut()) {
         let mut time = |states: u32| {
-            let begun = Instant::now();
+            let started = Instant::now();
             (0..states).for_each(|_| solve());
-            begun.elapsed().as_secs_f64() / f64::from(states)
+            started.elapsed().as_secs_f64() / f64::from(states)
         };
         // The first call warms up and determines the number of states in a batch.
         let first = time(1).max(1e-9);
@@ -43,7 +43,7 @@ impl Cost {
     }
 
     fn take(&mut self, seconds: f64) {
-        let stays = |shown: f64| (seconds - shown).abs() <= SAME * shown;
+        let stays = |shown: f64| (seconds - shown).abs() <= EQUALITY_TOLERANCE * shown;
         if !self.shown.is_some_and(stays) {
             self.shown = Some(seconds);
         }
@@ -59,7 +59,7 @@ impl Cost {
 mod tests {
     use super::*;
 
-    fn told(seconds: f64) -> String {
+    fn format_duration(seconds: f64) -> String {
         let mut cost = Cost::default();
         cost.take(seconds);
         cost.text().unwrap()
@@ -67,13 +67,13 @@ mod tests {
 
     #[test]
     fn durations_show_two_digits_and_a_unit() {
-        assert_eq!(told(61.3e-9), "61 ns");
-        assert_eq!(told(9.96e-9), "10 ns");
-        assert_eq!(told(999.6e-9), "1.0 us");
-        assert_eq!(told(2.34e-6), "2.3 us");
-        assert_eq!(told(142e-9), "142 ns");
-        assert_eq!(told(0.0142), "14 ms");
-        assert_eq!(told(2.0), "2.0 s");
+        assert_eq!(format_duration(61.3e-9), "61 ns");
+        assert_eq!(format_duration(9.96e-9), "10 ns");
+        assert_eq!(format_duration(999.6e-9), "1.0 us");
+        assert_eq!(format_duration(2.34e-6), "2.3 us");
+        assert_eq!(format_duration(142e-9), "142 ns");
+        assert_eq!(format_duration(0.0142), "14 ms");
+        assert_eq!(format_duration(2.0), "2.0 s");
         assert_eq!(Cost::default().text(), None);
     }
 

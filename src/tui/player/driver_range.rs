@@ -3,7 +3,7 @@
 use crate::angle::TURN;
 use crate::scene::Scene;
 use crate::solver::{Range, Solver};
-use crate::tui::figures::format::{FINEST, rounded};
+use crate::tui::figures::format::{MAX_COORDINATE_DECIMALS, rounded};
 use crate::tui::player::playback::Track;
 use crate::{Driver, Input};
 
@@ -11,7 +11,7 @@ use crate::{Driver, Input};
 #[derive(Clone, Debug)]
 pub(crate) struct DriverRange {
     range: Range,
-    turns: bool,
+    is_rotary: bool,
     /// The scene's initial coordinate.
     opening: f64,
     /// The magnitude of the scene's driver speed, per second.
@@ -35,27 +35,27 @@ pub(crate) struct OutOfRange {
 impl DriverRange {
     pub(crate) fn new(scene: &Scene, solver: &Solver) -> Self {
         let driver = *scene.mechanism.driver();
-        let turns = matches!(driver.input, Input::Turn(_));
+        let is_rotary = matches!(driver.input, Input::Turn(_));
         let range = solver.motion().range;
-        let span = match (turns, range) {
+        let span = match (is_rotary, range) {
             (true, _) => TURN,
             (false, Range::Limited { low, high }) if high > low => high - low,
             (false, _) => 1.0,
         };
-        let decimals = if turns {
+        let decimals = if is_rotary {
             2
         } else {
             let digits = span.log10().floor().clamp(-9.0, 9.0);
             // Four digits of the span and one more, because a sweep has thousands of positions.
-            (0..=FINEST)
+            (0..=MAX_COORDINATE_DECIMALS)
                 .find(|&d| d as f64 + digits >= 4.0)
-                .unwrap_or(FINEST)
+                .unwrap_or(MAX_COORDINATE_DECIMALS)
         };
         DriverRange {
             range,
-            turns,
+            is_rotary,
             opening: driver.start,
-            speed: speed(&driver, turns),
+            speed: speed(&driver, is_rotary),
             span,
             decimals,
         }
@@ -63,7 +63,7 @@ impl DriverRange {
 
     /// Returns `true` if the driver is a turning link, `false` if it is a slide.
     pub(crate) fn turns(&self) -> bool {
-        self.turns
+        self.is_rotary
     }
 
     /// Returns the scene's initial coordinate.
@@ -85,7 +85,7 @@ impl DriverRange {
     pub(crate) fn track(&self) -> Track {
         Track {
             span: self.span,
-            shuttle: self.shuttle(),
+            oscillation: self.shuttle(),
             speed: self.speed,
         }
     }
@@ -99,7 +99,7 @@ impl DriverRange {
         }
     }
 
-    /// Returns the coordinate meant by `at`: itself, or its equivalent from [`Range::meant`].
+    /// Returns the coordinate meant by `at`: itself, or its equivalent from [`Range::equivalent_in_range`].
     pub(crate) fn reach(&self, at: f64) -> Result<f64, OutOfRange> {
         let Range::Limited { low, high } = self.range else {
             return Ok(at);
@@ -107,8 +107,8 @@ impl DriverRange {
         if (low..=high).contains(&at) {
             return Ok(at);
         }
-        let meant = self.range.meant(at, self.turns);
-        meant.ok_or(OutOfRange { low, high })
+        let intended = self.range.equivalent_in_range(at, self.is_rotary);
+        intended.ok_or(OutOfRange { low, high })
     }
 
     /// Returns the nearest coordinate in the driver's range.
@@ -127,7 +127,7 @@ impl DriverRange {
     }
 }
 
-fn speed(driver: &Driver, turns: bool) -> f64 {
+fn speed(driver: &Driver, is_rotary: bool) -> f64 {
     let speed = driver.speed.abs();
-    if turns { speed.to_degrees() } else { speed }
+    if is_rotary { speed.to_degrees() } else { speed }
 }

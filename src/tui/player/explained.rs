@@ -46,12 +46,12 @@ impl Explained {
     /// Updates the working for another driver state.
     pub(crate) fn go(&mut self, open_scene: &OpenScene) {
         let (scene, solver) = (open_scene.scene(), open_scene.solver());
-        let stand = open_scene.stand();
-        let _ = stand.solve(solver, Order::Force, &mut self.state);
-        stand.drive(solver, &mut self.enclosure);
+        let driver_state = open_scene.driver_state();
+        let _ = driver_state.solve(solver, Order::Force, &mut self.state);
+        driver_state.drive(solver, &mut self.enclosure);
         solver.enclose(&mut self.state, Order::Force, &mut self.enclosure);
-        let worked = self.working.of(scene, solver, &self.state, DIGITS);
-        self.page = worked.page;
+        let computed = self.working.of(scene, solver, &self.state, DIGITS);
+        self.page = computed.page;
     }
 
     pub(crate) fn page(&self) -> &Page {

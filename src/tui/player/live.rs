@@ -27,17 +27,17 @@ impl<R> LiveResult<R> {
         create: impl FnOnce(&OpenScene) -> Option<R>,
         move_on: fn(&mut R, &OpenScene),
     ) {
-        let (scene, stand) = (open_scene.edition(), *open_scene.stand());
+        let (scene, driver_state) = (open_scene.edition(), *open_scene.driver_state());
         match &mut self.kept {
             Some((of, at, result)) if wanted && of == scene => {
-                if *at != stand {
+                if *at != driver_state {
                     move_on(result, open_scene);
-                    *at = stand;
+                    *at = driver_state;
                 }
             }
             kept => {
                 let created = wanted.then(|| create(open_scene)).flatten();
-                *kept = created.map(|result| (scene.clone(), stand, result));
+                *kept = created.map(|result| (scene.clone(), driver_state, result));
             }
         }
     }

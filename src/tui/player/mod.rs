@@ -14,7 +14,7 @@ pub(crate) mod steps;
 pub(crate) mod timetable;
 pub(crate) mod watched_method;
 
-use super::Opened;
+use super::OpenedScene;
 use crate::tui::figures::format::rounded;
 use driver_range::OutOfRange;
 use edition::SceneRevision;
@@ -37,19 +37,19 @@ pub(crate) struct Player {
     /// The time when the last frame was due.
     frame: Duration,
     /// The time, scene and coordinate of the last cost measurement; `None` before the first one.
-    weighed: Option<(Duration, SceneRevision, f64)>,
+    cost_measured: Option<(Duration, SceneRevision, f64)>,
 }
 
 impl Player {
     /// Creates a player with a scene, paused at its initial coordinate.
-    pub(crate) fn new(opened: Opened) -> Self {
+    pub(crate) fn new(opened: OpenedScene) -> Self {
         let open_scene = OpenScene::new(opened);
         Player {
             steps: steps_of(&open_scene),
             playback: Playback::new(),
             open_scene,
             frame: Duration::ZERO,
-            weighed: None,
+            cost_measured: None,
         }
     }
 
@@ -64,8 +64,8 @@ impl Player {
             self.steps = steps_of(&self.open_scene);
         }
         match time.filter(|_| self.open_scene.timetable().is_some()) {
-            Some(time) => self.arrive_at(time, now),
-            None => self.arrive(self.open_scene.driver_range().clamp(at), now),
+            Some(time) => self.move_to_time(time, now),
+            None => self.move_to_coordinate(self.open_scene.driver_range().clamp(at), now),
         }
         before
     }
@@ -77,21 +77,21 @@ impl Player {
     // ---- the driver's position
 
     /// Moves the driver to a coordinate and continues playback from it.
-    pub(crate) fn arrive(&mut self, at: f64, now: Duration) {
+    pub(crate) fn move_to_coordinate(&mut self, at: f64, now: Duration) {
         self.open_scene.go(at);
         self.rebase(now);
     }
 
     /// Moves the driver to a time of its motion and continues playback from it.
-    pub(crate) fn arrive_at(&mut self, time: f64, now: Duration) {
+    pub(crate) fn move_to_time(&mut self, time: f64, now: Duration) {
         self.open_scene.go_to_time(time);
         self.rebase(now);
     }
 
     /// Moves the driver to a time under the mouse, rounded as in playback.
-    pub(crate) fn lead_to_time(&mut self, time: f64, now: Duration) {
+    pub(crate) fn move_to_pointed_time(&mut self, time: f64, now: Duration) {
         if let Some(timetable) = self.open_scene.timetable() {
-            self.arrive_at(timetable.on_grid(time), now);
+            self.move_to_time(timetable.on_grid(time), now);
         }
     }
 
@@ -100,7 +100,7 @@ impl Player {
         match self.open_scene.timetable() {
             Some(timetable) => Track {
                 span: timetable.period(),
-                shuttle: None,
+                oscillation: None,
                 speed: 1.0,
             },
             None => self.open_scene.driver_range().track(),
@@ -118,24 +118,24 @@ impl Player {
     /// Moves to a coordinate or its equivalent in the range, and returns the reached one.
     pub(crate) fn jump(&mut self, at: f64, now: Duration) -> Result<f64, OutOfRange> {
         let reached = self.open_scene.driver_range().reach(at)?;
-        self.arrive(reached, now);
+        self.move_to_coordinate(reached, now);
         Ok(reached)
     }
 
     /// Moves to the scene's initial position.
     pub(crate) fn go_to_opening(&mut self, now: Duration) {
         if self.open_scene.timetable().is_some() {
-            return self.arrive_at(0.0, now);
+            return self.move_to_time(0.0, now);
         }
         let driver_range = self.open_scene.driver_range();
-        self.arrive(driver_range.clamp(driver_range.opening()), now);
+        self.move_to_coordinate(driver_range.clamp(driver_range.opening()), now);
     }
 
     /// Moves by a step, as far as the range permits. Returns `true` if the whole step was possible.
     pub(crate) fn step(&mut self, by: f64, now: Duration) -> bool {
         let wanted = rounded(self.open_scene.at() + by, STEP_DECIMALS);
         let reached = self.open_scene.driver_range().clamp(wanted);
-        self.arrive(reached, now);
+        self.move_to_coordinate(reached, now);
         reached == wanted
     }
 
@@ -203,15 +203,15 @@ impl Player {
 
     /// Measures the cost of a state if due: at once for another scene, after a pause for another
     /// coordinate.
-    pub(crate) fn weigh(&mut self, now: Duration) {
+    pub(crate) fn measure_cost(&mut self, now: Duration) {
         let (edition, at) = (self.open_scene.edition(), self.open_scene.at());
-        let weighed = self.weighed.as_ref();
+        let weighed = self.cost_measured.as_ref();
         let is_due = weighed.is_none_or(|&(then, ref scene, place)| {
             scene != edition || (place != at && now >= then + cost::PAUSE)
         });
         if is_due {
-            self.weighed = Some((now, edition.clone(), at));
-            self.open_scene.weigh();
+            self.cost_measured = Some((now, edition.clone(), at));
+            self.open_scene.measure_cost();
         }
     }
 }

@@ -110,9 +110,9 @@ impl NextSingularity {
         } else {
             driver_range.decimals().saturating_sub(1)
         };
-        let least = 10.0_f64.powi(-i32::try_from(decimals).unwrap_or(0));
-        if self.distance < least {
-            return words().near_within(kind, &coordinate(least, decimals), unit);
+        let minimum = 10.0_f64.powi(-i32::try_from(decimals).unwrap_or(0));
+        if self.distance < minimum {
+            return words().near_within(kind, &coordinate(minimum, decimals), unit);
         }
         let distance = format!("{:.decimals$}", self.distance);
         words().near_in(kind, &distance, unit)

@@ -2,18 +2,18 @@
 
 use crate::Ball;
 use crate::document::ascii_letter;
-use crate::drawing::{Reach, Role, vector_roles};
+use crate::drawing::{Extents, Role, vector_roles};
 use crate::quantity::DriverState;
 use crate::report::{Tables, Verdict};
 use crate::scene::presets::{self, Preset};
 use crate::scene::{Scene, sanitized};
-use crate::solver::{Condition, GroupId, Order, Pick, Solver, State, Workspace};
+use crate::solver::{AssemblyChoice, Condition, GroupId, Order, Solver, State, Workspace};
 use crate::tui::figures::sheet::Sheet;
 use crate::tui::player::cost::Cost;
 use crate::tui::player::driver_range::DriverRange;
 use crate::tui::player::edition::SceneRevision;
 use crate::tui::player::timetable::Timetable;
-use crate::tui::{Opened, Origin};
+use crate::tui::{OpenedScene, Origin};
 use std::borrow::Cow;
 use std::path::PathBuf;
 
@@ -26,15 +26,15 @@ const MAX_ROWS: usize = 20_000;
 #[derive(Debug)]
 pub(crate) struct OpenScene {
     edition: SceneRevision,
-    opened: Opened,
+    opened: OpenedScene,
     driver_range: DriverRange,
-    reach: Reach,
+    reach: Extents,
     verdict: Verdict,
     sheet: Sheet,
     /// The drawing role of the link of each row of the vectors.
     vector_roles: Vec<Option<Role>>,
     /// The driver state; and its time, if the driver has a motion over time.
-    stand: DriverState,
+    driver_state: DriverState,
     time: Option<f64>,
     timetable: Option<Timetable>,
     state: Workspace,
@@ -47,14 +47,14 @@ pub(crate) struct OpenScene {
 
 impl OpenScene {
     /// Opens a scene at its initial position.
-    pub(crate) fn new(opened: Opened) -> Self {
+    pub(crate) fn new(opened: OpenedScene) -> Self {
         let driver_range = DriverRange::new(&opened.scene, &opened.solver);
-        let reach = Reach::of(&opened.scene, &opened.solver);
+        let extents = Extents::of(&opened.scene, &opened.solver);
         let mut state = opened.solver.state();
         let timetable = Timetable::new(&opened.scene, opened.solver.motion().range);
         let places = places(&opened.scene, &driver_range, timetable.as_ref());
         let samples = samples(&opened, &places, &mut state);
-        let stand = places[0];
+        let driver_state = places[0];
         let mut enclosure = opened.solver.enclosure();
         OpenScene {
             edition: SceneRevision::default(),
@@ -63,7 +63,7 @@ impl OpenScene {
             vector_roles: vector_roles(&opened.scene),
             tables: solved(
                 &opened,
-                &stand,
+                &driver_state,
                 Order::Acceleration,
                 &mut state,
                 &mut enclosure,
@@ -73,8 +73,8 @@ impl OpenScene {
             enclosure,
             opened,
             driver_range,
-            reach,
-            stand,
+            reach: extents,
+            driver_state,
             time: timetable.is_some().then_some(0.0),
             timetable,
             state,
@@ -88,32 +88,36 @@ impl OpenScene {
 
     /// Returns the scene with another assembly of a group, at the same position. The error is a
     /// message.
-    pub(crate) fn switched(&self, group: GroupId, pick: Pick) -> Result<OpenScene, String> {
-        let Opened {
+    pub(crate) fn switched(
+        &self,
+        group: GroupId,
+        choice: AssemblyChoice,
+    ) -> Result<OpenScene, String> {
+        let OpenedScene {
             scene,
             solver,
             origin,
         } = &self.opened;
-        let switched = solver.switched(self.at(), group, pick);
+        let switched = solver.switched(self.at(), group, choice);
         let solver = switched.map_err(|fault| scene.explain(&fault).first_words().to_owned())?;
         let (scene, origin) = (scene.clone(), origin.clone());
-        let mut open_scene = OpenScene::new(Opened {
+        let mut open_scene = OpenScene::new(OpenedScene {
             scene,
             solver,
             origin,
         });
-        open_scene.stand_at(self.stand, self.time);
+        open_scene.set_driver(self.driver_state, self.time);
         Ok(open_scene)
     }
 
     /// Returns the scene's text with the start positions of this assembly.
     pub(crate) fn saved_text(&self) -> Option<String> {
-        let Opened { scene, solver, .. } = &self.opened;
+        let OpenedScene { scene, solver, .. } = &self.opened;
         scene.with_start_of(solver, self.at())
     }
 
     /// Replaces the scene by another text of the same mechanism.
-    pub(crate) fn retell(&mut self, scene: Scene) {
+    pub(crate) fn replace_text(&mut self, scene: Scene) {
         self.opened.scene = scene;
         self.timetable = Timetable::new(&self.opened.scene, self.opened.solver.motion().range);
         self.driver_range = DriverRange::new(&self.opened.scene, &self.opened.solver);
@@ -130,23 +134,23 @@ impl OpenScene {
     /// has that coordinate.
     pub(crate) fn go(&mut self, at: f64) {
         let Some(timetable) = &self.timetable else {
-            return self.stand_at(DriverState::at(at), None);
+            return self.set_driver(DriverState::at(at), None);
         };
         let time = timetable.nearest(at, self.time.unwrap_or(0.0));
-        self.stand_at(timetable.stand_at(at, time), time);
+        self.set_driver(timetable.driver_state_at(at, time), time);
     }
 
     /// Moves the driver to its position at a time, if it has a motion over time.
     pub(crate) fn go_to_time(&mut self, time: f64) {
         if let Some(timetable) = &self.timetable {
-            self.stand_at(timetable.stand(time), Some(time));
+            self.set_driver(timetable.driver_state(time), Some(time));
         }
     }
 
-    fn stand_at(&mut self, stand: DriverState, time: Option<f64>) {
-        (self.stand, self.time) = (stand, time);
+    fn set_driver(&mut self, driver_state: DriverState, time: Option<f64>) {
+        (self.driver_state, self.time) = (driver_state, time);
         let (state, enclosure) = (&mut self.state, &mut self.enclosure);
-        self.tables = solved(&self.opened, &stand, self.order, state, enclosure);
+        self.tables = solved(&self.opened, &driver_state, self.order, state, enclosure);
     }
 
     /// Solves this and all further states with or without forces.
@@ -157,19 +161,23 @@ impl OpenScene {
         };
         if order != self.order {
             self.order = order;
-            self.stand_at(self.stand, self.time);
+            self.set_driver(self.driver_state, self.time);
         }
     }
 
     /// Measures the cost of solving the state without bounds. Uses a state of its own, because the
     /// current one may hold forces.
-    pub(crate) fn weigh(&mut self) {
-        let OpenScene { opened, stand, .. } = self;
+    pub(crate) fn measure_cost(&mut self) {
+        let OpenScene {
+            opened,
+            driver_state,
+            ..
+        } = self;
         let mut state = opened.solver.state();
         self.cost.measure(|| {
             let _ = opened
                 .solver
-                .solve(stand.at, Order::Acceleration, &mut state);
+                .solve(driver_state.at, Order::Acceleration, &mut state);
         });
     }
 
@@ -182,7 +190,7 @@ impl OpenScene {
     pub(crate) fn largest_bound(&self) -> Option<f64> {
         let places = self.tables.points.iter().filter_map(|p| p.motion[0]);
         let mut bounds = places.flat_map(|place| [place.bounds[0], place.bounds[1]]);
-        bounds.try_fold(0.0, |most: f64, bound| Some(most.max(bound?)))
+        bounds.try_fold(0.0, |maximum: f64, bound| Some(maximum.max(bound?)))
     }
 
     pub(crate) fn scene(&self) -> &Scene {
@@ -202,7 +210,7 @@ impl OpenScene {
     }
 
     /// Rebuilds cached text in the current language.
-    pub(crate) fn say_again(&mut self) {
+    pub(crate) fn rebuild_texts(&mut self) {
         self.verdict = Verdict::new(&self.opened.scene, &self.opened.solver);
     }
 
@@ -211,7 +219,7 @@ impl OpenScene {
         &self.verdict
     }
 
-    pub(crate) fn reach(&self) -> &Reach {
+    pub(crate) fn extents(&self) -> &Extents {
         &self.reach
     }
 
@@ -226,12 +234,12 @@ impl OpenScene {
 
     /// Returns the driver's coordinate, in degrees or in the scene's length unit.
     pub(crate) fn at(&self) -> f64 {
-        self.stand.at
+        self.driver_state.at
     }
 
     /// Returns the driver's coordinate with its rates.
-    pub(crate) fn stand(&self) -> &DriverState {
-        &self.stand
+    pub(crate) fn driver_state(&self) -> &DriverState {
+        &self.driver_state
     }
 
     /// Returns the time at the driver's position, in s from the start of its motion. `None` outside
@@ -273,11 +281,17 @@ impl OpenScene {
     /// Computes the tables with bounds at another driver state.
     pub(crate) fn tables_at(
         &self,
-        stand: &DriverState,
+        driver_state: &DriverState,
         state: &mut Workspace,
         enclosure: &mut Workspace<Ball>,
     ) -> Tables {
-        solved(&self.opened, stand, Order::Acceleration, state, enclosure)
+        solved(
+            &self.opened,
+            driver_state,
+            Order::Acceleration,
+            state,
+            enclosure,
+        )
     }
 
     /// Returns driver states over the whole motion, the initial one first.
@@ -318,24 +332,24 @@ impl OpenScene {
 
 /// Solves a state to `order` and computes its tables with bounds.
 pub(crate) fn solved(
-    opened: &Opened,
-    stand: &DriverState,
+    opened: &OpenedScene,
+    driver_state: &DriverState,
     order: Order,
     state: &mut Workspace,
     enclosure: &mut Workspace<Ball>,
 ) -> Tables {
-    let _ = stand.solve(&opened.solver, order, state);
-    stand.drive(&opened.solver, enclosure);
+    let _ = driver_state.solve(&opened.solver, order, state);
+    driver_state.drive(&opened.solver, enclosure);
     opened.solver.enclose(state, order, enclosure);
     Tables::bounded(&opened.scene, state, enclosure)
 }
 
 /// Computes the tables at driver states.
-fn samples(opened: &Opened, places: &[DriverState], state: &mut Workspace) -> Vec<Tables> {
+fn samples(opened: &OpenedScene, places: &[DriverState], state: &mut Workspace) -> Vec<Tables> {
     places
         .iter()
-        .map(|stand| {
-            let _ = stand.solve(&opened.solver, Order::Acceleration, state);
+        .map(|driver_state| {
+            let _ = driver_state.solve(&opened.solver, Order::Acceleration, state);
             Tables::new(&opened.scene, state)
         })
         .collect()
@@ -363,10 +377,10 @@ fn places(
         // Outside its motion over time, the driver has the scene's constant speed.
         Some(timetable) => {
             let times = (0..=count).map(|k| timetable.period() * share(k));
-            let moved = times.map(|time| timetable.stand(time));
+            let moved = times.map(|time| timetable.driver_state(time));
             let off = spread.filter(|&at| timetable.nearest(at, 0.0).is_none());
             moved
-                .chain(off.map(|at| timetable.stand_at(at, None)))
+                .chain(off.map(|at| timetable.driver_state_at(at, None)))
                 .collect()
         }
     }
@@ -414,7 +428,7 @@ mod tests {
         open_scene.solve_forces(true);
         let torque = open_scene.state().drive();
         assert!(torque.is_some());
-        open_scene.weigh();
+        open_scene.measure_cost();
         assert_eq!(open_scene.state().drive(), torque);
     }
 }

@@ -16,7 +16,7 @@ pub(crate) struct Track {
     /// The length of one sweep: a full turn, the travel of a slide, or a period.
     pub(crate) span: f64,
     /// The limits between which playback oscillates; `None` if it continues without limits.
-    pub(crate) shuttle: Option<(f64, f64)>,
+    pub(crate) oscillation: Option<(f64, f64)>,
     /// The magnitude of the scene's own speed along the track, per second.
     pub(crate) speed: f64,
 }
@@ -25,7 +25,7 @@ pub(crate) struct Track {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Playback {
     /// The start time and start position of the current motion; `None` while paused.
-    begun: Option<(Duration, f64)>,
+    started: Option<(Duration, f64)>,
     backwards: bool,
     pace: usize,
 }
@@ -34,14 +34,14 @@ impl Playback {
     /// Creates a paused playback, forwards and at the default pace.
     pub(crate) fn new() -> Self {
         Playback {
-            begun: None,
+            started: None,
             backwards: false,
             pace: OPENING_PACE,
         }
     }
 
     pub(crate) fn is_playing(&self) -> bool {
-        self.begun.is_some()
+        self.started.is_some()
     }
 
     pub(crate) fn is_backwards(&self) -> bool {
@@ -61,12 +61,12 @@ impl Playback {
 
     /// Starts or restarts playback from `at`.
     pub(crate) fn play(&mut self, now: Duration, at: f64) {
-        self.begun = Some((now, at));
+        self.started = Some((now, at));
     }
 
     /// Pauses playback.
     pub(crate) fn pause(&mut self) {
-        self.begun = None;
+        self.started = None;
     }
 
     /// Reverses the direction, and continues from `at` if playing.
@@ -97,10 +97,10 @@ impl Playback {
     /// Returns the position on the track at `now`; `None` while paused. Reverses at the ends of a
     /// limited range.
     pub(crate) fn position(&mut self, now: Duration, track: &Track) -> Option<f64> {
-        let (since, from) = self.begun?;
+        let (since, from) = self.started?;
         let passed = now.saturating_sub(since).as_secs_f64();
         let moved = passed * track.span / self.seconds();
-        let Some((low, high)) = track.shuttle else {
+        let Some((low, high)) = track.oscillation else {
             let signed = if self.backwards { -moved } else { moved };
             return Some(from + signed);
         };
@@ -119,7 +119,7 @@ impl Playback {
             low + unrolled
         };
         // Stores direction and phase together after a reversal.
-        self.begun = Some((now, at));
+        self.started = Some((now, at));
         Some(at)
     }
 }
@@ -171,7 +171,7 @@ mod tests {
     #[test]
     fn slide_sweeps_its_travel_back_and_forth() {
         let (track, mut playback) = (track("excavator-boom"), Playback::new());
-        let (low, high) = track.shuttle.unwrap();
+        let (low, high) = track.oscillation.unwrap();
         let span = high - low;
         playback.play(seconds(0.0), low);
         for (time, share) in [

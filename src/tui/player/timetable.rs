@@ -4,7 +4,7 @@ use crate::MotionLaw;
 use crate::quantity::{Clock, DriverState};
 use crate::scene::Scene;
 use crate::solver::Range;
-use crate::tui::figures::format::{FINEST, rounded};
+use crate::tui::figures::format::{MAX_COORDINATE_DECIMALS, rounded};
 
 /// The motion of a scene's driver over time.
 #[derive(Clone, Debug)]
@@ -25,12 +25,12 @@ impl Timetable {
     pub(crate) fn new(scene: &Scene, range: Range) -> Option<Timetable> {
         let (law, clock) = (scene.motion.clone()?, Clock::of(scene)?);
         let digits = law.period().log10().floor();
-        let decimals = (0..FINEST).find(|&d| d as f64 + digits >= PLACES);
+        let decimals = (0..MAX_COORDINATE_DECIMALS).find(|&d| d as f64 + digits >= PLACES);
         Some(Timetable {
             clock,
             law,
             range,
-            decimals: decimals.unwrap_or(FINEST),
+            decimals: decimals.unwrap_or(MAX_COORDINATE_DECIMALS),
         })
     }
 
@@ -40,7 +40,7 @@ impl Timetable {
     }
 
     /// Returns the driver state at a time.
-    pub(crate) fn stand(&self, time: f64) -> DriverState {
+    pub(crate) fn driver_state(&self, time: f64) -> DriverState {
         let moment = self.clock.moment(time, self.range);
         DriverState {
             at: moment.at,
@@ -50,7 +50,7 @@ impl Timetable {
 
     /// Returns the driver state at an exact coordinate, with the rates at `time`. Without a time,
     /// the rates are those of the scene's constant speed.
-    pub(crate) fn stand_at(&self, at: f64, time: Option<f64>) -> DriverState {
+    pub(crate) fn driver_state_at(&self, at: f64, time: Option<f64>) -> DriverState {
         let pace = match time {
             Some(time) => self.clock.moment(time, self.range),
             None => self.clock.passing(at),

@@ -41,7 +41,7 @@ impl WatchedMethod {
             curves: Vec::new(),
         };
         watched.go(open_scene);
-        let _ = watched.begin_at(guess, open_scene);
+        let _ = watched.set_guess(guess, open_scene);
         Some(watched)
     }
 
@@ -50,17 +50,18 @@ impl WatchedMethod {
     ///
     /// # Errors
     /// Returns a message if the guess is invalid for the scene; the previous one then stays.
-    pub(crate) fn begin_at(&mut self, guess: &str, open_scene: &OpenScene) -> Result<(), String> {
+    pub(crate) fn set_guess(&mut self, guess: &str, open_scene: &OpenScene) -> Result<(), String> {
         let guesses = Guess::listed(guess).map_err(|error| error.to_string())?;
-        let worked = self.work(&guesses, open_scene)?;
-        (self.page, self.curves) = (worked.page, worked.curves);
+        let computed = self.work(&guesses, open_scene)?;
+        (self.page, self.curves) = (computed.page, computed.curves);
         self.guesses = guesses;
         Ok(())
     }
 
     fn work(&self, guesses: &[Guess], open_scene: &OpenScene) -> Result<WorkedMethod, String> {
-        let stand = (open_scene.scene(), open_scene.solver(), self.state.state());
-        self.working.watched(self.method, stand, guesses, DIGITS)
+        let driver_state = (open_scene.scene(), open_scene.solver(), self.state.state());
+        self.working
+            .watched(self.method, driver_state, guesses, DIGITS)
     }
 
     /// Updates the iterations for another driver coordinate.
@@ -68,8 +69,8 @@ impl WatchedMethod {
         let (at, solver) = (open_scene.at(), open_scene.solver());
         let _ = solver.solve(at, Order::Position, &mut self.state);
         // A guess that is valid for the scene is valid at every coordinate.
-        if let Ok(worked) = self.work(&self.guesses, open_scene) {
-            (self.page, self.curves) = (worked.page, worked.curves);
+        if let Ok(computed) = self.work(&self.guesses, open_scene) {
+            (self.page, self.curves) = (computed.page, computed.curves);
         }
     }
 

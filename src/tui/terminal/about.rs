@@ -1,6 +1,6 @@
 //! Reports the system's knowledge of the terminal, without querying the terminal itself.
 
-use super::line::{Wire, window};
+use super::line::{ConnectionKind, window};
 use rustix::fs::{Mode, OFlags, open};
 use rustix::termios::isatty;
 use std::io::{stderr, stdin, stdout};
@@ -38,15 +38,15 @@ impl Terminal {
         }
         let [columns, rows, width, height] = window(&stream)?;
         let cell = |pixels: u16, cells: u16| pixels.checked_div(cells).filter(|&n| n > 0);
-        let line = Wire::of(&stream);
+        let line = ConnectionKind::of(&stream);
         Some(Terminal {
             size: (columns, rows),
             cell: cell(width, columns).zip(cell(height, rows)),
             baud: match line {
-                Some(Wire::Serial(baud)) => Some(baud),
-                Some(Wire::Pseudo | Wire::Console) | None => None,
+                Some(ConnectionKind::Serial(baud)) => Some(baud),
+                Some(ConnectionKind::Pseudo | ConnectionKind::Console) | None => None,
             },
-            console: line == Some(Wire::Console),
+            console: line == Some(ConnectionKind::Console),
         })
     }
 }

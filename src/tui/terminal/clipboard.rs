@@ -32,8 +32,8 @@ mod tests {
     #[test]
     fn clipboard_text_is_one_sequence_of_limited_size() {
         assert_eq!(sequence("60").unwrap(), b"\x1b]52;c;NjA=\x1b\\");
-        let most = sequence(&"x".repeat(MAX_BYTES)).unwrap();
-        assert!(most.len() - b"\x1b]52;c;\x1b\\".len() <= MAX_BASE64);
+        let maximum = sequence(&"x".repeat(MAX_BYTES)).unwrap();
+        assert!(maximum.len() - b"\x1b]52;c;\x1b\\".len() <= MAX_BASE64);
         let bytes = MAX_BYTES + 1;
         let refused = sequence(&"x".repeat(bytes)).unwrap_err();
         assert_eq!(refused, TooLarge { bytes });

@@ -18,13 +18,13 @@ pub(crate) trait Console {
     fn aspect(&self) -> Option<f64>;
     fn cell(&self) -> Option<(u16, u16)>;
     fn rate(&self) -> Option<f64>;
-    fn room(&self) -> usize;
+    fn max_frame_len(&self) -> usize;
     fn ready_at(&self) -> Option<Instant>;
     fn drawn_at(&self) -> Option<Instant>;
     fn send(&mut self, frame: &[u8]) -> io::Result<()>;
-    fn say(&mut self, bytes: &[u8]) -> io::Result<()>;
-    fn say_still(&mut self, still: &StillSequence) -> io::Result<()>;
-    fn take_mouse(&mut self, wanted: bool) -> io::Result<()>;
+    fn write_outside_frames(&mut self, bytes: &[u8]) -> io::Result<()>;
+    fn write_image(&mut self, still: &StillSequence) -> io::Result<()>;
+    fn handle_mouse(&mut self, wanted: bool) -> io::Result<()>;
     fn follow(&mut self, file: Option<&Path>) -> bool;
     fn wait(
         &mut self,
@@ -62,8 +62,8 @@ impl Console for Tty {
         self.rate()
     }
 
-    fn room(&self) -> usize {
-        self.room()
+    fn max_frame_len(&self) -> usize {
+        self.max_frame_len()
     }
 
     fn ready_at(&self) -> Option<Instant> {
@@ -78,16 +78,16 @@ impl Console for Tty {
         self.send(frame)
     }
 
-    fn say(&mut self, bytes: &[u8]) -> io::Result<()> {
-        self.say(bytes)
+    fn write_outside_frames(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.write_outside_frames(bytes)
     }
 
-    fn say_still(&mut self, still: &StillSequence) -> io::Result<()> {
-        self.say_still(still)
+    fn write_image(&mut self, still: &StillSequence) -> io::Result<()> {
+        self.write_image(still)
     }
 
-    fn take_mouse(&mut self, wanted: bool) -> io::Result<()> {
-        self.take_mouse(wanted)
+    fn handle_mouse(&mut self, wanted: bool) -> io::Result<()> {
+        self.handle_mouse(wanted)
     }
 
     fn follow(&mut self, file: Option<&Path>) -> bool {

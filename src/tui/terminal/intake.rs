@@ -6,7 +6,7 @@
 //! waits, the second one sleeps.
 
 use super::keyboard::{Keyboard, TerminalInput};
-use super::signals::{HANG_UP, Notice, Signals, die_of};
+use super::signals::{HANG_UP_SIGNAL, SignalEvent, Signals, die_of};
 use crate::tui::commands::key::Key;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::io::{Errno, read, write};
@@ -22,26 +22,26 @@ const MAX_BATCH: usize = 4096;
 /// Computing time after which the second thread starts reading, and its interval between reads.
 const WATCHED: Duration = Duration::from_millis(100);
 /// Maximum time for the main thread to respond to input that ends the program.
-const GRACE: Duration = Duration::from_millis(500);
+const EXIT_TIMEOUT: Duration = Duration::from_millis(500);
 /// Maximum time for restoring the terminal on a stalled line.
-pub(super) const FAREWELL: Duration = Duration::from_millis(500);
-const AT_ONCE: Timespec = Timespec {
+pub(super) const RESTORE_TIMEOUT: Duration = Duration::from_millis(500);
+const NO_WAIT: Timespec = Timespec {
     tv_sec: 0,
     tv_nsec: 0,
 };
 
 /// Input from the terminal or the system.
 #[derive(Debug)]
-pub(super) enum Arrival {
+pub(super) enum IntakeEvent {
     /// Input from the terminal, with its time.
     Input(TerminalInput, Instant),
     /// A signal.
-    Notice(Notice),
+    SignalEvent(SignalEvent),
 }
 
 /// The cause that ends the program.
 #[derive(Clone, Copy, Debug)]
-enum Ending {
+enum ExitCause {
     /// Ctrl-C.
     Key,
     Signal(i32),
@@ -50,7 +50,7 @@ enum Ending {
 
 /// Everything needed to restore the terminal.
 #[derive(Debug)]
-pub(super) struct Parting {
+pub(super) struct TerminalRestore {
     pub(super) screen: OwnedFd,
     pub(super) modes: Termios,
     pub(super) bytes: Vec<u8>,
@@ -58,13 +58,13 @@ pub(super) struct Parting {
 
 /// Keys and signals on their way to the main thread.
 #[derive(Debug)]
-pub(super) struct Intake {
+pub(super) struct InputQueue {
     keys: OwnedFd,
     signals: Signals,
     pub(super) keyboard: Keyboard,
-    arrivals: Vec<Arrival>,
+    arrivals: Vec<IntakeEvent>,
     /// The cause among the arrivals that ends the program, and the time of its arrival.
-    ending: Option<(Ending, Instant)>,
+    ending: Option<(ExitCause, Instant)>,
     pub(super) hung_up: bool,
     /// The time since which the main thread computes; `None` while it waits for the terminal.
     busy: Option<Instant>,
@@ -72,19 +72,19 @@ pub(super) struct Intake {
     is_asleep: bool,
     has_left: bool,
     /// `None` while the terminal is in its original state.
-    pub(super) parting: Option<Parting>,
+    pub(super) restore: Option<TerminalRestore>,
 }
 
 /// An intake shared by both threads.
 #[derive(Debug)]
 pub(super) struct SharedIntake {
-    intake: Mutex<Intake>,
+    intake: Mutex<InputQueue>,
     turned: Condvar,
 }
 
-impl Intake {
-    pub(super) fn new(keys: OwnedFd, signals: Signals) -> Intake {
-        Intake {
+impl InputQueue {
+    pub(super) fn new(keys: OwnedFd, signals: Signals) -> InputQueue {
+        InputQueue {
             keys,
             signals,
             keyboard: Keyboard::default(),
@@ -94,7 +94,7 @@ impl Intake {
             busy: Some(Instant::now()),
             is_asleep: false,
             has_left: false,
-            parting: None,
+            restore: None,
         }
     }
 
@@ -107,20 +107,26 @@ impl Intake {
         if self.keyboard.deadline().is_some_and(is_over) {
             self.keyboard.give_up(&mut inputs);
         }
-        let notices = self.signals.pending().into_iter().map(Arrival::Notice);
-        let inputs = inputs.into_iter().map(|input| Arrival::Input(input, now));
+        let notices = self
+            .signals
+            .pending()
+            .into_iter()
+            .map(IntakeEvent::SignalEvent);
+        let inputs = inputs
+            .into_iter()
+            .map(|input| IntakeEvent::Input(input, now));
         for arrival in notices.chain(inputs) {
             self.ending = self.ending.or(arrival.ending().map(|ending| (ending, now)));
             self.arrivals.push(arrival);
         }
         if self.hung_up {
-            self.ending.get_or_insert((Ending::HungUp, now));
+            self.ending.get_or_insert((ExitCause::HungUp, now));
         }
         Ok(())
     }
 
     /// Returns the arrivals since the last call.
-    pub(super) fn take(&mut self) -> Vec<Arrival> {
+    pub(super) fn take(&mut self) -> Vec<IntakeEvent> {
         self.ending = None;
         std::mem::take(&mut self.arrivals)
     }
@@ -129,7 +135,7 @@ impl Intake {
     /// gone.
     fn read_keys(&mut self, inputs: &mut Vec<TerminalInput>) -> io::Result<()> {
         let mut fds = [PollFd::new(&self.keys, PollFlags::IN)];
-        match poll(&mut fds, Some(&AT_ONCE)) {
+        match poll(&mut fds, Some(&NO_WAIT)) {
             Ok(_) | Err(Errno::INTR) => {}
             Err(error) => return Err(error.into()),
         }
@@ -151,31 +157,31 @@ impl Intake {
     }
 
     /// Restores the terminal and ends the process, because the main thread does not respond.
-    fn end(&self, ending: Ending) {
-        if let Some(parting) = self.parting.as_ref().filter(|_| !self.hung_up) {
-            parting.write(Instant::now() + FAREWELL);
+    fn end(&self, ending: ExitCause) {
+        if let Some(parting) = self.restore.as_ref().filter(|_| !self.hung_up) {
+            parting.write(Instant::now() + RESTORE_TIMEOUT);
             let _ = tcsetattr(&self.keys, OptionalActions::Now, &parting.modes);
         }
         match ending {
-            Ending::Key => {}
-            Ending::Signal(signal) => drop(die_of(signal)),
-            Ending::HungUp => drop(die_of(HANG_UP)),
+            ExitCause::Key => {}
+            ExitCause::Signal(signal) => drop(die_of(signal)),
+            ExitCause::HungUp => drop(die_of(HANG_UP_SIGNAL)),
         }
         std::process::exit(0);
     }
 }
 
-impl Arrival {
-    fn ending(&self) -> Option<Ending> {
+impl IntakeEvent {
+    fn ending(&self) -> Option<ExitCause> {
         match self {
-            Arrival::Input(TerminalInput::Key(Key::Ctrl('c')), _) => Some(Ending::Key),
-            Arrival::Notice(Notice::End(signal)) => Some(Ending::Signal(*signal)),
-            Arrival::Input(..) | Arrival::Notice(_) => None,
+            IntakeEvent::Input(TerminalInput::Key(Key::Ctrl('c')), _) => Some(ExitCause::Key),
+            IntakeEvent::SignalEvent(SignalEvent::End(signal)) => Some(ExitCause::Signal(*signal)),
+            IntakeEvent::Input(..) | IntakeEvent::SignalEvent(_) => None,
         }
     }
 }
 
-impl Parting {
+impl TerminalRestore {
     /// Writes the bytes that restore the screen, retrying on a stalled line until the deadline.
     fn write(&self, deadline: Instant) {
         let mut bytes = &self.bytes[..];
@@ -183,7 +189,7 @@ impl Parting {
             match write(&self.screen, bytes) {
                 Ok(n) => bytes = &bytes[n..],
                 Err(Errno::INTR) => {}
-                Err(Errno::AGAIN) => thread::sleep(FAREWELL / 50),
+                Err(Errno::AGAIN) => thread::sleep(RESTORE_TIMEOUT / 50),
                 Err(_) => return,
             }
         }
@@ -193,7 +199,7 @@ impl Parting {
 impl SharedIntake {
     /// Starts the second thread. If the system creates none, only the main thread can end the
     /// program.
-    pub(super) fn watched(intake: Intake) -> Arc<SharedIntake> {
+    pub(super) fn watched(intake: InputQueue) -> Arc<SharedIntake> {
         let shared = Arc::new(SharedIntake {
             intake: Mutex::new(intake),
             turned: Condvar::new(),
@@ -204,7 +210,7 @@ impl SharedIntake {
         shared
     }
 
-    pub(super) fn lock(&self) -> MutexGuard<'_, Intake> {
+    pub(super) fn lock(&self) -> MutexGuard<'_, InputQueue> {
         self.intake.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -226,7 +232,7 @@ impl SharedIntake {
     }
 
     /// Ends the second thread after the terminal was finally restored.
-    pub(super) fn leave(&self) {
+    pub(super) fn stop(&self) {
         self.lock().has_left = true;
         self.turned.notify_one();
     }
@@ -254,7 +260,7 @@ impl SharedIntake {
             // The main thread will meet the same error.
             let _ = intake.collect();
             if let Some((ending, waits)) = intake.ending
-                && waits.elapsed() >= GRACE
+                && waits.elapsed() >= EXIT_TIMEOUT
             {
                 intake.end(ending);
             }
@@ -269,14 +275,14 @@ pub(super) fn is_gone(events: PollFlags) -> bool {
 
 /// The descriptors of an intake, for waiting without its lock.
 #[derive(Debug)]
-pub(super) struct IntakeEnds {
+pub(super) struct InputDescriptors {
     pub(super) keys: OwnedFd,
     pub(super) signals: OwnedFd,
 }
 
-impl IntakeEnds {
-    pub(super) fn of(keys: BorrowedFd<'_>, signals: &Signals) -> io::Result<IntakeEnds> {
-        Ok(IntakeEnds {
+impl InputDescriptors {
+    pub(super) fn of(keys: BorrowedFd<'_>, signals: &Signals) -> io::Result<InputDescriptors> {
+        Ok(InputDescriptors {
             keys: keys.try_clone_to_owned()?,
             signals: signals.as_fd().try_clone_to_owned()?,
         })

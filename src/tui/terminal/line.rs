@@ -14,7 +14,7 @@ const OTHER_NAMES: u32 = 5;
 
 /// The kind of line that carries the bytes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Wire {
+pub(crate) enum ConnectionKind {
     /// A window, a multiplexer or a network connection. Its speed in termios is meaningless.
     Pseudo,
     /// A console of this machine.
@@ -26,24 +26,24 @@ pub(crate) enum Wire {
 /// Bits on a serial line per byte: one start bit, eight data bits, one stop bit.
 const BITS: f64 = 10.0;
 
-impl Wire {
+impl ConnectionKind {
     /// Returns the kind of line behind a terminal.
-    pub(crate) fn of(terminal: impl AsFd) -> Option<Wire> {
+    pub(crate) fn of(terminal: impl AsFd) -> Option<ConnectionKind> {
         let device = fstat(&terminal).ok()?.st_rdev;
         let speed = tcgetattr(&terminal).ok()?.output_speed();
         Some(match (major(device), minor(device)) {
-            (kind, _) if PSEUDO_TERMINALS.contains(&kind) => Wire::Pseudo,
-            (TERMINALS, ..FIRST_SERIAL) | (OTHER_NAMES, _) => Wire::Console,
-            _ if speed == 0 => Wire::Pseudo,
-            _ => Wire::Serial(speed),
+            (kind, _) if PSEUDO_TERMINALS.contains(&kind) => ConnectionKind::Pseudo,
+            (TERMINALS, ..FIRST_SERIAL) | (OTHER_NAMES, _) => ConnectionKind::Console,
+            _ if speed == 0 => ConnectionKind::Pseudo,
+            _ => ConnectionKind::Serial(speed),
         })
     }
 
     /// Returns the speed in bytes per second, if known.
     pub(crate) fn rate(self) -> Option<f64> {
         match self {
-            Wire::Pseudo | Wire::Console => None,
-            Wire::Serial(bits) => Some(f64::from(bits) / BITS),
+            ConnectionKind::Pseudo | ConnectionKind::Console => None,
+            ConnectionKind::Serial(bits) => Some(f64::from(bits) / BITS),
         }
     }
 }

@@ -27,7 +27,7 @@ pub(crate) use console::Console;
 #[cfg(test)]
 pub(crate) use keyboard::{Keyboard, TerminalInput};
 pub(crate) use painter::Painter;
-pub(crate) use signals::{HANG_UP, Notice, ask_to_suspend, die_of};
+pub(crate) use signals::{HANG_UP_SIGNAL, SignalEvent, die_of, suspend_process_group};
 #[cfg(test)]
 pub(crate) use slow_line::SlowLine;
 pub(crate) use tty::{Tty, Wake};

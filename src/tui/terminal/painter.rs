@@ -28,12 +28,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// Maximum length of a frame's start: synchronized mode, and clearing the screen.
-const BEGINNING: usize = 16;
+const MAX_FRAME_START: usize = 16;
 /// Maximum length beyond the limit at a frame's end: one cell with cursor movement and attributes,
 /// and their reset.
-const ENDING: usize = 32;
+const MAX_FRAME_END: usize = 32;
 /// Limit below which the line counts as slow, so that urgent parts are first drawn roughly.
-const HASTY: usize = 1000;
+const SLOW_LINE_LIMIT: usize = 1000;
 
 /// Computes frames.
 #[derive(Debug)]
@@ -50,7 +50,7 @@ pub(crate) struct Painter {
     /// The row at which the last frame was cut.
     cut: Option<u16>,
     /// The maximum length of a frame, in bytes.
-    room: usize,
+    max_frame_len: usize,
     pen: CellPen,
     /// The changes to write, row by row and style by style.
     changes: Vec<CellChange>,
@@ -76,7 +76,7 @@ impl Painter {
             wanted: Buffer::empty(Rect::ZERO),
             stale: true,
             cut: None,
-            room: usize::MAX,
+            max_frame_len: usize::MAX,
             pen: CellPen::default(),
             changes: Vec::new(),
             by_style: Vec::new(),
@@ -126,8 +126,8 @@ impl Painter {
 
     /// Returns the bytes that update the terminal, `urgent` parts first; none if it is up to date.
     /// About `room` bytes at most: [`Painter::is_cut`] says whether that was enough.
-    pub(crate) fn frame(&mut self, urgent: &[Rect], room: usize) -> &[u8] {
-        self.pen.begin();
+    pub(crate) fn frame(&mut self, urgent: &[Rect], space: usize) -> &[u8] {
+        self.pen.start_frame();
         self.stale |= self.shown.area != self.wanted.area;
         if self.synchronised {
             queue(&mut self.pen.bytes, BeginSynchronizedUpdate);
@@ -139,7 +139,7 @@ impl Painter {
             queue(&mut self.pen.bytes, ResetColor);
             queue(&mut self.pen.bytes, Clear(ClearType::All));
         }
-        self.room = room.saturating_sub(ENDING);
+        self.max_frame_len = space.saturating_sub(MAX_FRAME_END);
         let from = self.cut.take().unwrap_or(0);
         self.cut = self.rows(urgent, from).err();
         if self.pen.bytes.len() == prologue {
@@ -162,7 +162,7 @@ impl Painter {
     /// Writes the differences up to the limit. The error is the row of the cut.
     fn rows(&mut self, urgent: &[Rect], from: u16) -> Result<(), u16> {
         let area = self.wanted.area;
-        let rough = self.room < HASTY;
+        let rough = self.max_frame_len < SLOW_LINE_LIMIT;
         for part in urgent.iter().map(|part| part.intersection(area)) {
             for y in part.top()..part.bottom() {
                 self.find(y, part, rough);
@@ -193,7 +193,7 @@ impl Painter {
             shown: &self.shown,
             wanted: &self.wanted,
         };
-        let by_row = self.pen.write(screens, &self.changes, self.room);
+        let by_row = self.pen.write(screens, &self.changes, self.max_frame_len);
         let cut = self.changes.get(by_row.written).map(|change| change.y);
         if cut.is_none() {
             changes::sort_by_style(&self.changes, &mut self.by_style);
@@ -241,7 +241,7 @@ mod tests {
     }
 
     impl Painter {
-        fn whole(&mut self, wanted: Buffer) -> &[u8] {
+        fn full_frame(&mut self, wanted: Buffer) -> &[u8] {
             self.wanted = wanted;
             self.frame(&[], usize::MAX)
         }
@@ -258,20 +258,20 @@ mod tests {
     #[test]
     fn unchanged_screen_writes_no_bytes() {
         let mut painter = painter(Colours::Sixteen, true);
-        assert!(!painter.whole(text(&["hello"])).is_empty());
-        assert!(painter.whole(text(&["hello"])).is_empty());
+        assert!(!painter.full_frame(text(&["hello"])).is_empty());
+        assert!(painter.full_frame(text(&["hello"])).is_empty());
         assert_eq!(painter.frames().count, 1);
         painter.forget();
-        assert!(!painter.whole(text(&["hello"])).is_empty());
+        assert!(!painter.full_frame(text(&["hello"])).is_empty());
     }
 
     #[test]
     fn unsupported_colour_change_writes_no_bytes() {
         let mut painter = painter(Colours::None, true);
-        painter.whole(text(&["hello"]));
+        painter.full_frame(text(&["hello"]));
         let mut red = text(&["hello"]);
         red.set_style(Rect::new(0, 0, 3, 1), Style::new().fg(Color::Red));
-        assert!(painter.whole(red).is_empty());
+        assert!(painter.full_frame(red).is_empty());
     }
 
     #[test]
@@ -283,7 +283,7 @@ mod tests {
         );
         let bytes = |modern| {
             let mut painter = painter(Colours::Sixteen, modern);
-            painter.whole(faint.clone()).escape_ascii().to_string()
+            painter.full_frame(faint.clone()).escape_ascii().to_string()
         };
         assert!(bytes(true).contains(r"\x1b[2munit"), "{}", bytes(true));
         assert!(!bytes(false).contains("[2m"), "{}", bytes(false));
@@ -292,21 +292,21 @@ mod tests {
     #[test]
     fn changes_use_shortest_sequences() {
         let mut painter = painter(Colours::Sixteen, false);
-        painter.whole(text(&["omega 1.234", "alpha"]));
-        let frame = painter.whole(text(&["omega 1.235", "Alpha"])).to_vec();
+        painter.full_frame(text(&["omega 1.234", "alpha"]));
+        let frame = painter.full_frame(text(&["omega 1.235", "Alpha"])).to_vec();
         assert_eq!(frame.escape_ascii().to_string(), r"\x1b[1;11H5\r\nA");
-        let erased = painter.whole(text(&["", "Alpha"])).to_vec();
+        let erased = painter.full_frame(text(&["", "Alpha"])).to_vec();
         assert_eq!(erased.escape_ascii().to_string(), r"\x1b[1;1H\x1b[K");
     }
 
     #[test]
     fn palette_colours_use_short_form() {
         let mut painter = painter(Colours::Sixteen, false);
-        painter.whole(text(&[]));
+        painter.full_frame(text(&[]));
         let mut wanted = text(&["ab"]);
         let bold_red = Style::new().fg(Color::Red).add_modifier(Modifier::BOLD);
         wanted.set_style(Rect::new(0, 0, 1, 1), bold_red);
-        let frame = painter.whole(wanted).to_vec();
+        let frame = painter.full_frame(wanted).to_vec();
         assert_eq!(
             frame.escape_ascii().to_string(),
             r"\x1b[1;1H\x1b[1;31ma\x1b[mb"
@@ -323,11 +323,11 @@ mod tests {
         };
         let mut painter = painter(Colours::True, false);
         painter.paint_with(look);
-        painter.whole(text(&[]));
+        painter.full_frame(text(&[]));
         let mut wanted = text(&["a      o", "a      o", "a      o"]);
         wanted.set_style(Rect::new(0, 0, 1, 3), Style::new().fg(Color::Red));
         wanted.set_style(Rect::new(7, 0, 1, 3), Style::new().fg(Color::Cyan));
-        let frame = painter.whole(wanted).escape_ascii().to_string();
+        let frame = painter.full_frame(wanted).escape_ascii().to_string();
         assert_eq!(frame.matches("[38;").count(), 2, "{frame}");
         let a = frame.rfind('a');
         assert!(a < frame.find('o'), "{frame}");
@@ -354,7 +354,11 @@ mod tests {
     }
 
     /// Returns the visible properties of a cell: those of a blank exclude its colour and boldness.
-    fn seen(terminal: &vt100::Parser, x: u16, y: u16) -> impl PartialEq + std::fmt::Debug {
+    fn visible_properties(
+        terminal: &vt100::Parser,
+        x: u16,
+        y: u16,
+    ) -> impl PartialEq + std::fmt::Debug {
         let cell = terminal.screen().cell(y, x).unwrap();
         let blank = !cell.has_contents() || cell.contents() == " ";
         let ink = (!blank || cell.inverse()).then(|| (cell.fgcolor(), cell.bold(), cell.dim()));
@@ -365,9 +369,15 @@ mod tests {
 
     fn shows(terminal: &vt100::Parser, screen: &Buffer, modern: bool) -> Result<(), TestCaseError> {
         let mut anew = self::terminal();
-        anew.process(painter(Colours::Sixteen, modern).whole(screen.clone()));
+        anew.process(painter(Colours::Sixteen, modern).full_frame(screen.clone()));
         for (y, x) in (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (y, x))) {
-            prop_assert_eq!(seen(terminal, x, y), seen(&anew, x, y), "{} {}", x, y);
+            prop_assert_eq!(
+                visible_properties(terminal, x, y),
+                visible_properties(&anew, x, y),
+                "{} {}",
+                x,
+                y
+            );
             let contents = anew.screen().cell(y, x).unwrap().contents();
             let contents = if contents.is_empty() { " " } else { contents };
             prop_assert_eq!(contents, screen[(x, y)].symbol());
@@ -385,7 +395,7 @@ mod tests {
             let mut painter = painter(Colours::Sixteen, modern);
             let mut shown = terminal();
             for screen in screens {
-                shown.process(painter.whole(screen.clone()));
+                shown.process(painter.full_frame(screen.clone()));
                 shows(&shown, &screen, modern)?;
             }
         }
@@ -395,26 +405,26 @@ mod tests {
         #[test]
         fn cut_frames_add_up_to_screen(
             screens in prop::collection::vec((screens(), 0_usize..6), 1..6),
-            room in 0_usize..120,
+            space in 0_usize..120,
             modern: bool,
         ) {
             let mut painter = painter(Colours::Sixteen, modern);
             let mut shown = terminal();
             let urgent = [Rect::new(0, HEIGHT - 1, WIDTH, 1), Rect::new(3, 1, 4, 2)];
-            let most = room.max(BEGINNING + SYNC_OFF.len() + 1) + ENDING;
+            let maximum = space.max(MAX_FRAME_START + SYNC_OFF.len() + 1) + MAX_FRAME_END;
             let last = screens.last().unwrap().0.clone();
             for (screen, frames) in screens {
                 painter.wanted = screen.clone();
                 for _ in 0..frames {
-                    let frame = painter.frame(&urgent, room);
-                    prop_assert!(frame.len() <= most, "{} of {}", frame.len(), room);
+                    let frame = painter.frame(&urgent, space);
+                    prop_assert!(frame.len() <= maximum, "{} of {}", frame.len(), space);
                     shown.process(frame);
                 }
             }
             painter.wanted = last.clone();
             let mut frames = 0;
             while frames == 0 || painter.is_cut() {
-                shown.process(painter.frame(&urgent, room));
+                shown.process(painter.frame(&urgent, space));
                 frames += 1;
                 prop_assert!(frames < 200, "a frame must bring something");
             }
@@ -426,34 +436,34 @@ mod tests {
     #[test]
     fn boxes_are_ascii_first_in_short_frames() {
         let mut painter = painter(Colours::None, true);
-        painter.whole(text(&[]));
+        painter.full_frame(text(&[]));
         let line = "\u{2500}".repeat(12);
         let urgent = [Rect::new(0, 1, WIDTH, 1); 2];
         painter.wanted = text(&["", &line]);
-        let rough = painter.frame(&urgent, ENDING + 17).to_vec();
+        let rough = painter.frame(&urgent, MAX_FRAME_END + 17).to_vec();
         assert!(painter.is_cut() && rough.is_ascii());
         let mut last = rough;
         while painter.is_cut() {
-            last.extend(painter.frame(&urgent, ENDING + 17));
+            last.extend(painter.frame(&urgent, MAX_FRAME_END + 17));
         }
         let text_of = String::from_utf8(last).unwrap();
         let dashes = text_of.find('-').unwrap();
         assert!(dashes < text_of.find('\u{2500}').unwrap());
         assert_eq!(text_of.matches('\u{2500}').count(), 12);
         painter.forget();
-        let at_once = painter.whole(text(&["", &line]));
+        let at_once = painter.full_frame(text(&["", &line]));
         assert!(!at_once.contains(&b'-'), "not where there is room");
     }
 
     #[test]
     fn urgent_areas_are_written_first() {
         let mut painter = painter(Colours::None, true);
-        painter.whole(text(&["", "", "", ""]));
+        painter.full_frame(text(&["", "", "", ""]));
         painter.wanted = text(&["wwwwwwww", "xxxxxxxx", "yyyyyyyy", "zzzzzzzz"]);
         let urgent = [Rect::new(0, 3, WIDTH, 1), Rect::new(0, 2, 5, 1)];
-        let mut frames = vec![painter.frame(&urgent, ENDING + 1).to_vec()];
+        let mut frames = vec![painter.frame(&urgent, MAX_FRAME_END + 1).to_vec()];
         while painter.is_cut() {
-            frames.push(painter.frame(&urgent, ENDING + 1).to_vec());
+            frames.push(painter.frame(&urgent, MAX_FRAME_END + 1).to_vec());
         }
         assert!(frames.len() > 1 && !frames[0].starts_with(SYNC_ON));
         let mut rows = frames.concat();

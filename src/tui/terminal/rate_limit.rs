@@ -26,9 +26,9 @@ const PROBE: usize = 128;
 /// Minimum length limit of a frame in bytes, even on the slowest line.
 const MIN_VALUE: f64 = 64.0;
 /// Maximum wait for the first answer: twice its duration at 9,600 baud.
-const FIRST_PATIENCE: Duration = Duration::from_millis(400);
+const FIRST_TIMEOUT: Duration = Duration::from_millis(400);
 /// Pause between frames while it is unknown whether the terminal answers.
-const CAREFUL: Duration = Duration::from_millis(200);
+const UNKNOWN_TERMINAL_PAUSE: Duration = Duration::from_millis(200);
 /// Pause between frames for a terminal that does not answer.
 const MUTE: Duration = Duration::from_millis(100);
 /// Time without an answer after which the terminal counts as mute. An abandoned answer may still
@@ -36,38 +36,38 @@ const MUTE: Duration = Duration::from_millis(100);
 const PATIENCE: Duration = Duration::from_secs(4);
 /// Factor over the expected time after which an answer counts as lost, because of typed input or
 /// line noise.
-const TOO_LATE: f64 = 4.0;
+const LOST_ANSWER_FACTOR: f64 = 4.0;
 /// Minimum wait for an answer, because a terminal may be briefly busy even on a fast line.
-const MIN_PATIENCE: Duration = Duration::from_millis(200);
+const MIN_TIMEOUT: Duration = Duration::from_millis(200);
 /// Maximum wait for a lost answer, whatever rate was measured while the machine was busy.
-const MAX_PATIENCE: Duration = Duration::from_secs(1);
+const MAX_TIMEOUT: Duration = Duration::from_secs(1);
 /// Number of consecutive lost answers after which no more queries are sent.
 const MAX_LOST: u32 = 3;
 /// Maximum age of an answer for measuring the line. A later one may belong to another query or to
 /// none.
 const MAX_TRAVEL_TIME: Duration = Duration::from_secs(2);
 /// Maximum wait for an answer at exit, because the shell would take it for typed text.
-const FAREWELL: Duration = Duration::from_millis(800);
+const EXIT_ANSWER_TIMEOUT: Duration = Duration::from_millis(800);
 
 /// Minimum time of an answer in seconds; shorter times say nothing about the line.
-const QUICK: f64 = 0.001;
+const MIN_ANSWER_TIME: f64 = 0.001;
 /// Minimum lateness of an answer, in seconds, to assume a slower line.
-const LATE: f64 = 0.125;
+const MIN_LATENESS: f64 = 0.125;
 /// Minimum excess length over the shortest frame, in bytes, to compute the rate from the
 /// difference.
 const LONGER: f64 = 64.0;
 
 /// Maximum rate in bytes per second: enough for any screen, while a line that becomes slow is
 /// noticed soon.
-const FASTEST: f64 = 1e6;
+const MAX_BYTE_RATE: f64 = 1e6;
 /// Factor over the quickest answer up to which an answer is punctual.
-const PUNCTUAL: f64 = 1.1;
+const PUNCTUAL_FACTOR: f64 = 1.1;
 /// Fraction of the maximum length from which a frame counts as full.
 const FILLED: f64 = 0.8;
 
 /// The terminal's behaviour as known so far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Manner {
+enum TerminalBehaviour {
     /// No query has been sent or answered yet.
     Unknown,
     /// The terminal answers.
@@ -90,20 +90,20 @@ struct FrameInFlight {
 /// it.
 #[derive(Debug)]
 pub(super) struct RateLimit {
-    manner: Manner,
+    manner: TerminalBehaviour,
     /// The frame whose answer is pending.
     asked: Option<FrameInFlight>,
     last: Option<Instant>,
     /// The time of the last answer.
     drawn: Option<Instant>,
     /// The bytes sent since the last query, and whether they include output outside frames.
-    unasked: usize,
-    has_said: bool,
+    bytes_since_query: usize,
+    has_other_output: bool,
     /// The number of answers lost since the last one that arrived.
     lost: u32,
     /// The time until which an answer may belong to an abandoned query and so does not measure the
     /// line.
-    doubtful: Option<Instant>,
+    doubtful_until: Option<Instant>,
     rate: LineRate,
 }
 
@@ -113,7 +113,7 @@ struct LineRate {
     set: Option<f64>,
     measured: Option<f64>,
     /// The quickest answer so far: bytes and seconds. Most of the time is the round trip.
-    quickest: Option<(f64, f64)>,
+    quickest_answer: Option<(f64, f64)>,
 }
 
 impl RateLimit {
@@ -121,18 +121,18 @@ impl RateLimit {
     /// per second, if known.
     pub(super) fn new(set: Option<f64>) -> Self {
         RateLimit {
-            manner: Manner::Unknown,
+            manner: TerminalBehaviour::Unknown,
             asked: None,
             last: None,
             drawn: None,
-            unasked: 0,
-            has_said: false,
+            bytes_since_query: 0,
+            has_other_output: false,
             lost: 0,
-            doubtful: None,
+            doubtful_until: None,
             rate: LineRate {
                 set,
                 measured: None,
-                quickest: None,
+                quickest_answer: None,
             },
         }
     }
@@ -142,12 +142,12 @@ impl RateLimit {
     pub(super) fn send(&mut self, bytes: usize, now: Instant) -> bool {
         self.give_up(now);
         self.last = Some(now);
-        self.unasked = self.unasked.saturating_add(bytes);
-        let ask = self.manner != Manner::Mute && self.asked.is_none();
+        self.bytes_since_query = self.bytes_since_query.saturating_add(bytes);
+        let ask = self.manner != TerminalBehaviour::Mute && self.asked.is_none();
         if ask {
-            let bytes = std::mem::take(&mut self.unasked) + QUESTION.len();
-            let is_doubtful = self.doubtful.is_some_and(|until| now < until);
-            let is_whole = !std::mem::take(&mut self.has_said) && !is_doubtful;
+            let bytes = std::mem::take(&mut self.bytes_since_query) + QUESTION.len();
+            let is_doubtful = self.doubtful_until.is_some_and(|until| now < until);
+            let is_whole = !std::mem::take(&mut self.has_other_output) && !is_doubtful;
             self.asked = Some(FrameInFlight {
                 at: now,
                 bytes,
@@ -159,25 +159,25 @@ impl RateLimit {
 
     /// Returns `true` if the terminal is known to answer queries.
     pub(super) fn is_answered(&self) -> bool {
-        self.manner == Manner::Answers
+        self.manner == TerminalBehaviour::Answers
     }
 
     /// Records bytes sent outside frames.
-    pub(super) fn say(&mut self, bytes: usize) {
-        self.has_said = true;
-        self.unasked = self.unasked.saturating_add(bytes);
+    pub(super) fn record_sent(&mut self, bytes: usize) {
+        self.has_other_output = true;
+        self.bytes_since_query = self.bytes_since_query.saturating_add(bytes);
     }
 
     /// Records an answer at `now`, which may be late.
     pub(super) fn answered(&mut self, now: Instant) {
-        self.manner = Manner::Answers;
+        self.manner = TerminalBehaviour::Answers;
         self.drawn = Some(now);
         self.lost = 0;
-        if let Some(asked) = self.asked.take() {
+        if let Some(requested) = self.asked.take() {
             #[expect(clippy::cast_precision_loss, reason = "no frame has 2^52 bytes")]
-            let bytes = asked.bytes as f64;
-            let took = now.saturating_duration_since(asked.at);
-            if took <= MAX_TRAVEL_TIME && asked.is_whole {
+            let bytes = requested.bytes as f64;
+            let took = now.saturating_duration_since(requested.at);
+            if took <= MAX_TRAVEL_TIME && requested.is_whole {
                 self.rate.learn(bytes, took.as_secs_f64());
             }
         }
@@ -189,7 +189,7 @@ impl RateLimit {
     }
 
     /// Returns the maximum length of the next frame in bytes.
-    pub(super) fn room(&self) -> usize {
+    pub(super) fn max_frame_len(&self) -> usize {
         match (self.rate.known(), self.last) {
             (Some(rate), _) => bytes(rate),
             (None, None) => PROBE,
@@ -202,13 +202,17 @@ impl RateLimit {
     pub(super) fn ready_at(&self) -> Option<Instant> {
         let last = self.last?;
         match (self.manner, self.asked) {
-            (Manner::Unknown, Some(asked)) if asked.at == last => Some(last + FIRST_PATIENCE),
-            (Manner::Unknown, Some(asked)) => {
-                Some((last + self.fixed(CAREFUL)).min(asked.at + PATIENCE))
+            (TerminalBehaviour::Unknown, Some(requested)) if requested.at == last => {
+                Some(last + FIRST_TIMEOUT)
             }
-            (Manner::Answers, Some(asked)) => Some(asked.at + self.patience(asked)),
-            (Manner::Unknown | Manner::Answers, None) => None,
-            (Manner::Mute, _) => Some(last + self.fixed(MUTE)),
+            (TerminalBehaviour::Unknown, Some(requested)) => {
+                Some((last + self.fixed(UNKNOWN_TERMINAL_PAUSE)).min(requested.at + PATIENCE))
+            }
+            (TerminalBehaviour::Answers, Some(requested)) => {
+                Some(requested.at + self.patience(requested))
+            }
+            (TerminalBehaviour::Unknown | TerminalBehaviour::Answers, None) => None,
+            (TerminalBehaviour::Mute, _) => Some(last + self.fixed(MUTE)),
         }
     }
 
@@ -216,22 +220,23 @@ impl RateLimit {
     /// terminal without answers. `None` if the frame is still in flight.
     pub(super) fn drawn_at(&self, now: Instant) -> Option<Instant> {
         match (self.manner, self.asked) {
-            (Manner::Answers, Some(asked)) => {
-                let lost = asked.at + self.patience(asked);
+            (TerminalBehaviour::Answers, Some(requested)) => {
+                let lost = requested.at + self.patience(requested);
                 (now >= lost).then_some(lost)
             }
-            (Manner::Answers, None) => self.drawn,
-            (Manner::Unknown | Manner::Mute, _) => self.last,
+            (TerminalBehaviour::Answers, None) => self.drawn,
+            (TerminalBehaviour::Unknown | TerminalBehaviour::Mute, _) => self.last,
         }
     }
 
     /// Returns the time until which to wait for an answer at exit, if one is pending.
     pub(super) fn farewell(&self, now: Instant) -> Option<Instant> {
-        let patience = |asked| match self.manner {
-            Manner::Answers => self.patience(asked),
-            Manner::Unknown | Manner::Mute => FAREWELL,
+        let patience = |requested| match self.manner {
+            TerminalBehaviour::Answers => self.patience(requested),
+            TerminalBehaviour::Unknown | TerminalBehaviour::Mute => EXIT_ANSWER_TIMEOUT,
         };
-        self.asked.map(|asked| now + patience(asked).min(FAREWELL))
+        self.asked
+            .map(|requested| now + patience(requested).min(EXIT_ANSWER_TIMEOUT))
     }
 
     /// Returns a pause, or the duration of a frame if that is longer and the line's rate is known.
@@ -241,31 +246,31 @@ impl RateLimit {
 
     /// Returns the maximum wait for the answer to a query, from the measured rate. It doubles with
     /// each consecutive lost answer.
-    fn patience(&self, asked: FrameInFlight) -> Duration {
+    fn patience(&self, requested: FrameInFlight) -> Duration {
         #[expect(clippy::cast_precision_loss, reason = "no frame has 2^52 bytes")]
-        let bytes = asked.bytes as f64;
+        let bytes = requested.bytes as f64;
         let Some(expected) = self.rate.expected(bytes) else {
-            return FIRST_PATIENCE;
+            return FIRST_TIMEOUT;
         };
-        let patience = (TOO_LATE * expected).max(MIN_PATIENCE.as_secs_f64());
+        let patience = (LOST_ANSWER_FACTOR * expected).max(MIN_TIMEOUT.as_secs_f64());
         let patience = patience * f64::from(1 << self.lost.min(MAX_LOST));
-        Duration::from_secs_f64(patience.min(MAX_PATIENCE.as_secs_f64()))
+        Duration::from_secs_f64(patience.min(MAX_TIMEOUT.as_secs_f64()))
     }
 
     fn give_up(&mut self, now: Instant) {
-        let Some(asked) = self.asked else { return };
+        let Some(requested) = self.asked else { return };
         let patience = match self.manner {
-            Manner::Answers => self.patience(asked),
-            Manner::Unknown | Manner::Mute => PATIENCE,
+            TerminalBehaviour::Answers => self.patience(requested),
+            TerminalBehaviour::Unknown | TerminalBehaviour::Mute => PATIENCE,
         };
-        if now < asked.at + patience {
+        if now < requested.at + patience {
             return;
         }
         self.asked = None;
-        self.doubtful = Some(now + PATIENCE);
+        self.doubtful_until = Some(now + PATIENCE);
         self.lost += 1;
-        if self.manner != Manner::Answers || self.lost >= MAX_LOST {
-            self.manner = Manner::Mute;
+        if self.manner != TerminalBehaviour::Answers || self.lost >= MAX_LOST {
+            self.manner = TerminalBehaviour::Mute;
         }
     }
 }
@@ -291,7 +296,7 @@ impl LineRate {
     /// Returns the expected time of an answer in seconds: the round trip plus the time for the
     /// bytes. `None` if unmeasured.
     fn expected(&self, bytes: f64) -> Option<f64> {
-        let (_, way) = self.quickest?;
+        let (_, way) = self.quickest_answer?;
         Some(way + bytes / self.known()?)
     }
 
@@ -301,37 +306,37 @@ impl LineRate {
     /// which does. Two frames of different lengths separate the two. Until then, all of the time
     /// counts as transmission, which errs on the safe side.
     fn learn(&mut self, bytes: f64, seconds: f64) {
-        let seconds = seconds.max(QUICK);
+        let seconds = seconds.max(MIN_ANSWER_TIME);
         // A lower bound of the line's rate.
-        let least = bytes / seconds;
-        let (Some((fewest, quickest)), Some(rate)) = (self.quickest, self.measured) else {
-            self.quickest = Some((bytes, seconds));
-            self.measured = Some(least.min(FASTEST));
+        let minimum = bytes / seconds;
+        let (Some((fewest, quickest)), Some(rate)) = (self.quickest_answer, self.measured) else {
+            self.quickest_answer = Some((bytes, seconds));
+            self.measured = Some(minimum.min(MAX_BYTE_RATE));
             return;
         };
         // A frame of maximum length that is no later than any other: the next may be longer.
         let filled = bytes >= FILLED * rate * FRAME.as_secs_f64();
-        let rate = if filled && seconds <= PUNCTUAL * quickest {
+        let rate = if filled && seconds <= PUNCTUAL_FACTOR * quickest {
             2.0 * rate
         } else {
             rate
         };
         if seconds <= quickest {
-            self.quickest = Some((bytes, seconds));
-            self.measured = Some(rate.max(least).min(FASTEST));
+            self.quickest_answer = Some((bytes, seconds));
+            self.measured = Some(rate.max(minimum).min(MAX_BYTE_RATE));
             return;
         }
         let late = seconds - quickest;
-        let told = if bytes >= fewest + LONGER {
+        let value = if bytes >= fewest + LONGER {
             (bytes - fewest) / late
-        } else if late > LATE {
+        } else if late > MIN_LATENESS {
             bytes / late
         } else {
             rate
         };
         // A single late answer may have another cause, and a single early answer proves nothing.
-        let told = told.clamp(rate / 2.0, rate * 4.0);
-        self.measured = Some(told.max(least).min(FASTEST));
+        let value = value.clamp(rate / 2.0, rate * 4.0);
+        self.measured = Some(value.max(minimum).min(MAX_BYTE_RATE));
     }
 }
 
@@ -352,20 +357,20 @@ mod tests {
             self.way + bytes as f64 / self.rate
         }
 
-        /// Sends `count` frames of the permitted length, up to `most` bytes, each after the
+        /// Sends `count` frames of the permitted length, up to `maximum` bytes, each after the
         /// previous answer. Returns the longest transmission time and the final length limit.
-        fn frames(&self, rate_limit: &mut RateLimit, count: usize, most: usize) -> (f64, usize) {
+        fn frames(&self, rate_limit: &mut RateLimit, count: usize, maximum: usize) -> (f64, usize) {
             let mut now = Instant::now();
             let mut longest: f64 = 0.0;
             for _ in 0..count {
-                let bytes = rate_limit.room().min(most);
+                let bytes = rate_limit.max_frame_len().min(maximum);
                 assert!(rate_limit.send(bytes, now));
                 let bytes = bytes + QUESTION.len();
                 longest = longest.max(bytes as f64 / self.rate);
                 now += Duration::from_secs_f64(self.time(bytes));
                 rate_limit.answered(now);
             }
-            (longest, rate_limit.room())
+            (longest, rate_limit.max_frame_len())
         }
     }
 
@@ -374,9 +379,9 @@ mod tests {
         for way in [0.0, 0.002, 0.05] {
             let line = Line { rate: 960.0, way };
             let mut rate_limit = RateLimit::new(None);
-            let (longest, room) = line.frames(&mut rate_limit, 200, 3000);
+            let (longest, space) = line.frames(&mut rate_limit, 200, 3000);
             assert!(longest <= 0.5, "{way}: {longest}");
-            assert!((150..=300).contains(&room), "{way}: {room}");
+            assert!((150..=300).contains(&space), "{way}: {space}");
         }
     }
 
@@ -388,7 +393,11 @@ mod tests {
             way: 3e-4,
         };
         local.frames(&mut rate_limit, 1, 3000);
-        assert!(rate_limit.room() > 20_000, "{}", rate_limit.room());
+        assert!(
+            rate_limit.max_frame_len() > 20_000,
+            "{}",
+            rate_limit.max_frame_len()
+        );
     }
 
     /// The bytes of an image drawn before the query say nothing about the line's speed.
@@ -400,12 +409,12 @@ mod tests {
         };
         let mut rate_limit = RateLimit::new(None);
         line.frames(&mut rate_limit, 20, 3000);
-        let room = rate_limit.room();
-        rate_limit.say(18_000);
+        let space = rate_limit.max_frame_len();
+        rate_limit.record_sent(18_000);
         let now = Instant::now();
         assert!(rate_limit.send(100, now));
         rate_limit.answered(now + Duration::from_millis(120));
-        assert_eq!(rate_limit.room(), room);
+        assert_eq!(rate_limit.max_frame_len(), space);
     }
 
     /// High latency does not mean low speed: the round-trip time does not shorten frames.
@@ -415,10 +424,18 @@ mod tests {
             let line = Line { rate: 1e6, way };
             let mut rate_limit = RateLimit::new(None);
             line.frames(&mut rate_limit, 6, 3000);
-            assert!(rate_limit.room() > 3000, "{way}: {}", rate_limit.room());
+            assert!(
+                rate_limit.max_frame_len() > 3000,
+                "{way}: {}",
+                rate_limit.max_frame_len()
+            );
             // Nor do many short frames.
             line.frames(&mut rate_limit, 50, 40);
-            assert!(rate_limit.room() > 3000, "{way}: {}", rate_limit.room());
+            assert!(
+                rate_limit.max_frame_len() > 3000,
+                "{way}: {}",
+                rate_limit.max_frame_len()
+            );
         }
     }
 
@@ -435,17 +452,25 @@ mod tests {
             way: 0.02,
         };
         slow.frames(&mut rate_limit, 20, 400);
-        assert!(rate_limit.room() < 400, "{}", rate_limit.room());
+        assert!(
+            rate_limit.max_frame_len() < 400,
+            "{}",
+            rate_limit.max_frame_len()
+        );
         fast.frames(&mut rate_limit, 20, 400);
-        assert!(rate_limit.room() > 3000, "{}", rate_limit.room());
+        assert!(
+            rate_limit.max_frame_len() > 3000,
+            "{}",
+            rate_limit.max_frame_len()
+        );
     }
 
     #[test]
     fn serial_line_speed_sets_limit() {
         let mut rate_limit = RateLimit::new(Some(240.0));
-        assert_eq!(rate_limit.room(), 64);
+        assert_eq!(rate_limit.max_frame_len(), 64);
         let mut pace_of_line = RateLimit::new(Some(11_520.0));
-        assert_eq!(pace_of_line.room(), 2880);
+        assert_eq!(pace_of_line.max_frame_len(), 2880);
         let line = Line {
             rate: 11_520.0,
             way: 0.001,
@@ -457,16 +482,19 @@ mod tests {
         rate_limit.send(64, now);
         assert!(!rate_limit.send(64, now + PATIENCE));
         assert_eq!(rate_limit.ready_at(), Some(now + PATIENCE + FRAME));
-        assert_eq!(rate_limit.room(), 64);
+        assert_eq!(rate_limit.max_frame_len(), 64);
     }
 
     #[test]
     fn first_frame_is_short_and_has_short_timeout() {
         let (mut rate_limit, now) = (RateLimit::new(None), Instant::now());
-        assert_eq!((rate_limit.ready_at(), rate_limit.room()), (None, PROBE));
+        assert_eq!(
+            (rate_limit.ready_at(), rate_limit.max_frame_len()),
+            (None, PROBE)
+        );
         assert!(rate_limit.send(PROBE, now));
-        assert_eq!(rate_limit.ready_at(), Some(now + FIRST_PATIENCE));
-        assert_eq!(rate_limit.room(), usize::MAX);
+        assert_eq!(rate_limit.ready_at(), Some(now + FIRST_TIMEOUT));
+        assert_eq!(rate_limit.max_frame_len(), usize::MAX);
     }
 
     #[test]
@@ -486,21 +514,21 @@ mod tests {
     #[test]
     fn timeout_of_lost_answer_follows_line_speed() {
         let mut now = Instant::now();
-        for (way, most) in [(3e-4, 0.25), (0.1, 1.0), (0.4, 3.5)] {
+        for (way, maximum) in [(3e-4, 0.25), (0.1, 1.0), (0.4, 3.5)] {
             let line = Line { rate: 1e6, way };
             let mut rate_limit = RateLimit::new(None);
             line.frames(&mut rate_limit, 20, 3000);
             assert!(rate_limit.send(100, now));
             let ready = rate_limit.ready_at().unwrap();
             assert!(
-                ready - now < Duration::from_secs_f64(most),
+                ready - now < Duration::from_secs_f64(maximum),
                 "{:?}",
                 ready - now
             );
             // The query is repeated, and an answer resets the timeout.
             assert!(rate_limit.send(100, ready));
             let later = rate_limit.ready_at().unwrap() - ready;
-            assert!(later >= (ready - now).min(MAX_PATIENCE), "{later:?}");
+            assert!(later >= (ready - now).min(MAX_TIMEOUT), "{later:?}");
             rate_limit.answered(ready + MOMENT);
             assert_eq!(rate_limit.ready_at(), None);
             now = ready + MOMENT;
@@ -530,7 +558,7 @@ mod tests {
         for _ in 0..5 {
             rate_limit.send(100, now);
             let ready = rate_limit.ready_at().unwrap_or(now);
-            assert!(ready - now <= MAX_PATIENCE, "{:?}", ready - now);
+            assert!(ready - now <= MAX_TIMEOUT, "{:?}", ready - now);
             now = ready;
         }
     }
@@ -545,18 +573,18 @@ mod tests {
         };
         let mut rate_limit = RateLimit::new(None);
         line.frames(&mut rate_limit, 20, 3000);
-        let room = rate_limit.room();
+        let space = rate_limit.max_frame_len();
         let mut now = Instant::now();
         rate_limit.send(240, now);
         now = rate_limit.ready_at().unwrap();
         assert!(rate_limit.send(240, now));
         rate_limit.answered(now + MOMENT);
-        assert_eq!(rate_limit.room(), room);
+        assert_eq!(rate_limit.max_frame_len(), space);
         // Later answers count again.
         now += PATIENCE;
         rate_limit.send(240, now);
         rate_limit.answered(now + Duration::from_millis(20));
-        assert!(rate_limit.room() > room);
+        assert!(rate_limit.max_frame_len() > space);
     }
 
     #[test]
@@ -565,12 +593,16 @@ mod tests {
         let mut rate_limit = RateLimit::new(None);
         rate_limit.send(100, now);
         rate_limit.answered(now + MOMENT);
-        let begun = now;
-        while rate_limit.manner != Manner::Mute {
+        let started = now;
+        while rate_limit.manner != TerminalBehaviour::Mute {
             rate_limit.send(100, now);
             now = rate_limit.ready_at().unwrap().max(now + MOMENT);
         }
-        assert!(now - begun < Duration::from_secs(4), "{:?}", now - begun);
+        assert!(
+            now - started < Duration::from_secs(4),
+            "{:?}",
+            now - started
+        );
         assert!(!rate_limit.send(100, now));
     }
 
@@ -579,10 +611,13 @@ mod tests {
         let (mut rate_limit, now) = (RateLimit::new(None), Instant::now());
         assert!(rate_limit.send(100, now));
         assert!(
-            !rate_limit.send(100, now + CAREFUL),
+            !rate_limit.send(100, now + UNKNOWN_TERMINAL_PAUSE),
             "one question is enough"
         );
-        assert_eq!(rate_limit.ready_at(), Some(now + 2 * CAREFUL));
+        assert_eq!(
+            rate_limit.ready_at(),
+            Some(now + 2 * UNKNOWN_TERMINAL_PAUSE)
+        );
         assert!(!rate_limit.send(100, now + PATIENCE));
         assert_eq!(rate_limit.ready_at(), Some(now + PATIENCE + MUTE));
         assert_eq!(rate_limit.farewell(now), None);

@@ -100,12 +100,12 @@ impl Sgr {
     };
 
     /// Returns `true` if a blank in this style looks like plain background.
-    pub(super) fn leaves_blanks(self) -> bool {
+    pub(super) fn is_blank_background(self) -> bool {
         self.bg == Color::Reset && !self.modifier.intersects(OF_BLANKS)
     }
 
     /// Appends the sequence that changes the style from `has` to this one.
-    pub(super) fn put_in_force(self, has: Sgr, bytes: &mut Vec<u8>) {
+    pub(super) fn write_style(self, has: Sgr, bytes: &mut Vec<u8>) {
         if self == has {
             return;
         }

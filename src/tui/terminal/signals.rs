@@ -11,14 +11,14 @@ use std::os::unix::net::UnixStream;
 
 /// All signals that would end or stop the program with the terminal in raw mode, and the two that
 /// require a new frame.
-const CAUGHT: [i32; 7] = [SIGWINCH, SIGTERM, SIGHUP, SIGINT, SIGQUIT, SIGCONT, SIGTSTP];
+const CAUGHT_SIGNALS: [i32; 7] = [SIGWINCH, SIGTERM, SIGHUP, SIGINT, SIGQUIT, SIGCONT, SIGTSTP];
 
 /// The signal of a closed terminal.
-pub(crate) const HANG_UP: i32 = SIGHUP;
+pub(crate) const HANG_UP_SIGNAL: i32 = SIGHUP;
 
 /// The meaning of a signal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Notice {
+pub(crate) enum SignalEvent {
     /// The window has another size.
     Resized,
     /// The program continues after a suspension.
@@ -38,11 +38,11 @@ impl Signals {
     /// program without a terminal has nothing left to do.
     pub(crate) fn new() -> io::Result<Self> {
         let (read, write) = UnixStream::pair()?;
-        SignalDelivery::with_pipe(read, write, SignalOnly, CAUGHT).map(Signals)
+        SignalDelivery::with_pipe(read, write, SignalOnly, CAUGHT_SIGNALS).map(Signals)
     }
 
     /// Returns the notices since the last call.
-    pub(crate) fn pending(&mut self) -> Vec<Notice> {
+    pub(crate) fn pending(&mut self) -> Vec<SignalEvent> {
         self.0.pending().filter_map(notice).collect()
     }
 }
@@ -54,12 +54,12 @@ impl AsFd for Signals {
     }
 }
 
-fn notice(signal: i32) -> Option<Notice> {
+fn notice(signal: i32) -> Option<SignalEvent> {
     match signal {
-        SIGWINCH => Some(Notice::Resized),
-        SIGCONT => Some(Notice::Continued),
-        SIGTSTP => Some(Notice::Suspend),
-        SIGTERM | SIGHUP | SIGINT | SIGQUIT => Some(Notice::End(signal)),
+        SIGWINCH => Some(SignalEvent::Resized),
+        SIGCONT => Some(SignalEvent::Continued),
+        SIGTSTP => Some(SignalEvent::Suspend),
+        SIGTERM | SIGHUP | SIGINT | SIGQUIT => Some(SignalEvent::End(signal)),
         _ => None,
     }
 }
@@ -74,8 +74,8 @@ pub(super) fn can_suspend() -> bool {
 }
 
 /// Suspends the whole process group on Ctrl-Z, including a script around the program. The signal
-/// comes back as [`Notice::Suspend`].
-pub(crate) fn ask_to_suspend() -> io::Result<()> {
+/// comes back as [`SignalEvent::Suspend`].
+pub(crate) fn suspend_process_group() -> io::Result<()> {
     if can_suspend() {
         kill_current_process_group(Signal::TSTP)?;
     }

@@ -62,7 +62,7 @@ impl SlowLine {
         &self.arrived
     }
 
-    fn put(&mut self, bytes: &[u8]) {
+    fn receive(&mut self, bytes: &[u8]) {
         self.free = self.free.max(self.now);
         for &byte in bytes {
             self.free += self.byte;
@@ -82,20 +82,20 @@ impl SlowLine {
 
     /// Advances the clock and returns the events up to that time.
     fn advance(&mut self, to: Instant) -> Vec<Wake> {
-        let mut wakes = Vec::new();
+        let mut events = Vec::new();
         self.now = self.now.max(to);
         if !self.silent && self.next_answer().is_some_and(|answer| answer <= self.now) {
             self.rate_limit.answered(self.now);
-            wakes.push(Wake::Room);
+            events.push(Wake::Room);
         }
         while let Some(byte) = self.queue.pop_front_if(|(at, _)| *at <= self.now) {
             self.arrived.push(byte);
         }
         while let Some((_, key)) = self.keys.pop_front_if(|(at, _)| *at <= self.now) {
             let key = key.parse().expect("a key of the test");
-            wakes.push(Wake::Key(key));
+            events.push(Wake::Key(key));
         }
-        wakes
+        events
     }
 }
 
@@ -128,8 +128,8 @@ impl Console for SlowLine {
         self.rate_limit.rate()
     }
 
-    fn room(&self) -> usize {
-        self.rate_limit.room()
+    fn max_frame_len(&self) -> usize {
+        self.rate_limit.max_frame_len()
     }
 
     fn ready_at(&self) -> Option<Instant> {
@@ -144,24 +144,24 @@ impl Console for SlowLine {
         if frame.is_empty() {
             return Ok(());
         }
-        self.put(frame);
+        self.receive(frame);
         if self.rate_limit.send(frame.len(), self.now) {
-            self.put(QUESTION);
+            self.receive(QUESTION);
         }
         Ok(())
     }
 
-    fn say(&mut self, bytes: &[u8]) -> io::Result<()> {
-        self.rate_limit.say(bytes.len());
-        self.put(bytes);
+    fn write_outside_frames(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.rate_limit.record_sent(bytes.len());
+        self.receive(bytes);
         Ok(())
     }
 
-    fn say_still(&mut self, still: &StillSequence) -> io::Result<()> {
-        self.say(&still.bytes)
+    fn write_image(&mut self, still: &StillSequence) -> io::Result<()> {
+        self.write_outside_frames(&still.bytes)
     }
 
-    fn take_mouse(&mut self, _wanted: bool) -> io::Result<()> {
+    fn handle_mouse(&mut self, _wanted: bool) -> io::Result<()> {
         Ok(())
     }
 

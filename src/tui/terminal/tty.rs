@@ -1,11 +1,14 @@
 //! Takes over the terminal, waits for its events, and restores its original state.
 
-use super::intake::{Arrival, FAREWELL, Intake, IntakeEnds, Parting, SharedIntake, is_gone};
+use super::intake::{
+    InputDescriptors, InputQueue, IntakeEvent, RESTORE_TIMEOUT, SharedIntake, TerminalRestore,
+    is_gone,
+};
 use super::keyboard::TerminalInput;
-use super::line::Wire;
+use super::line::ConnectionKind;
 use super::queue;
 use super::rate_limit::{QUESTION, RateLimit};
-use super::signals::{self, Notice, Signals};
+use super::signals::{self, SignalEvent, Signals};
 use super::still::StillSequence;
 use super::watch::Watch;
 use crate::capability::{Capability, Colours};
@@ -42,7 +45,7 @@ const GROUND_QUESTION: &[u8] = b"\x1b]11;?\x1b\\";
 const CUT: &[u8] = b"\x18";
 
 /// Assumed size of a terminal that reports none, usually a serial console.
-const USUAL_SIZE: Size = Size::new(80, 24);
+const DEFAULT_SIZE: Size = Size::new(80, 24);
 /// Maximum size of a screen, which limits the memory if a terminal reports nonsense.
 const MAX_SCREEN_SIZE: Size = Size::new(1000, 400);
 
@@ -58,7 +61,7 @@ pub(crate) enum Wake {
     /// The colour of the terminal's background, in red, green and blue.
     Ground([u8; 3]),
     /// A signal.
-    Notice(Notice),
+    SignalEvent(SignalEvent),
     /// The line has transmitted the last frame.
     Room,
     /// The watched file has changed.
@@ -72,7 +75,7 @@ pub(crate) enum Wake {
 /// The terminal while krank controls it. Dropping it restores the terminal.
 #[derive(Debug)]
 pub(crate) struct Tty {
-    ends: IntakeEnds,
+    ends: InputDescriptors,
     intake: Arc<SharedIntake>,
     screen: OwnedFd,
     /// The terminal's original modes.
@@ -110,8 +113,8 @@ impl Tty {
         let signals = Signals::new()?;
         let mut tty = Tty {
             found: tcgetattr(&keys).map_err(io::Error::from)?,
-            ends: IntakeEnds::of(keys.as_fd(), &signals)?,
-            intake: SharedIntake::watched(Intake::new(keys, signals)),
+            ends: InputDescriptors::of(keys.as_fd(), &signals)?,
+            intake: SharedIntake::watched(InputQueue::new(keys, signals)),
             screen,
             modern: capability.modern,
             mouse: false,
@@ -131,7 +134,8 @@ impl Tty {
     /// Enters raw mode and the alternate screen. The screen's contents are unknown afterwards.
     pub(crate) fn enter(&mut self) -> io::Result<()> {
         self.entered = true;
-        self.rate_limit = RateLimit::new(Wire::of(&self.screen).and_then(Wire::rate));
+        self.rate_limit =
+            RateLimit::new(ConnectionKind::of(&self.screen).and_then(ConnectionKind::rate));
         let mut raw = self.found.clone();
         raw.make_raw();
         self.prepare_parting();
@@ -151,13 +155,13 @@ impl Tty {
 
     /// Restores the terminal's original state as far as possible. Errors are ignored, because they
     /// could not be shown.
-    pub(crate) fn leave(&mut self) {
+    pub(crate) fn restore(&mut self) {
         if !std::mem::take(&mut self.entered) || self.hung_up {
             return;
         }
         self.await_answer();
         let bytes = self.parting();
-        let _ = self.write_until(&bytes, Some(Instant::now() + FAREWELL));
+        let _ = self.write_until(&bytes, Some(Instant::now() + RESTORE_TIMEOUT));
         let _ = tcsetattr(&self.ends.keys, OptionalActions::Now, &self.found);
         self.prepare_parting();
     }
@@ -190,7 +194,7 @@ impl Tty {
     /// Enables the second thread to restore the terminal while the main thread computes.
     fn prepare_parting(&self) {
         let screen = self.screen.try_clone().ok().filter(|_| self.entered);
-        self.intake.lock().parting = screen.map(|screen| Parting {
+        self.intake.lock().restore = screen.map(|screen| TerminalRestore {
             screen,
             modes: self.found.clone(),
             bytes: self.parting(),
@@ -203,17 +207,19 @@ impl Tty {
         if !signals::can_suspend() {
             return Ok(());
         }
-        self.leave();
+        self.restore();
         signals::stop()?;
-        let woken_by = |n: &Notice| matches!(n, Notice::Continued | Notice::Suspend);
+        let woken_by = |n: &SignalEvent| matches!(n, SignalEvent::Continued | SignalEvent::Suspend);
         let mut intake = self.intake.lock();
         intake.collect()?;
         let others = intake
             .take()
             .into_iter()
             .filter_map(|arrival| match arrival {
-                Arrival::Notice(notice) if !woken_by(&notice) => Some(Wake::Notice(notice)),
-                Arrival::Notice(_) | Arrival::Input(..) => None,
+                IntakeEvent::SignalEvent(notice) if !woken_by(&notice) => {
+                    Some(Wake::SignalEvent(notice))
+                }
+                IntakeEvent::SignalEvent(_) | IntakeEvent::Input(..) => None,
             });
         self.wakes.extend(others);
         drop(intake);
@@ -223,9 +229,9 @@ impl Tty {
     /// Returns the size of the screen in cells, which is never empty.
     #[must_use]
     pub(crate) fn size(&self) -> Size {
-        let told = tcgetwinsize(&self.screen).map_or((0, 0), |w| (w.ws_col, w.ws_row));
-        match told {
-            (0, _) | (_, 0) => USUAL_SIZE,
+        let text = tcgetwinsize(&self.screen).map_or((0, 0), |w| (w.ws_col, w.ws_row));
+        match text {
+            (0, _) | (_, 0) => DEFAULT_SIZE,
             (cols, rows) => Size::new(
                 cols.min(MAX_SCREEN_SIZE.width),
                 rows.min(MAX_SCREEN_SIZE.height),
@@ -271,8 +277,8 @@ impl Tty {
     }
 
     /// Returns the maximum length of the next frame in bytes.
-    pub(crate) fn room(&self) -> usize {
-        self.rate_limit.room()
+    pub(crate) fn max_frame_len(&self) -> usize {
+        self.rate_limit.max_frame_len()
     }
 
     /// Writes a frame; an empty one is ignored. On a stalled line, an event that ends the program
@@ -296,27 +302,27 @@ impl Tty {
     }
 
     /// Switches mouse reports on or off. They are switched off whenever the terminal is restored.
-    pub(crate) fn take_mouse(&mut self, wanted: bool) -> io::Result<()> {
+    pub(crate) fn handle_mouse(&mut self, wanted: bool) -> io::Result<()> {
         if self.mouse == wanted {
             return Ok(());
         }
         self.mouse = wanted;
         self.prepare_parting();
-        self.say(if wanted { MOUSE_ON } else { MOUSE_OFF })
+        self.write_outside_frames(if wanted { MOUSE_ON } else { MOUSE_OFF })
     }
 
     /// Writes bytes that belong to no frame and are never dropped: completely, once, and after
     /// everything sent before. They must not change the screen.
-    pub(crate) fn say(&mut self, bytes: &[u8]) -> io::Result<()> {
-        self.rate_limit.say(bytes.len());
+    pub(crate) fn write_outside_frames(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.rate_limit.record_sent(bytes.len());
         self.write_all(bytes)
     }
 
     /// Writes an image. The bytes that remove it are sent whenever the terminal is restored.
-    pub(crate) fn say_still(&mut self, still: &StillSequence) -> io::Result<()> {
+    pub(crate) fn write_image(&mut self, still: &StillSequence) -> io::Result<()> {
         self.removal = still.removal;
         self.prepare_parting();
-        self.say(&still.bytes)
+        self.write_outside_frames(&still.bytes)
     }
 
     /// Returns the rate of the line in bytes per second, if known.
@@ -347,13 +353,14 @@ impl Tty {
             // Other signals and the scene's file no longer matter at exit.
             let mut intake = self.intake.lock();
             let read = intake.collect();
-            let is_answer = |arrival| matches!(arrival, Arrival::Input(TerminalInput::Answer, _));
+            let is_answer =
+                |arrival| matches!(arrival, IntakeEvent::Input(TerminalInput::Answer, _));
             if read.is_err() || intake.take().into_iter().any(is_answer) {
                 return;
             }
             self.hung_up |= intake.hung_up;
             drop(intake);
-            self.watch.told();
+            self.watch.has_changes();
         }
     }
 
@@ -366,7 +373,7 @@ impl Tty {
                 Ok(n) => bytes = &bytes[n..],
                 Err(Errno::INTR) => {}
                 Err(Errno::AGAIN) => {
-                    if !self.wait_for_room(deadline)? {
+                    if !self.wait_until_writable(deadline)? {
                         return Ok(false);
                     }
                 }
@@ -378,12 +385,12 @@ impl Tty {
     }
 
     /// Waits until the line takes more bytes. Returns `false` if the rest should be dropped.
-    fn wait_for_room(&mut self, deadline: Option<Instant>) -> io::Result<bool> {
-        let told = self.poll(deadline, PollFlags::OUT, None)?;
+    fn wait_until_writable(&mut self, deadline: Option<Instant>) -> io::Result<bool> {
+        let text = self.poll(deadline, PollFlags::OUT, None)?;
         if deadline.is_some_and(|deadline| deadline <= Instant::now()) {
             return Ok(false);
         }
-        self.collect(told)?;
+        self.collect(text)?;
         let leaving = deadline.is_some();
         Ok(leaving || !self.wakes.iter().any(ends))
     }
@@ -400,9 +407,9 @@ impl Tty {
             let unfinished = self.intake.lock().keyboard.deadline();
             let until = [deadline, unfinished, at_once];
             let until = until.into_iter().flatten().min();
-            let told = self.poll(until, PollFlags::empty(), bell)?;
-            self.collect(told)?;
-            if !told.bell.is_empty() {
+            let text = self.poll(until, PollFlags::empty(), bell)?;
+            self.collect(text)?;
+            if !text.bell.is_empty() {
                 self.wakes.push(Wake::Done);
             }
             if self.hung_up {
@@ -415,9 +422,9 @@ impl Tty {
     }
 
     /// Reads pending signals and keys.
-    fn collect(&mut self, told: Told) -> io::Result<()> {
-        self.hung_up |= is_gone(told.screen);
-        if self.watch.told() {
+    fn collect(&mut self, shown_text: Readiness) -> io::Result<()> {
+        self.hung_up |= is_gone(shown_text.screen);
+        if self.watch.has_changes() {
             self.wakes.push(Wake::Written);
         }
         let mut intake = self.intake.lock();
@@ -427,12 +434,12 @@ impl Tty {
         drop(intake);
         for arrival in arrivals {
             self.wakes.push(match arrival {
-                Arrival::Notice(notice) => Wake::Notice(notice),
-                Arrival::Input(TerminalInput::Key(key), _) => Wake::Key(key),
-                Arrival::Input(TerminalInput::Paste(text), _) => Wake::Paste(text),
-                Arrival::Input(TerminalInput::Mouse(mouse), _) => Wake::Mouse(mouse),
-                Arrival::Input(TerminalInput::Ground(colour), _) => Wake::Ground(colour),
-                Arrival::Input(TerminalInput::Answer, at) => {
+                IntakeEvent::SignalEvent(notice) => Wake::SignalEvent(notice),
+                IntakeEvent::Input(TerminalInput::Key(key), _) => Wake::Key(key),
+                IntakeEvent::Input(TerminalInput::Paste(text), _) => Wake::Paste(text),
+                IntakeEvent::Input(TerminalInput::Mouse(mouse), _) => Wake::Mouse(mouse),
+                IntakeEvent::Input(TerminalInput::Ground(colour), _) => Wake::Ground(colour),
+                IntakeEvent::Input(TerminalInput::Answer, at) => {
                     self.rate_limit.answered(at);
                     Wake::Room
                 }
@@ -447,16 +454,16 @@ impl Tty {
         until: Option<Instant>,
         screen: PollFlags,
         bell: Option<BorrowedFd<'_>>,
-    ) -> io::Result<Told> {
+    ) -> io::Result<Readiness> {
         let has_come = self.intake.rest();
         let until = if has_come {
             Some(Instant::now())
         } else {
             until
         };
-        let told = self.poll_ends(until, screen, bell);
+        let text = self.poll_ends(until, screen, bell);
         self.intake.work();
-        told
+        text
     }
 
     fn poll_ends(
@@ -464,7 +471,7 @@ impl Tty {
         until: Option<Instant>,
         screen: PollFlags,
         bell: Option<BorrowedFd<'_>>,
-    ) -> io::Result<Told> {
+    ) -> io::Result<Readiness> {
         let timeout = until.map(|d| timespec(d.saturating_duration_since(Instant::now())));
         let keys = PollFd::new(&self.ends.keys, PollFlags::IN);
         let signals = PollFd::new(&self.ends.signals, PollFlags::IN);
@@ -477,14 +484,14 @@ impl Tty {
         let (watched, rings) = (or_signals(self.watch.descriptor()), or_signals(bell));
         let mut fds = [keys, signals, screen, watched, rings];
         match poll(&mut fds, timeout.as_ref()) {
-            Ok(_) => Ok(Told {
+            Ok(_) => Ok(Readiness {
                 screen: fds[2].revents(),
                 bell: match bell {
                     Some(_) => fds[4].revents(),
                     None => PollFlags::empty(),
                 },
             }),
-            Err(Errno::INTR) => Ok(Told::default()),
+            Err(Errno::INTR) => Ok(Readiness::default()),
             Err(error) => Err(error.into()),
         }
     }
@@ -492,21 +499,21 @@ impl Tty {
 
 impl Drop for Tty {
     fn drop(&mut self) {
-        self.leave();
-        self.intake.leave();
+        self.restore();
+        self.intake.stop();
     }
 }
 
 /// The results of `poll` for the screen and the bell.
 #[derive(Clone, Copy, Debug)]
-struct Told {
+struct Readiness {
     screen: PollFlags,
     bell: PollFlags,
 }
 
-impl Default for Told {
+impl Default for Readiness {
     fn default() -> Self {
-        Told {
+        Readiness {
             screen: PollFlags::empty(),
             bell: PollFlags::empty(),
         }
@@ -517,7 +524,7 @@ impl Default for Told {
 fn ends(wake: &Wake) -> bool {
     matches!(
         wake,
-        Wake::HungUp | Wake::Notice(Notice::End(_)) | Wake::Key(Key::Ctrl('c'))
+        Wake::HungUp | Wake::SignalEvent(SignalEvent::End(_)) | Wake::Key(Key::Ctrl('c'))
     )
 }
 

@@ -70,19 +70,19 @@ impl Watch {
     }
 
     /// Reads the pending events. Returns `true` if any of them concerns the file.
-    pub(super) fn told(&mut self) -> bool {
+    pub(super) fn has_changes(&mut self) -> bool {
         let Some(inotify) = &self.inotify else {
             return false;
         };
-        let mut room = [MaybeUninit::uninit(); ROOM];
-        let mut events = Reader::new(inotify, &mut room);
-        let mut told = false;
+        let mut space = [MaybeUninit::uninit(); ROOM];
+        let mut events = Reader::new(inotify, &mut space);
+        let mut is_shown = false;
         // An error means that no more events are pending.
         while let Ok(event) = events.next() {
             let name = event.file_name().map(|name| name.to_bytes());
             let own = self.watched.as_ref().map(|(_, name)| name.as_bytes());
-            told |= name.is_some() && name == own;
+            is_shown |= name.is_some() && name == own;
         }
-        told
+        is_shown
     }
 }

@@ -10,19 +10,19 @@ use crate::wording::Language;
 use ratatui::layout::Size;
 
 /// Opens the four-bar and searches linkages for the hatch task.
-fn looking_for_hatch(size: Size) -> Workbench {
+fn search_hatch(size: Size) -> Workbench {
     let text = ExampleTask::find("hatch").unwrap().text;
-    looking_for(text, "hatch", size)
+    search_linkages(text, "hatch", size)
 }
 
 /// Searches linkages for the first four poses of the hatch, which leave curves of solutions.
-fn looking_for_four_poses(size: Size) -> Workbench {
+fn search_four_poses(size: Size) -> Workbench {
     let text = ExampleTask::find("hatch").unwrap().text;
     let text = text.replace(", [-250, 26.9, -24.3]]", "]");
-    looking_for(&text, "four", size)
+    search_linkages(&text, "four", size)
 }
 
-fn looking_for(text: &str, name: &str, size: Size) -> Workbench {
+fn search_linkages(text: &str, name: &str, size: Size) -> Workbench {
     let capability = Capability {
         glyphs: Glyphs::Ascii,
         colours: Colours::None,
@@ -38,14 +38,14 @@ fn looking_for(text: &str, name: &str, size: Size) -> Workbench {
 fn candidate_list_uses_current_language() {
     for size in [Size::new(40, 12), Size::new(80, 24), Size::new(120, 40)] {
         Language::English.speak();
-        let mut changed = looking_for_hatch(size);
+        let mut changed = search_hatch(size);
         let english = changed.text();
         Language::Turkish.speak();
-        let turkish = looking_for_hatch(size).text();
+        let turkish = search_hatch(size).text();
         Language::English.speak();
-        for told in ["hatch icin meka", "sapma mm baglama krank", "kusurlu"] {
-            let said = turkish.split_whitespace().collect::<Vec<_>>().join(" ");
-            assert!(said.contains(told), "{told}\n{turkish}");
+        for shown_text in ["hatch icin meka", "sapma mm baglama krank", "kusurlu"] {
+            let text = turkish.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert!(text.contains(shown_text), "{shown_text}\n{turkish}");
         }
         assert_ne!(english, turkish);
         // Candidates found before the change are translated.
@@ -58,7 +58,7 @@ fn candidate_list_uses_current_language() {
 /// Frames are requested only during playback.
 #[test]
 fn paused_candidate_requests_no_frame() {
-    let mut workbench = looking_for_hatch(Size::new(80, 24));
+    let mut workbench = search_hatch(Size::new(80, 24));
     assert_eq!(workbench.app().next_frame(), None);
     workbench.press("space");
     assert!(workbench.app().next_frame().is_some());
@@ -71,7 +71,7 @@ fn paused_candidate_requests_no_frame() {
 #[test]
 fn two_picks_on_curves_add_a_candidate() {
     for size in [Size::new(40, 12), Size::new(80, 24), Size::new(120, 40)] {
-        let mut workbench = looking_for_four_poses(size);
+        let mut workbench = search_four_poses(size);
         let before = workbench.app().candidates().unwrap().rows().len();
         // On a narrow screen the drawing is between the list and the curves.
         let way = if size.width < 80 { "Tab Tab" } else { "Tab" };
@@ -80,23 +80,23 @@ fn two_picks_on_curves_add_a_candidate() {
             let place = workbench.app().candidates().unwrap().walked_place();
             place.expect("a curve is walked")
         };
-        let [(begun, _), _] = place(&mut workbench);
+        let [(started, _), _] = place(&mut workbench);
         workbench.press("Right Right");
-        assert_eq!(place(&mut workbench)[0].0, begun + 2);
+        assert_eq!(place(&mut workbench)[0].0, started + 2);
         workbench.press("Enter PgDn");
         let text = workbench.text();
         assert!(text.contains("on curve 2 of"), "{text}");
         // A linkage from two picks is evaluated like any candidate and shown at once.
-        let told = |list: &crate::tui::views::candidates::list::CandidateList| {
+        let shown_text = |list: &crate::tui::views::candidates::list::CandidateList| {
             list.chosen().map(|(candidate, _)| candidate.clone())
         };
-        let mut made = told(workbench.app().candidates().unwrap());
+        let mut made = shown_text(workbench.app().candidates().unwrap());
         for _ in 0..200 {
             if made.is_some() {
                 break;
             }
             workbench.press("Right");
-            made = told(workbench.app().candidates().unwrap());
+            made = shown_text(workbench.app().candidates().unwrap());
         }
         let made = made.expect("some two of them make a linkage");
         workbench.press("Enter");
@@ -104,14 +104,14 @@ fn two_picks_on_curves_add_a_candidate() {
         assert_eq!(list.rows().len(), before + 1, "{size}");
         let (chosen, _) = list.chosen().unwrap();
         assert_eq!(*chosen, made, "the cursor is on it");
-        assert_eq!(list.cursor() < list.count().0, made.does_it());
+        assert_eq!(list.cursor() < list.count().0, made.meets_task());
     }
 }
 
 /// From the second pick to the first, to the list, and out of it.
 #[test]
 fn escape_goes_back_one_step_at_a_time() {
-    let mut workbench = looking_for_four_poses(Size::new(80, 24));
+    let mut workbench = search_four_poses(Size::new(80, 24));
     workbench.press("Tab Enter Right Esc");
     assert!(
         workbench.text().contains("Enter selects it"),
@@ -140,7 +140,7 @@ fn escape_goes_back_one_step_at_a_time() {
 /// Closing the help opened from the list returns to the list.
 #[test]
 fn closing_help_returns_to_candidate_list() {
-    let mut workbench = looking_for_hatch(Size::new(80, 24));
+    let mut workbench = search_hatch(Size::new(80, 24));
     let list = workbench.text();
     for leave in ["Esc", "?"] {
         workbench.press("?");

@@ -8,7 +8,7 @@ mod stage;
 mod tolerances;
 
 use super::app::{App, View};
-use super::is_room_alone;
+use super::is_only_line_ready;
 use super::terminal::Wake;
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
@@ -42,9 +42,9 @@ fn found(app: &App) -> [bool; 3] {
 /// during playback it arrives as often as frames.
 #[test]
 fn answer_alone_does_not_trigger_a_frame() {
-    assert!(is_room_alone(&[Wake::Room, Wake::Room]));
-    for wakes in [&[][..], &[Wake::Written], &[Wake::Room, Wake::Done]] {
-        assert!(!is_room_alone(wakes), "{wakes:?}");
+    assert!(is_only_line_ready(&[Wake::Room, Wake::Room]));
+    for events in [&[][..], &[Wake::Written], &[Wake::Room, Wake::Done]] {
+        assert!(!is_only_line_ready(events), "{events:?}");
     }
 }
 
@@ -142,7 +142,7 @@ fn changing_language_retranslates_every_view() {
         Language::English.speak();
         let english = open(&twice);
         let changed = open(&format!("{view} B {view}"));
-        assert_eq!(Language::spoken(), Language::Turkish);
+        assert_eq!(Language::current_language(), Language::Turkish);
         assert_eq!(changed, open(&twice), "{view}");
         assert_ne!(changed, english, "{view}");
         assert_eq!(open(&format!("{view} B {view}")), english, "{view}");

@@ -8,7 +8,7 @@
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::scene::{is_harmful, presets};
-use crate::tests::{Chance, Fuzz, shape};
+use crate::tests::{Fuzz, TestRng, shape};
 use crate::tui::app::{App, Effect, Mode, View};
 use crate::tui::commands::key::Key;
 use crate::tui::commands::keymap::Keymap;
@@ -26,11 +26,11 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 /// Maximum number of actions per workbench.
-const EPISODE: usize = 400;
+const MAX_ACTIONS: usize = 400;
 /// Number of actions by default.
 const ORDINARY: usize = 6000;
 /// The environment variable that marks the monkey's process.
-const CAGE: &str = "KRANK_MONKEY_CAGE";
+const CHILD_VARIABLE: &str = "KRANK_MONKEY_CAGE";
 
 #[test]
 fn monkey_actions_keep_workbench_valid() {
@@ -46,20 +46,20 @@ fn caged(test: &str) {
     let done = Command::new(std::env::current_exe().unwrap())
         .args(["--exact", test, "--ignored", "--nocapture"])
         .current_dir(&cage)
-        .env(CAGE, "1")
+        .env(CHILD_VARIABLE, "1")
         .env("HOME", &cage)
         .env("XDG_STATE_HOME", &cage)
         .env("XDG_CONFIG_HOME", &cage)
         .output()
         .unwrap();
     std::fs::remove_dir_all(&cage).unwrap();
-    let told = String::from_utf8_lossy(&done.stdout);
+    let text = String::from_utf8_lossy(&done.stdout);
     let why = String::from_utf8_lossy(&done.stderr);
     assert!(
-        done.status.success() && told.contains("1 passed"),
-        "{told}\n{why}"
+        done.status.success() && text.contains("1 passed"),
+        "{text}\n{why}"
     );
-    for line in told.lines().filter(|line| line.contains(" s")) {
+    for line in text.lines().filter(|line| line.contains(" s")) {
         println!("{line}");
     }
 }
@@ -68,14 +68,14 @@ fn caged(test: &str) {
 #[test]
 #[ignore = "started by the test above, in a folder of its own"]
 #[allow(clippy::print_stdout, reason = "the figures are to be read")]
-fn in_its_cage() {
-    if std::env::var_os(CAGE).is_none() {
+fn run_monkey_child() {
+    if std::env::var_os(CHILD_VARIABLE).is_none() {
         return;
     }
     let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse().ok());
     let wanted: usize = number("KRANK_MONKEY").unwrap_or(ORDINARY);
     let first = number("KRANK_MONKEY_SEED").unwrap_or(1);
-    let begun = Instant::now();
+    let started = Instant::now();
     let mut actions = 0;
     for seed in (first as u64).. {
         if actions >= wanted {
@@ -83,14 +83,16 @@ fn in_its_cage() {
         }
         actions += episode(seed);
     }
-    let seconds = begun.elapsed().as_secs_f64();
+    let seconds = started.elapsed().as_secs_f64();
     println!("{actions} actions of a monkey in {seconds:.1} s");
 }
 
 /// Runs one workbench from start to end, and returns the number of actions.
 fn episode(seed: u64) -> usize {
     let mut done = Vec::new();
-    let outcome = panic::catch_unwind(AssertUnwindSafe(|| live(&mut Chance::new(seed), &mut done)));
+    let outcome = panic::catch_unwind(AssertUnwindSafe(|| {
+        live(&mut TestRng::new(seed), &mut done)
+    }));
     if let Err(why) = outcome {
         let last = &done[done.len().saturating_sub(30)..];
         eprintln!(
@@ -104,7 +106,7 @@ fn episode(seed: u64) -> usize {
 
 /// An action of the monkey.
 #[derive(Debug)]
-enum MonkeyDeed {
+enum MonkeyAction {
     Press(Key),
     /// Bytes from the terminal line: keys, parts of keys, and random bytes.
     Bytes(Vec<u8>),
@@ -114,55 +116,55 @@ enum MonkeyDeed {
     Mouse(Mouse),
 }
 
-fn live(chance: &mut Chance, done: &mut Vec<MonkeyDeed>) {
-    let preset = chance.one_of(presets::all());
-    let glyphs = *chance.one_of(&Glyphs::ALL);
-    let colours = *chance.one_of(&[
+fn live(rng: &mut TestRng, done: &mut Vec<MonkeyAction>) {
+    let preset = rng.one_of(presets::all());
+    let glyphs = *rng.one_of(&Glyphs::ALL);
+    let colours = *rng.one_of(&[
         Colours::None,
         Colours::Sixteen,
         Colours::Indexed,
         Colours::True,
     ]);
-    let theme = *chance.one_of(&[Theme::Auto, Theme::Light, Theme::Dark]);
+    let theme = *rng.one_of(&[Theme::Auto, Theme::Light, Theme::Dark]);
     let capability = Capability {
         glyphs,
         colours,
-        modern: chance.below(2) == 0,
+        modern: rng.below(2) == 0,
     };
-    let (cols, rows) = size(chance);
+    let (cols, rows) = size(rng);
     let opened = opening::preset(preset).unwrap();
     let workbench = Workbench::on(opened, None, capability, Size::new(cols, rows));
-    let mut workbench = workbench.themed(theme).timed_by(made_up);
+    let mut workbench = workbench.themed(theme).timed_by(random_time);
     let mut keyboard = Keyboard::default();
-    if chance.below(2) == 0 {
+    if rng.below(2) == 0 {
         workbench.press("M");
     }
-    for _ in 0..EPISODE {
-        let deed = deed(chance, workbench.app());
-        done.push(deed);
-        let deed = done.last().unwrap();
-        match deed {
-            MonkeyDeed::Press(key) => {
+    for _ in 0..MAX_ACTIONS {
+        let action = random_action(rng, workbench.app());
+        done.push(action);
+        let action = done.last().unwrap();
+        match action {
+            MonkeyAction::Press(key) => {
                 if workbench.key(*key) == Effect::Quit {
                     return;
                 }
             }
-            MonkeyDeed::Bytes(bytes) => {
+            MonkeyAction::Bytes(bytes) => {
                 if !send(bytes, &mut keyboard, &mut workbench) {
                     return;
                 }
             }
-            MonkeyDeed::Paste(text) => workbench.app().paste(text),
-            MonkeyDeed::Resize(cols, rows) => workbench.resize(*cols, *rows),
-            MonkeyDeed::Pass(time) => workbench.pass(*time),
-            MonkeyDeed::Mouse(mouse) => {
+            MonkeyAction::Paste(text) => workbench.app().paste(text),
+            MonkeyAction::Resize(cols, rows) => workbench.resize(*cols, *rows),
+            MonkeyAction::Pass(time) => workbench.pass(*time),
+            MonkeyAction::Mouse(mouse) => {
                 if workbench.point(*mouse) == Effect::Quit {
                     return;
                 }
             }
         }
         check(workbench.app());
-        if chance.below(3) == 0 {
+        if rng.below(3) == 0 {
             let frame = workbench.paint().to_vec();
             let app = workbench.app();
             check_bytes(&frame, app.glyphs(), app.colours());
@@ -185,7 +187,7 @@ fn send(bytes: &[u8], keyboard: &mut Keyboard, workbench: &mut Workbench) -> boo
         }
         for input in inputs.drain(..) {
             match input {
-                TerminalInput::Key(key) if stays(workbench.app(), &MonkeyDeed::Press(key)) => {
+                TerminalInput::Key(key) if stays(workbench.app(), &MonkeyAction::Press(key)) => {
                     if workbench.key(key) == Effect::Quit {
                         return false;
                     }
@@ -206,51 +208,47 @@ fn send(bytes: &[u8], keyboard: &mut Keyboard, workbench: &mut Workbench) -> boo
     true
 }
 
-fn made_up() -> Duration {
+fn random_time() -> Duration {
     thread_local!(static NOW: std::cell::Cell<Duration> = const { std::cell::Cell::new(Duration::ZERO) });
     NOW.set(NOW.get() + Duration::from_millis(5));
     NOW.get()
 }
 
-fn size(chance: &mut Chance) -> (u16, u16) {
-    match chance.below(10) {
-        0 => *chance.one_of(&[(0, 0), (1, 1), (39, 12), (40, 11), (0, 50), (500, 1)]),
+fn size(rng: &mut TestRng) -> (u16, u16) {
+    match rng.below(10) {
+        0 => *rng.one_of(&[(0, 0), (1, 1), (39, 12), (40, 11), (0, 50), (500, 1)]),
         1 | 2 => (40, 12),
         3..=6 => (80, 24),
-        _ => (chance.small(160), chance.small(60)),
+        _ => (rng.small(160), rng.small(60)),
     }
 }
 
-fn deed(chance: &mut Chance, app: &App) -> MonkeyDeed {
-    let deed = match chance.below(100) {
-        0..55 => MonkeyDeed::Press(by_the_table(chance)),
-        55..70 => MonkeyDeed::Press(*chance.one_of(&LEADING)),
-        70..78 => MonkeyDeed::Press(Key::Char(char::from(b' ' + chance.small(95) as u8))),
-        78..84 => MonkeyDeed::Mouse(by_hand(chance, app)),
-        84..86 => MonkeyDeed::Press(*chance.one_of(&ODD)),
-        86 => MonkeyDeed::Bytes(noise(chance)),
-        87 => MonkeyDeed::Paste(
-            (0..chance.below(40))
-                .map(|_| *chance.one_of(&PASTED))
-                .collect(),
-        ),
+fn random_action(rng: &mut TestRng, app: &App) -> MonkeyAction {
+    let action = match rng.below(100) {
+        0..55 => MonkeyAction::Press(random_bound_key(rng)),
+        55..70 => MonkeyAction::Press(*rng.one_of(&LEADING)),
+        70..78 => MonkeyAction::Press(Key::Char(char::from(b' ' + rng.small(95) as u8))),
+        78..84 => MonkeyAction::Mouse(random_mouse(rng, app)),
+        84..86 => MonkeyAction::Press(*rng.one_of(&ODD)),
+        86 => MonkeyAction::Bytes(noise(rng)),
+        87 => MonkeyAction::Paste((0..rng.below(40)).map(|_| *rng.one_of(&PASTED)).collect()),
         88..91 => {
-            let (cols, rows) = size(chance);
-            MonkeyDeed::Resize(cols, rows)
+            let (cols, rows) = size(rng);
+            MonkeyAction::Resize(cols, rows)
         }
-        91..99 => MonkeyDeed::Pass(Duration::from_millis(chance.below(200) as u64)),
-        _ => MonkeyDeed::Pass(Duration::from_secs(chance.below(100_000) as u64)),
+        91..99 => MonkeyAction::Pass(Duration::from_millis(rng.below(200) as u64)),
+        _ => MonkeyAction::Pass(Duration::from_secs(rng.below(100_000) as u64)),
     };
-    if stays(app, &deed) {
-        deed
+    if stays(app, &action) {
+        action
     } else {
-        MonkeyDeed::Press(Key::Escape)
+        MonkeyAction::Press(Key::Escape)
     }
 }
 
 /// Returns a random mouse event, sometimes beyond the edge of the screen.
-fn by_hand(chance: &mut Chance, app: &App) -> Mouse {
-    let deeds = [
+fn random_mouse(rng: &mut TestRng, app: &App) -> Mouse {
+    let actions = [
         MouseEventKind::Press,
         MouseEventKind::Drag,
         MouseEventKind::Drag,
@@ -258,22 +256,22 @@ fn by_hand(chance: &mut Chance, app: &App) -> Mouse {
         MouseEventKind::WheelUp,
         MouseEventKind::WheelDown,
     ];
-    let within = |chance: &mut Chance, most: u16| chance.below(usize::from(most) + 2) as u16;
+    let within = |rng: &mut TestRng, maximum: u16| rng.below(usize::from(maximum) + 2) as u16;
     let size = app.size();
     Mouse {
-        deed: *chance.one_of(&deeds),
-        at: Position::new(within(chance, size.width), within(chance, size.height)),
+        kind: *rng.one_of(&actions),
+        at: Position::new(within(rng, size.width), within(rng, size.height)),
     }
 }
 
 /// Returns random bytes as from a bad line, without keys that quit, because quitting ends the
 /// episode.
-fn noise(chance: &mut Chance) -> Vec<u8> {
+fn noise(rng: &mut TestRng) -> Vec<u8> {
     let mut bytes = Vec::new();
-    for _ in 0..chance.below(12) {
-        match chance.below(3) {
-            0 => bytes.push(chance.below(256) as u8),
-            _ => bytes.extend_from_slice(chance.one_of(&SEQUENCES).as_bytes()),
+    for _ in 0..rng.below(12) {
+        match rng.below(3) {
+            0 => bytes.push(rng.below(256) as u8),
+            _ => bytes.extend_from_slice(rng.one_of(&SEQUENCES).as_bytes()),
         }
     }
     bytes.retain(|byte| !matches!(byte, b'q' | 3));
@@ -311,30 +309,34 @@ const PASTED: [char; 12] = [
     '0', '1', '9', '.', '-', 'e', ' ', 'q', '\n', '\u{1b}', '\u{202e}', '\u{4e2d}',
 ];
 
-fn by_the_table(chance: &mut Chance) -> Key {
+fn random_bound_key(rng: &mut TestRng) -> Key {
     let keymap = Keymap::default();
     let rows: Vec<&[Key]> = keymap.rows().map(|(_, keys)| keys).collect();
-    let keys = *chance.one_of(&rows);
-    let key = *chance.one_of(keys);
+    let keys = *rng.one_of(&rows);
+    let key = *rng.one_of(keys);
     // Quitting ends the episode, so it is rare.
-    if matches!(key, Key::Char('q') | Key::Ctrl('c')) && chance.below(20) > 0 {
+    if matches!(key, Key::Char('q') | Key::Ctrl('c')) && rng.below(20) > 0 {
         return Key::Char(' ');
     }
     key
 }
 
 /// Returns `true` if the action reads and writes only within the monkey's folder.
-fn stays(app: &App, deed: &MonkeyDeed) -> bool {
-    match (app.mode(), deed) {
-        (Mode::FileName(_), MonkeyDeed::Press(Key::Char(c))) => !matches!(c, '/' | '~' | '.'),
-        (Mode::FileName(prompt), MonkeyDeed::Press(Key::Enter)) => {
-            is_in_cage(Path::new(prompt.name.text().trim()))
+fn stays(app: &App, action: &MonkeyAction) -> bool {
+    match (app.mode(), action) {
+        (Mode::FileName(_), MonkeyAction::Press(Key::Char(c))) => !matches!(c, '/' | '~' | '.'),
+        (Mode::FileName(prompt), MonkeyAction::Press(Key::Enter)) => {
+            is_in_child_folder(Path::new(prompt.name.text().trim()))
         }
-        (Mode::Confirm(question), MonkeyDeed::Press(Key::Enter)) => is_in_cage(&question.to),
-        (Mode::Pick(_), MonkeyDeed::Press(Key::Left)) => false,
-        (Mode::Pick(picker), MonkeyDeed::Press(Key::Enter | Key::Right)) => {
+        (Mode::Confirm(question), MonkeyAction::Press(Key::Enter)) => {
+            is_in_child_folder(&question.to)
+        }
+        (Mode::AssemblyChoice(_), MonkeyAction::Press(Key::Left)) => false,
+        (Mode::AssemblyChoice(picker), MonkeyAction::Press(Key::Enter | Key::Right)) => {
             match picker.chosen().map(|item| &item.place) {
-                Some(PickerTarget::Folder(path) | PickerTarget::File(path)) => is_in_cage(path),
+                Some(PickerTarget::Folder(path) | PickerTarget::File(path)) => {
+                    is_in_child_folder(path)
+                }
                 Some(
                     PickerTarget::Original | PickerTarget::Candidates | PickerTarget::Preset(_),
                 )
@@ -342,13 +344,13 @@ fn stays(app: &App, deed: &MonkeyDeed) -> bool {
             }
         }
         _ => match app.open_scene().origin() {
-            Origin::File(path) => is_in_cage(path),
+            Origin::File(path) => is_in_child_folder(path),
             Origin::Preset(_) | Origin::New(_) | Origin::Stdin => true,
         },
     }
 }
 
-fn is_in_cage(path: &Path) -> bool {
+fn is_in_child_folder(path: &Path) -> bool {
     let inside = |part| matches!(part, Component::Normal(_) | Component::CurDir);
     let cage = std::env::current_dir().unwrap();
     let within = path.strip_prefix(&cage).unwrap_or(path);
@@ -371,10 +373,10 @@ fn check(app: &App) {
             assert!(cursor < rows, "assembly {cursor} of {rows}");
         }
         Mode::Help(help) => {
-            let most = views::most_scroll(app);
-            assert!(help.scroll <= most, "line {} of {most}", help.scroll);
+            let maximum = views::max_scroll(app);
+            assert!(help.scroll <= maximum, "line {} of {maximum}", help.scroll);
         }
-        Mode::Pick(picker) => {
+        Mode::AssemblyChoice(picker) => {
             let (matching, all) = picker.list.count();
             assert!(matching <= all);
             assert!(
@@ -390,10 +392,10 @@ fn check(app: &App) {
         View::Accuracy | View::Lengths | View::Motion | View::Working | View::Motor
     );
     if app.mode().is_normal() && scrolls {
-        let most = views::most_scroll(app);
+        let maximum = views::max_scroll(app);
         assert!(
-            app.views.scroll[app.view() as usize] <= most,
-            "scrolled by {} of {most}",
+            app.views.scroll[app.view() as usize] <= maximum,
+            "scrolled by {} of {maximum}",
             app.views.scroll[app.view() as usize]
         );
     }
@@ -451,7 +453,7 @@ fn fuzz_keys_in_separate_process() {
 #[test]
 #[ignore = "started by the test above, in a folder of its own"]
 fn fuzz_the_keys() {
-    if std::env::var_os(CAGE).is_none() {
+    if std::env::var_os(CHILD_VARIABLE).is_none() {
         return;
     }
     let fuzz = Fuzz {
@@ -519,7 +521,7 @@ fn typed(first: u8, second: u8, bytes: &[u8]) -> u64 {
     let sizes = [(80, 24), (40, 12), (120, 40), (0, 0), (39, 12), (200, 60)];
     let (cols, rows) = sizes[usize::from(second) % sizes.len()];
     let workbench = Workbench::new(opened, Glyphs::Ascii, Colours::None, cols, rows);
-    let mut workbench = workbench.timed_by(made_up);
+    let mut workbench = workbench.timed_by(random_time);
     let mut keyboard = Keyboard::default();
     let mut outcome = DefaultHasher::new();
     if !send(bytes, &mut keyboard, &mut workbench) {

@@ -12,7 +12,7 @@ use std::num::NonZeroU16;
 use std::time::{Duration, Instant};
 
 /// The rate of a line of 9,600 baud, in bytes per second.
-const SLOW: u32 = 960;
+const SLOW_LINE_RATE: u32 = 960;
 const SIZE: Size = Size::new(80, 24);
 const HALF_A_SECOND: Duration = Duration::from_millis(500);
 
@@ -141,7 +141,7 @@ impl Slow {
 /// The last row follows the frame in flight, and is complete after one more frame.
 #[test]
 fn last_row_answers_key_within_half_a_second() {
-    let mut slow = Slow::open(SLOW);
+    let mut slow = Slow::open(SLOW_LINE_RATE);
     let took = slow.until(".", |rows| last_row(rows).contains("65.00 deg"));
     assert!(took <= HALF_A_SECOND, "{took:?}");
     slow.press("space");
@@ -169,7 +169,7 @@ fn whole_help_overlay_shows_within_two_seconds() {
     assert!(help.len() > 10, "{help:?}");
     // At several points of the frame in flight, with the drawing at several driver angles.
     for k in 0..12 {
-        let mut slow = Slow::open(SLOW);
+        let mut slow = Slow::open(SLOW_LINE_RATE);
         slow.press("space");
         slow.pass(Duration::from_millis(2000 + 171 * k));
         let took = slow.until("?", |rows| {
@@ -187,10 +187,10 @@ fn whole_help_overlay_shows_within_two_seconds() {
 
 #[test]
 fn queue_holds_at_most_half_a_second() {
-    let most = SLOW as usize / 2;
-    let mut slow = Slow::open(SLOW);
+    let maximum = SLOW_LINE_RATE as usize / 2;
+    let mut slow = Slow::open(SLOW_LINE_RATE);
     assert!(
-        slow.line().longest <= most,
+        slow.line().longest <= maximum,
         "at the start: {}",
         slow.line().longest
     );
@@ -202,7 +202,7 @@ fn queue_holds_at_most_half_a_second() {
         slow.press(key);
     }
     slow.pass(Duration::from_secs(2));
-    assert!(slow.line().longest <= most, "{}", slow.line().longest);
+    assert!(slow.line().longest <= maximum, "{}", slow.line().longest);
 }
 
 fn angle(rows: &[String]) -> Option<f64> {
@@ -219,15 +219,15 @@ fn angle(rows: &[String]) -> Option<f64> {
 /// Frames are dropped but the motion keeps its speed of a turn in 4 s, as on any line.
 #[test]
 fn playback_keeps_pace_with_clock() {
-    let mut slow = Slow::open(SLOW);
+    let mut slow = Slow::open(SLOW_LINE_RATE);
     slow.press("space");
-    let begun = slow.now();
+    let started = slow.now();
     let mut last = 60.0;
     for _ in 0..160 {
         slow.pass(Duration::from_millis(50));
         let rows = rows(&slow.terminal);
         last = angle(&rows).unwrap_or(last);
-        let played = slow.now() - begun;
+        let played = slow.now() - started;
         let wanted = 60.0 + 90.0 * played.as_secs_f64();
         // At most a second late.
         assert!(
@@ -241,7 +241,7 @@ fn playback_keeps_pace_with_clock() {
 /// The terminal has answered so far, and then stops.
 #[test]
 fn silent_terminal_still_gets_frames() {
-    for rate in [SLOW, 1_000_000] {
+    for rate in [SLOW_LINE_RATE, 1_000_000] {
         let mut slow = Slow::open(rate);
         slow.line().silent = true;
         for k in 1..=8 {
@@ -254,7 +254,7 @@ fn silent_terminal_still_gets_frames() {
 
 #[test]
 fn screen_is_complete_after_key_repeat() {
-    let mut slow = Slow::open(SLOW);
+    let mut slow = Slow::open(SLOW_LINE_RATE);
     for k in 0..40 {
         slow.line().press_after(".", Duration::from_millis(30 * k));
     }

@@ -21,18 +21,18 @@ fn playing(preset: &str, glyphs: Glyphs, (cols, rows): (u16, u16)) -> Workbench 
         modern: true,
     };
     let opened = opening::preset(presets::find(preset).unwrap()).unwrap();
-    let mut bench = Workbench::on(opened, None, capability, Size::new(cols, rows));
-    bench.paint();
-    bench.press("space");
-    bench
+    let mut workbench = Workbench::on(opened, None, capability, Size::new(cols, rows));
+    workbench.paint();
+    workbench.press("space");
+    workbench
 }
 
 /// Calls `check` for each frame of a turn, the first one included.
-fn over_a_turn(bench: &mut Workbench, mut check: impl FnMut(&Workbench)) {
+fn over_a_turn(workbench: &mut Workbench, mut check: impl FnMut(&Workbench)) {
     for _ in 0..=FRAMES {
-        bench.paint();
-        check(bench);
-        bench.pass(Duration::from_secs(4) / FRAMES);
+        workbench.paint();
+        check(workbench);
+        workbench.pass(Duration::from_secs(4) / FRAMES);
     }
 }
 
@@ -75,18 +75,29 @@ fn ground_and_scale_stay_fixed_over_a_turn() {
     let mut moved = Vec::new();
     for preset in presets::all() {
         for (size, glyphs) in screens {
-            let mut bench = playing(preset.name, glyphs, size);
-            let window = |bench: &Workbench| bench.place(Position::new(2, 2)).unwrap().window;
-            let seen = window(&bench);
+            let mut workbench = playing(preset.name, glyphs, size);
+            let window =
+                |workbench: &Workbench| workbench.place(Position::new(2, 2)).unwrap().window;
+            let seen = window(&workbench);
             let mut frames = Vec::new();
-            over_a_turn(&mut bench, |bench| {
-                if window(bench) != seen {
-                    moved.push(format!("{}, {size:?}: {:?}", preset.name, window(bench)));
+            over_a_turn(&mut workbench, |workbench| {
+                if window(workbench) != seen {
+                    moved.push(format!(
+                        "{}, {size:?}: {:?}",
+                        preset.name,
+                        window(workbench)
+                    ));
                 }
-                frames.push(bench.drawing().clone());
+                frames.push(workbench.drawing().clone());
             });
             let grounds = frames.iter().flat_map(cells);
-            let mut slides = bench.app().open_scene().scene().mechanism.slides().iter();
+            let mut slides = workbench
+                .app()
+                .open_scene()
+                .scene()
+                .mechanism
+                .slides()
+                .iter();
             let are_fixed = slides.all(|slide| slide.on == Body::Ground);
             let grounds = grounds.filter(|(.., cell)| is_ground(*cell, are_fixed));
             let grounds = grounds.map(|(col, row, cell)| ((col, row), cell));

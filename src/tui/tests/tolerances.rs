@@ -53,8 +53,8 @@ fn tolerance_band_is_listed_at_cursor_and_toggled_by_key() {
     workbench.press("3 O");
     let with = workbench.text();
     let at = with.find("r4.omega worst -").expect(&with);
-    let told = with[at..].lines().next().unwrap();
-    assert!(told.contains(" +0.0"), "{told}");
+    let shown_text = with[at..].lines().next().unwrap();
+    assert!(shown_text.contains(" +0.0"), "{shown_text}");
     workbench.press("b");
     let without = workbench.text();
     assert!(!without.contains("worst -"), "{without}");

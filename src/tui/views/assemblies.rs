@@ -66,8 +66,8 @@ fn render_row(
     let mut x = area.x;
     let right = area.right();
     let mut put = |text: &str, width: u16, style| {
-        let room = right.saturating_sub(x);
-        print(buffer, x, area.y, room, text, style);
+        let space = right.saturating_sub(x);
+        print(buffer, x, area.y, space, text, style);
         x = x.saturating_add(width + GAP);
     };
     put(
@@ -86,10 +86,10 @@ fn render_row(
         part(ScreenPart::Text),
     );
     put(&row.place, widths.place, part(ScreenPart::Text));
-    let says = match (row.choice.is_current, row.choice.closes) {
+    let message = match (row.choice.is_current, row.choice.closes) {
         (true, _) => words().shown_now(),
         (false, true) => "",
         (false, false) => words().does_not_close(),
     };
-    put(says, 0, part(ScreenPart::Quiet));
+    put(message, 0, part(ScreenPart::Quiet));
 }

@@ -28,17 +28,17 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         print(buffer, area.x, area.y + y, area.width, &line, text);
     };
     // A question about losing data comes before state and angle, which can wait.
-    let asked = question::lines(app, area);
-    if !asked.is_empty() {
-        for (y, line) in (0..area.height).zip(&asked) {
+    let requested = question::lines(app, area);
+    if !requested.is_empty() {
+        for (y, line) in (0..area.height).zip(&requested) {
             put(y, line);
         }
         return;
     }
     let [scene, driver, state] = status::in_short(app);
     let message = shown(app.message().unwrap_or_default(), app.glyphs());
-    let told = status::broken(&message, area.width.into());
-    let lines = [scene, driver, state].into_iter().chain(told);
+    let texts = status::broken(&message, area.width.into());
+    let lines = [scene, driver, state].into_iter().chain(texts);
     for (y, line) in (0..area.height.saturating_sub(1)).zip(lines) {
         put(y, &line);
     }

@@ -16,7 +16,8 @@ use super::pane::{Copied, Pane};
 use crate::page::{Cell, Head, Line, Page, Row, Setting, Table, Units};
 use crate::quantity::Aspect;
 use crate::report::{
-    Entry, Existence, Forces, GuideRow, Least, PlaneVector, effort_word, missed, upwards,
+    Entry, Existence, Forces, GuideRow, LeastNormReactions, PlaneVector, effort_word, missed,
+    perpendicular_up,
 };
 use crate::solver::Order;
 use crate::tui::app::{App, View};
@@ -70,7 +71,7 @@ impl Pane for ForcesView {
             Some(bound) => format!(
                 "{} +-{} {unit}",
                 effort_word(drive.aspect),
-                upwards(bound, 1)
+                perpendicular_up(bound, 1)
             ),
             None => words().effort_without_bound(effort_word(drive.aspect)),
         })
@@ -90,8 +91,8 @@ pub(super) fn balance(open_scene: &OpenScene) -> Option<ForceFigures> {
     let (scene, solver) = (open_scene.scene(), open_scene.solver());
     let forces = current(open_scene)?;
     let mut state = solver.state();
-    let samples = open_scene.places().into_iter().filter_map(|stand| {
-        let _ = stand.solve(solver, Order::Force, &mut state);
+    let samples = open_scene.places().into_iter().filter_map(|driver_state| {
+        let _ = driver_state.solve(solver, Order::Force, &mut state);
         Forces::new(scene, solver, &state, None)
     });
     Some(ForceFigures::new(forces, &samples.collect::<Vec<_>>()))
@@ -123,7 +124,7 @@ fn tables(force_figures: &ForceFigures) -> Vec<Table> {
     let (forces, formats) = (force_figures.forces(), force_figures.formats());
     let mut tables = match forces.existence() {
         Existence::Nothing => Vec::new(),
-        Existence::Withheld => vec![checks(forces)],
+        Existence::WithheldReason => vec![checks(forces)],
         Existence::DriveAlone => vec![driver(forces, formats)],
         Existence::Everything => {
             let mut tables = vec![driver(forces, formats), reactions(forces, formats)];
@@ -135,19 +136,19 @@ fn tables(force_figures: &ForceFigures) -> Vec<Table> {
                     formats,
                 ));
             }
-            if let Some(least) = &forces.least {
-                let joints = open_joints(least, formats);
-                let guides = guides(words().least_norm(), &least.guides, forces.unit, formats);
-                let least = [joints, guides].into_iter();
-                tables.extend(least.filter(|table| !table.rows.is_empty()));
+            if let Some(minimum) = &forces.least {
+                let joints = open_joints(minimum, formats);
+                let guides = guides(words().least_norm(), &minimum.guides, forces.unit, formats);
+                let minimum = [joints, guides].into_iter();
+                tables.extend(minimum.filter(|table| !table.rows.is_empty()));
             }
             tables.push(checks(forces));
             tables
         }
     };
-    let heads = tables.iter().flat_map(|table| &table.heads);
-    let heads = heads.flat_map(|head| [&head.name, &head.unit]);
-    let widest = heads.map(|text| text.chars().count()).max();
+    let headers = tables.iter().flat_map(|table| &table.heads);
+    let headers = headers.flat_map(|head| [&head.name, &head.unit]);
+    let widest = headers.map(|text| text.chars().count()).max();
     let column = widest.unwrap_or(0).max(widest_figure(formats));
     for table in &mut tables {
         table.setting = Setting {
@@ -178,14 +179,14 @@ fn widest_figure(formats: &Formats) -> usize {
 }
 
 /// Creates a table without rows, with a title and the columns' names and units.
-fn table<const N: usize>(title: &str, heads: [(&str, &str); N]) -> Table {
+fn table<const N: usize>(title: &str, headers: [(&str, &str); N]) -> Table {
     let head = |(name, unit): (&str, &str)| Head {
         name: name.to_owned(),
         unit: unit.to_owned(),
     };
     Table {
         title: title.to_owned(),
-        heads: heads.map(head).into(),
+        heads: headers.map(head).into(),
         ..Table::default()
     }
 }
@@ -264,8 +265,8 @@ fn plane(force: Option<PlaneVector>, format: Format, moment: Option<Cell>) -> Ve
 
 /// Returns the joint reactions that the equilibrium does not determine, in their least-norm
 /// solution.
-fn open_joints(least: &Least, formats: &Formats) -> Table {
-    let joints = least.joints.iter().filter(|joint| !joint.repeats);
+fn open_joints(minimum: &LeastNormReactions, formats: &Formats) -> Table {
+    let joints = minimum.joints.iter().filter(|joint| !joint.repeats);
     let joints = joints.map(|joint| {
         let name = words().link_at_point(&joint.link, &joint.point);
         row(name, None, plane(joint.force, formats.force, None))
@@ -309,7 +310,7 @@ fn checks(forces: &Forces) -> Table {
     let drive = forces.drive.aspect;
     let checks = &forces.checks;
     let entries = std::iter::once(checks.drive).chain(checks.frame);
-    let cells = entries.map(|entry| Some(Cell::sure(missed(&entry))));
+    let cells = entries.map(|entry| Some(Cell::proved(missed(&entry))));
     let mut table = table(
         words().table_of_checks(),
         [

@@ -42,7 +42,7 @@ const FOUR: Size = Size::new(190, 50);
 const SHARES: [f64; 2] = [0.5, 0.4];
 /// Widths of the columns next to the drawing, in percent of the screen: a single column with two
 /// panes, with three panes, and each of two columns.
-const ASIDE: [u16; 3] = [40, 36, 22];
+const SIDE_COLUMN_PERCENT: [u16; 3] = [40, 36, 22];
 /// Maximum width of such a column; tables use no more.
 const MAX_SIDE_WIDTH: u16 = 64;
 /// Minimum width that a split leaves to a pane, in columns.
@@ -85,7 +85,7 @@ impl LayoutName {
     /// it, and the one in a third column. Empty if the current view fills the screen.
     fn views(self, screen: Size) -> &'static [View] {
         use View::{Motion, Plots, Scene, Tables, Working};
-        let has = |least: Size| screen.width >= least.width && screen.height >= least.height;
+        let has = |minimum: Size| screen.width >= minimum.width && screen.height >= minimum.height;
         let is_auto = self == LayoutName::Auto;
         match self {
             LayoutName::One => &[],
@@ -133,14 +133,14 @@ impl Composition {
     }
 
     /// Returns the panes shown on a screen of this size, the drawing first.
-    pub(crate) fn standing(&self, looked_at: View, screen: Size) -> Vec<View> {
+    pub(crate) fn visible_views(&self, looked_at: View, screen: Size) -> Vec<View> {
         let mut views = self.layout.views(screen).to_vec();
         if self.alone || views.is_empty() {
             return vec![looked_at];
         }
-        for asked in self.aside.into_iter().chain([looked_at]) {
-            if !views.contains(&asked) {
-                views[1] = asked;
+        for requested in self.aside.into_iter().chain([looked_at]) {
+            if !views.contains(&requested) {
+                views[1] = requested;
             }
         }
         views
@@ -148,7 +148,7 @@ impl Composition {
 
     /// Returns the shown panes with their areas in `body`.
     pub(crate) fn placed(&self, looked_at: View, screen: Size, body: Rect) -> Vec<PlacedView> {
-        let views = self.standing(looked_at, screen);
+        let views = self.visible_views(looked_at, screen);
         if let [view] = *views {
             return vec![PlacedView {
                 view,
@@ -162,15 +162,15 @@ impl Composition {
     }
 
     /// Shows a view: if no pane has it yet, it gets the place next to the drawing.
-    pub(crate) fn look(&mut self, view: View, before: View, screen: Size) {
-        if !self.standing(before, screen).contains(&view) {
+    pub(crate) fn show_view(&mut self, view: View, before: View, screen: Size) {
+        if !self.visible_views(before, screen).contains(&view) {
             self.aside = Some(view);
         }
     }
 
     /// Returns the next pane in order; `None` if only one is shown.
     pub(crate) fn next_pane(&self, looked_at: View, screen: Size) -> Option<View> {
-        let views = self.standing(looked_at, screen);
+        let views = self.visible_views(looked_at, screen);
         let here = views.iter().position(|view| *view == looked_at)?;
         (views.len() > 1).then(|| views[(here + 1) % views.len()])
     }
@@ -223,14 +223,14 @@ impl Composition {
 }
 
 /// Moves a width by `split` steps and keeps a minimum width on both sides.
-pub(crate) fn moved(width: u16, whole: u16, split: i8) -> u16 {
+pub(crate) fn moved(width: u16, integer: u16, split: i8) -> u16 {
     let by = STEP * u16::from(split.unsigned_abs());
     let to = match split < 0 {
         true => width.saturating_sub(by),
         false => width.saturating_add(by),
     };
-    let most = whole.saturating_sub(MIN_WIDTH + 1).max(MIN_WIDTH);
-    to.clamp(MIN_WIDTH.min(width), most.max(width.min(whole)))
+    let maximum = integer.saturating_sub(MIN_WIDTH + 1).max(MIN_WIDTH);
+    to.clamp(MIN_WIDTH.min(width), maximum.max(width.min(integer)))
 }
 
 /// Returns `percent` percent of a width.
@@ -257,18 +257,18 @@ fn titled(view: View, frame: Rect) -> PlacedView {
 /// Returns the frames of two or more panes; adjacent columns are separated by a line.
 fn frames(count: usize, screen: Size, body: Rect, split: i8) -> Vec<Rect> {
     let asides: u16 = if count > 3 { 2 } else { 1 };
-    let percent = ASIDE[count.clamp(2, 4) - 2];
+    let percent = SIDE_COLUMN_PERCENT[count.clamp(2, 4) - 2];
     let aside = percent_of(body.width, percent).min(MAX_SIDE_WIDTH);
     let drawing = body.width.saturating_sub(asides * (aside + 1));
     let rest = body.width.saturating_sub((asides - 1) * (aside + 1));
     let drawing = moved(drawing, rest, split);
-    let beside = rest.saturating_sub(drawing + 1);
+    let side = rest.saturating_sub(drawing + 1);
     let column = |x, width| Rect {
         x: body.x + x,
         width,
         ..body
     };
-    let mut frames = vec![column(0, drawing), column(drawing + 1, beside)];
+    let mut frames = vec![column(0, drawing), column(drawing + 1, side)];
     if count > 2 {
         let height = drawing_rows(screen, drawing, body.height);
         frames[0].height = height;
@@ -279,7 +279,7 @@ fn frames(count: usize, screen: Size, body: Rect, split: i8) -> Vec<Rect> {
         });
     }
     if count > 3 {
-        frames.push(column(drawing + beside + 2, aside));
+        frames.push(column(drawing + side + 2, aside));
     }
     frames
 }
@@ -288,8 +288,8 @@ fn frames(count: usize, screen: Size, body: Rect, split: i8) -> Vec<Rect> {
 fn drawing_rows(screen: Size, width: u16, height: u16) -> u16 {
     let cells = SHARES[1] * f64::from(screen.width) * f64::from(screen.height);
     let rows = (1..height).find(|rows| f64::from(*rows) * f64::from(width) >= cells);
-    let most = height.saturating_sub(MIN_HEIGHT_BELOW);
-    rows.unwrap_or(height).max(height / 2).min(most)
+    let maximum = height.saturating_sub(MIN_HEIGHT_BELOW);
+    rows.unwrap_or(height).max(height / 2).min(maximum)
 }
 
 #[cfg(test)]
@@ -316,18 +316,18 @@ mod tests {
     fn panes_return_after_small_screen() {
         let (small, large) = (Size::new(40, 12), Size::new(120, 40));
         let mut composition = Composition::default();
-        composition.look(View::Working, View::Motion, large);
-        let before = composition.standing(View::Motion, large);
+        composition.show_view(View::Working, View::Motion, large);
+        let before = composition.visible_views(View::Motion, large);
         assert!(before.contains(&View::Working));
         composition.keep(View::Motion, small);
         composition.keep(View::Motion, large);
-        assert_eq!(composition.standing(View::Motion, large), before);
+        assert_eq!(composition.visible_views(View::Motion, large), before);
     }
 
     #[test]
     fn layouts_show_their_panes() {
         use View::{Forces, Motion, Plots, Scene, Tables, Working};
-        let standing = |layout, size, view| Composition::of(layout).standing(view, size);
+        let standing = |layout, size, view| Composition::of(layout).visible_views(view, size);
         let (small, middle, large) = (Size::new(80, 24), Size::new(120, 40), Size::new(200, 60));
         let auto = LayoutName::Auto;
         assert_eq!(standing(auto, small, Motion), [Motion]);
@@ -354,16 +354,16 @@ mod tests {
     fn chosen_pane_stays_while_focus_moves() {
         let size = Size::new(120, 40);
         let mut composition = Composition::default();
-        composition.look(View::Forces, View::Motion, size);
+        composition.show_view(View::Forces, View::Motion, size);
         let with_forces = [View::Motion, View::Forces, View::Plots];
         for view in with_forces {
-            assert_eq!(composition.standing(view, size), with_forces);
+            assert_eq!(composition.visible_views(view, size), with_forces);
         }
         let next = |view| composition.next_pane(view, size);
         assert_eq!(next(View::Motion), Some(View::Forces));
         assert_eq!(next(View::Plots), Some(View::Motion));
-        composition.look(View::Tables, View::Plots, size);
-        let tables = composition.standing(View::Tables, size);
+        composition.show_view(View::Tables, View::Plots, size);
+        let tables = composition.visible_views(View::Tables, size);
         assert_eq!(tables, [View::Motion, View::Tables, View::Plots]);
     }
 

@@ -22,9 +22,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// Minimum width for units and for the largest single influence.
-const ROOM_FOR_UNITS: u16 = 56;
-/// The name of a length takes at most `1 / SHARE` of the width.
-const SHARE: u16 = 3;
+const MIN_WIDTH_WITH_UNITS: u16 = 56;
+/// The name of a length takes at most `1 / NAME_SHARE` of the width.
+const NAME_SHARE: u16 = 3;
 
 /// Maximum number of lengths. More would delay the frame.
 const MAX_LENGTHS: usize = 200;
@@ -49,14 +49,14 @@ impl LengthsStudy {
         if has_too_many_lengths(scene) {
             return None;
         }
-        let figures = Catalogue::new(scene).figures();
-        let mut sensitivity = Sensitivity::new(scene, solver, &figures);
-        let of_motion = figures.into_iter().filter(|q| q.order() != Order::Force);
+        let quantities = Catalogue::new(scene).figures();
+        let mut sensitivity = Sensitivity::new(scene, solver, &quantities);
+        let of_motion = quantities.into_iter().filter(|q| q.order() != Order::Force);
         let of_motion: Vec<Quantity> = of_motion.collect();
         let study = ToleranceStudy::new(scene, solver, scene.tolerances(), &of_motion);
         let at = open_scene.at();
         Some(LengthsStudy {
-            answers: Answers::at(&mut sensitivity, scene.unit.symbol(), at).worth_reading(),
+            answers: Answers::at(&mut sensitivity, scene.unit.symbol(), at).without_trivial(),
             sensitivity,
             tolerances: study.ok().map(|mut study| {
                 let found = ToleranceAnswers::at(scene, &mut study, at);
@@ -70,7 +70,7 @@ impl LengthsStudy {
     pub(super) fn go(&mut self, open_scene: &OpenScene) {
         let (scene, at) = (open_scene.scene(), open_scene.at());
         let answers = Answers::at(&mut self.sensitivity, scene.unit.symbol(), at);
-        self.answers = answers.worth_reading();
+        self.answers = answers.without_trivial();
         if let Some((study, found)) = &mut self.tolerances {
             *found = ToleranceAnswers::at(scene, study, at);
         }
@@ -83,10 +83,10 @@ impl LengthsStudy {
 /// Returns a message if the tolerance study fails.
 pub(crate) fn tolerance_report(
     open_scene: &OpenScene,
-    figure: Quantity,
+    quantity: Quantity,
 ) -> Result<ToleranceReport, String> {
     let (scene, solver) = (open_scene.scene(), open_scene.solver());
-    let study = ToleranceStudy::new(scene, solver, scene.tolerances(), &[figure]);
+    let study = ToleranceStudy::new(scene, solver, scene.tolerances(), &[quantity]);
     let mut study = study.map_err(|why| why.to_string())?;
     let order = SampleOrder {
         count: MACHINES,
@@ -177,8 +177,8 @@ fn lines(app: &App, area: Rect) -> (Option<Line>, Vec<Line>) {
     let Some(study) = app.views.lengths.get() else {
         return (None, page::words(words().too_many_lengths(), area));
     };
-    if let Some(told) = &study.told {
-        return (None, page::lines(app, &told.page(), area));
+    if let Some(text) = &study.told {
+        return (None, page::lines(app, &text.page(), area));
     }
     let (mut page, answers) = (Page::default(), &study.answers);
     if let Some((_, off)) = &study.tolerances {
@@ -195,20 +195,20 @@ fn lines(app: &App, area: Rect) -> (Option<Line>, Vec<Line>) {
 fn content(answers: &Answers, area: Rect) -> Content {
     let short = answers
         .short_table()
-        .filter(|_| area.width < ROOM_FOR_UNITS);
+        .filter(|_| area.width < MIN_WIDTH_WITH_UNITS);
     let mut content = short.map_or_else(|| answers.content(true), Content::Table);
     if let Content::Table(table) = &mut content {
-        let most = usize::from(area.width / SHARE);
-        table.rows.iter_mut().for_each(|row| shorten(row, most));
+        let maximum = usize::from(area.width / NAME_SHARE);
+        table.rows.iter_mut().for_each(|row| shorten(row, maximum));
     }
     content
 }
 
 /// Cuts the name of a length in the row's last cell.
-fn shorten(row: &mut Row, most: usize) {
+fn shorten(row: &mut Row, maximum: usize) {
     if let Row::Figures { cells, .. } = row
         && let Some(Some(length)) = cells.last_mut()
     {
-        length.text = cut(&length.text, most);
+        length.text = cut(&length.text, maximum);
     }
 }

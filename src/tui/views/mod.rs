@@ -58,7 +58,7 @@ const MIN_SIZE: Size = Size::new(40, 12);
 /// Minimum screen size for any content.
 const MIN_VALUE: Size = Size::new(20, 6);
 
-pub(crate) use motion::{SeenPlace, Sketch};
+pub(crate) use motion::{DrawnPlace, Sketch};
 pub(crate) use pane::{Copied, Listing, Pane, PaneSpot};
 
 impl View {
@@ -80,10 +80,10 @@ impl View {
 
 /// Updates the sketch, which persists from frame to frame.
 pub(crate) fn prepare(app: &App, sketch: &mut Sketch) {
-    if !has_room(app.size()) || matches!(app.mode(), Mode::Pick(_) | Mode::Candidates) {
+    if !fits_views(app.size()) || matches!(app.mode(), Mode::AssemblyChoice(_) | Mode::Candidates) {
         return;
     }
-    sketch.begin();
+    sketch.start_frame();
     for PlacedView { view, title, area } in placed(app) {
         let pane = pane_of(view, title.is_some());
         pane.prepare(app, sketch, area);
@@ -92,14 +92,14 @@ pub(crate) fn prepare(app: &App, sketch: &mut Sketch) {
 
 /// Returns the area of the whole screen.
 pub(crate) fn area(app: &App) -> Rect {
-    whole(app.size())
+    full_area(app.size())
 }
 
 /// Returns the areas that a slow line sends first: the last line, which answers a key, with the
 /// messages above it, and then the overlay.
 pub(crate) fn urgent(app: &App) -> [Rect; 2] {
-    let area = whole(app.size());
-    if !has_room(app.size()) {
+    let area = full_area(app.size());
+    if !fits_views(app.size()) {
         return [area; 2];
     }
     let overlay = match app.mode() {
@@ -111,10 +111,10 @@ pub(crate) fn urgent(app: &App) -> [Rect; 2] {
         _ => Rect::ZERO,
     };
     let last = row(area, area.height - 1);
-    let told = status::placed_above(app, area);
-    let answer = match told.is_empty() {
+    let text = status::placed_above(app, area);
+    let answer = match text.is_empty() {
         true => last,
-        false => last.union(told),
+        false => last.union(text),
     };
     [answer, overlay]
 }
@@ -138,12 +138,12 @@ fn spell(buffer: &mut Buffer) {
 }
 
 fn draw(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
-    let area = whole(app.size());
-    if !has_room(app.size()) {
+    let area = full_area(app.size());
+    if !fits_views(app.size()) {
         compact::render(app, area, buffer);
         return;
     }
-    if let Mode::Pick(picker) = app.mode() {
+    if let Mode::AssemblyChoice(picker) = app.mode() {
         picker::render(app, picker, area, buffer);
         status::render(app, area, buffer);
         return;
@@ -175,7 +175,7 @@ fn render_panes(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     for (n, &PlacedView { view, title, area }) in placed.iter().enumerate() {
         let pane = pane_of(view, title.is_some());
         let is_looked_at = view == app.view();
-        let heading = |room| pane.heading(app, room);
+        let heading = |space| pane.heading(app, space);
         match app.mode() {
             // The list of assemblies takes the second pane's place, next to the drawing.
             Mode::Assemblies(list) if n == 1 => {
@@ -210,11 +210,11 @@ fn pane_of(view: View, is_among_others: bool) -> &'static dyn Pane {
 fn placed(app: &App) -> Vec<PlacedView> {
     let size = app.size();
     app.composition()
-        .placed(app.view(), size, body(whole(size)))
+        .placed(app.view(), size, body(full_area(size)))
 }
 
 /// Returns the current view's pane and its area.
-fn looked_at(app: &App) -> (&'static dyn Pane, Rect) {
+fn current_pane(app: &App) -> (&'static dyn Pane, Rect) {
     let placed = placed(app);
     let own = placed.iter().find(|pane| pane.view == app.view());
     own.map_or((app.view().pane(), Rect::ZERO), |own| {
@@ -224,23 +224,23 @@ fn looked_at(app: &App) -> (&'static dyn Pane, Rect) {
 
 /// The target at a cell of the screen.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Under {
+pub(crate) enum CellTarget {
     Nothing,
     /// The tab of a view.
     Tab(View),
     /// The drawing in the pane of a view, and the place in the scene.
-    Drawing(View, SeenPlace),
+    Drawing(View, DrawnPlace),
     /// The pane of a view, and the spot in it.
     Pane(View, Option<PaneSpot>),
 }
 
 /// Returns the target at a cell of the screen as drawn in the last frame.
-pub(crate) fn under(app: &App, sketch: &Sketch, at: Position) -> Under {
-    if !has_room(app.size()) {
-        return Under::Nothing;
+pub(crate) fn under(app: &App, sketch: &Sketch, at: Position) -> CellTarget {
+    if !fits_views(app.size()) {
+        return CellTarget::Nothing;
     }
     if at.y == 0 {
-        return tabs::at(app, area(app), at.x).map_or(Under::Nothing, Under::Tab);
+        return tabs::at(app, area(app), at.x).map_or(CellTarget::Nothing, CellTarget::Tab);
     }
     let placed = placed(app);
     let own = placed.iter().find(|pane| {
@@ -248,49 +248,49 @@ pub(crate) fn under(app: &App, sketch: &Sketch, at: Position) -> Under {
         frame.contains(at)
     });
     let Some(&PlacedView { view, title, area }) = own else {
-        return Under::Nothing;
+        return CellTarget::Nothing;
     };
     if let Some(seen) = sketch.place(at) {
-        return Under::Drawing(view, seen);
+        return CellTarget::Drawing(view, seen);
     }
-    Under::Pane(view, pane_of(view, title.is_some()).under(app, area, at))
+    CellTarget::Pane(view, pane_of(view, title.is_some()).under(app, area, at))
 }
 
 /// Returns the maximum scroll offset of the topmost element, in lines.
-pub(crate) fn most_scroll(app: &App) -> usize {
+pub(crate) fn max_scroll(app: &App) -> usize {
     let (lines, page) = on_top(app);
     lines.saturating_sub(page)
 }
 
 /// Returns the lines of the tables view and the number of visible ones.
 pub(crate) fn table_lines(app: &App) -> (Vec<TableLine>, usize) {
-    if !has_room(app.size()) {
+    if !fits_views(app.size()) {
         return (Vec::new(), 0);
     }
     let placed = placed(app);
     let own = placed.iter().find(|pane| pane.view == View::Tables);
-    tables::lines(app, own.map_or(body(whole(app.size())), |own| own.area))
+    tables::lines(app, own.map_or(body(full_area(app.size())), |own| own.area))
 }
 
 /// Returns the lines of the current view as text.
-pub(crate) fn lines_looked_at(app: &App) -> Vec<String> {
-    if !has_room(app.size()) {
+pub(crate) fn current_view_lines(app: &App) -> Vec<String> {
+    if !fits_views(app.size()) {
         return Vec::new();
     }
-    let (pane, area) = looked_at(app);
+    let (pane, area) = current_pane(app);
     let (lines, _) = pane.listed(app, area);
     lines.iter().map(Line::text).collect()
 }
 
 /// Returns the indices of the current view's lines that begin a part.
-pub(crate) fn parts_looked_at(app: &App) -> Vec<usize> {
-    if !has_room(app.size()) {
+pub(crate) fn current_part_starts(app: &App) -> Vec<usize> {
+    if !fits_views(app.size()) {
         return Vec::new();
     }
-    let (pane, area) = looked_at(app);
+    let (pane, area) = current_pane(app);
     let (lines, _) = pane.listed(app, area);
-    let begins = |line: &Line| matches!(line.role(), TextRole::Part | TextRole::Section);
-    let parts = lines.iter().enumerate().filter(|(_, line)| begins(line));
+    let starts = |line: &Line| matches!(line.role(), TextRole::Part | TextRole::Section);
+    let parts = lines.iter().enumerate().filter(|(_, line)| starts(line));
     parts.map(|(number, _)| number).collect()
 }
 
@@ -311,26 +311,26 @@ pub(crate) fn page(app: &App) -> usize {
 
 /// Returns the number of lines of the topmost element and the number of visible ones.
 fn on_top(app: &App) -> (usize, usize) {
-    let area = whole(app.size());
-    if !has_room(app.size()) {
+    let area = full_area(app.size());
+    if !fits_views(app.size()) {
         return (0, 0);
     }
     let body = body(area);
     match app.mode() {
         Mode::Help(help) => help::extent(app, help, body),
-        Mode::Pick(picker) => picker::extent(picker, middle(area)),
+        Mode::AssemblyChoice(picker) => picker::extent(picker, middle(area)),
         Mode::Palette(palette) => palette::extent(palette, body),
         Mode::Candidates if let Some(list) = app.candidates() => {
             candidates::extent(list, middle(area))
         }
         _ => {
-            let (pane, area) = looked_at(app);
+            let (pane, area) = current_pane(app);
             pane.extent(app, area)
         }
     }
 }
 
-fn whole(size: Size) -> Rect {
+fn full_area(size: Size) -> Rect {
     Rect::from((Position::ORIGIN, size))
 }
 
@@ -340,7 +340,7 @@ pub(crate) fn fits_text(size: Size) -> bool {
 }
 
 /// Returns `true` if the screen is large enough for views.
-pub(crate) fn has_room(size: Size) -> bool {
+pub(crate) fn fits_views(size: Size) -> bool {
     size.width >= MIN_SIZE.width && size.height >= MIN_SIZE.height
 }
 
@@ -380,17 +380,17 @@ fn mark_more(area: Rect, above: bool, below: bool, buffer: &mut Buffer) {
 }
 
 /// Returns the first visible line of a scrolled area and draws its scroll marks.
-fn first_seen(scroll: usize, lines: usize, area: Rect, buffer: &mut Buffer) -> usize {
-    let most = lines.saturating_sub(area.height.into());
-    let first = scroll.min(most);
-    mark_more(area, first > 0, first < most, buffer);
+fn first_visible_line(scroll: usize, lines: usize, area: Rect, buffer: &mut Buffer) -> usize {
+    let maximum = lines.saturating_sub(area.height.into());
+    let first = scroll.min(maximum);
+    mark_more(area, first > 0, first < maximum, buffer);
     first
 }
 
 /// Returns the first visible row of a list, such that the cursor is in the middle if possible.
 fn first_row(cursor: usize, count: usize, height: usize) -> usize {
-    let most = count.saturating_sub(height);
-    cursor.saturating_sub(height / 2).min(most)
+    let maximum = count.saturating_sub(height);
+    cursor.saturating_sub(height / 2).min(maximum)
 }
 
 /// Yields the index and the line of each visible row of a list, and draws its scroll marks.
@@ -401,7 +401,7 @@ fn list_rows(
     buffer: &mut Buffer,
 ) -> impl Iterator<Item = (usize, Rect)> + use<> {
     let first = first_row(cursor, count, area.height.into());
-    let first = first_seen(first, count, area, buffer);
+    let first = first_visible_line(first, count, area, buffer);
     (first..count).zip(area.rows())
 }
 
@@ -416,12 +416,12 @@ fn split(area: Rect, height: u16) -> (Rect, Rect) {
     (Rect { height, ..area }, below)
 }
 
-/// Places a chart next to a list of the first width that leaves it `least` columns, or else above
+/// Places a chart next to a list of the first width that leaves it `minimum` columns, or else above
 /// the list in `rows` lines. Returns the areas of both.
-fn chart_and_list(area: Rect, widths: &[u16], least: u16, rows: u16) -> (Rect, Rect) {
+fn chart_and_list(area: Rect, widths: &[u16], minimum: u16, rows: u16) -> (Rect, Rect) {
     let left = |width: &u16| area.width.checked_sub(width + 1 + MARGIN);
     let mut left = widths.iter().filter_map(left);
-    let (chart, list) = match left.find(|width| *width >= least) {
+    let (chart, list) = match left.find(|width| *width >= minimum) {
         Some(width) => split_columns(area, width),
         None => split(area, rows),
     };
@@ -431,12 +431,12 @@ fn chart_and_list(area: Rect, widths: &[u16], least: u16, rows: u16) -> (Rect, R
 /// Splits an area into its first `width` columns and the rest.
 fn split_columns(area: Rect, width: u16) -> (Rect, Rect) {
     let width = width.min(area.width);
-    let behind = Rect {
+    let after = Rect {
         x: area.x + width,
         width: area.width - width,
         ..area
     };
-    (Rect { width, ..area }, behind)
+    (Rect { width, ..area }, after)
 }
 
 fn row(area: Rect, y: u16) -> Rect {

@@ -1,10 +1,10 @@
 //! Renders the lines of a page on the screen.
 
 use super::table::doubt;
-use super::{columns, first_seen, print};
+use super::{columns, first_visible_line, print};
 use crate::capability::Colours;
 use crate::drawing::Glyphs;
-use crate::page::{Line, Page, TextRole, TextStyle, Unsure, wrapped};
+use crate::page::{Line, Page, TextRole, TextStyle, UnprovedDigits, wrapped};
 use crate::tui::app::{App, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::player::open_scene::shown;
@@ -31,7 +31,7 @@ pub(super) fn words(text: &str, area: Rect) -> Vec<Line> {
 
 /// Renders lines with the view's scroll offset, and marks the current search hit.
 pub(super) fn render(app: &App, view: View, lines: &[Line], area: Rect, buffer: &mut Buffer) {
-    let first = first_seen(app.views.scroll[view as usize], lines.len(), area, buffer);
+    let first = first_visible_line(app.views.scroll[view as usize], lines.len(), area, buffer);
     let found = app.views.found.as_ref().filter(|_| view == app.view());
     for (y, (n, line)) in (area.top()..area.bottom()).zip(lines.iter().enumerate().skip(first)) {
         let is_found = found.is_some_and(|found| found.line == n && found.is_in(&line.text()));
@@ -57,20 +57,27 @@ pub(super) fn render_line(
     for span in &line.spans {
         let at = u16::try_from(span.at).unwrap_or(u16::MAX);
         let x = area.x.saturating_add(at);
-        let room = area.right().saturating_sub(x);
+        let space = area.right().saturating_sub(x);
         let text = shown(&span.text, glyphs);
         // A truncated number would be a different one.
-        if span.role == TextRole::Figure && room < columns(&text) {
+        if span.role == TextRole::Figure && space < columns(&text) {
             continue;
         }
-        print(buffer, x, area.y, room, &text, theme::part(look(span.role)));
-        if span.unsure != Unsure::Nothing {
+        print(
+            buffer,
+            x,
+            area.y,
+            space,
+            &text,
+            theme::part(role_style(span.role)),
+        );
+        if span.unproved != UnprovedDigits::Nothing {
             doubt(colours, span, x, area, buffer);
         }
     }
 }
 
-fn look(role: TextRole) -> ScreenPart {
+fn role_style(role: TextRole) -> ScreenPart {
     match role {
         TextRole::Title | TextRole::Part => ScreenPart::Title,
         TextRole::Section | TextRole::Name => ScreenPart::Name,

@@ -160,7 +160,7 @@ pub(crate) enum PaneSpot {
     /// A value of the scene.
     Value(usize),
     /// A driver coordinate along a plot.
-    Along(f64),
+    PlotAxis(f64),
     /// A time along a plot, in s.
     Time(f64),
 }

@@ -50,6 +50,6 @@ pub(super) fn frame(glyphs: Glyphs, frame: Rect, title: &str, buffer: &mut Buffe
     Clear.render(frame, buffer);
     Block::bordered().border_set(lines).render(frame, buffer);
     let (style, title) = (theme::part(ScreenPart::Title), format!(" {title} "));
-    let room = frame.width.saturating_sub(BORDER.0);
-    print(buffer, frame.x + 2, frame.y, room, &title, style)
+    let space = frame.width.saturating_sub(BORDER.0);
+    print(buffer, frame.x + 2, frame.y, space, &title, style)
 }

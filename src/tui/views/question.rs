@@ -27,28 +27,28 @@ const WIDTH: u16 = 48;
 const GAP: u16 = 2;
 
 /// The question and the keys that answer it.
-struct Asked {
+struct QuestionText {
     text: String,
     keys: Vec<(String, &'static str)>,
 }
 
-impl Asked {
-    fn of(app: &App) -> Option<Asked> {
+impl QuestionText {
+    fn of(app: &App) -> Option<QuestionText> {
         match app.mode() {
-            Mode::Unsaved(asked) => Some(Asked::unsaved(asked, app)),
-            Mode::Confirm(asked) => Some(Asked::confirm(asked, app)),
+            Mode::Unsaved(requested) => Some(QuestionText::unsaved(requested, app)),
+            Mode::Confirm(requested) => Some(QuestionText::confirm(requested, app)),
             _ => None,
         }
     }
 
     /// Returns the question about unsaved edits.
-    fn unsaved(asked: &Unsaved, app: &App) -> Asked {
+    fn unsaved(requested: &Unsaved, app: &App) -> QuestionText {
         let escape = Key::Escape.to_string();
         let unsaved = match app.is_unsaved() && !app.is_changed() {
             true => words().in_no_file_yet(),
             false => words().unsaved_edits(),
         };
-        let (text, keys) = match asked {
+        let (text, keys) = match requested {
             Unsaved::Quit => (
                 unsaved,
                 vec![
@@ -74,19 +74,19 @@ impl Asked {
             ),
         };
         let text = text.to_owned();
-        Asked { text, keys }
+        QuestionText { text, keys }
     }
 
     /// Returns the question whether to overwrite a file.
-    fn confirm(asked: &Question, app: &App) -> Asked {
-        let to = &asked.to;
+    fn confirm(requested: &Question, app: &App) -> QuestionText {
+        let to = &requested.to;
         let name = to.file_name().unwrap_or(to.as_os_str()).to_string_lossy();
         let keys = [
             (Key::Enter, words().writing()),
             (Key::Escape, words().cancel()),
         ];
-        Asked {
-            text: asked.doubt.question(&shown(&name, app.glyphs())),
+        QuestionText {
+            text: requested.reason.question(&shown(&name, app.glyphs())),
             keys: keys.map(|(key, name)| (key.to_string(), name)).into(),
         }
     }
@@ -95,8 +95,8 @@ impl Asked {
     fn arranged(&self, area: Rect) -> (Vec<String>, Rect) {
         let needed = |(key, name): &(String, &str)| columns(key) + 1 + columns(name) + GAP;
         let keys: u16 = self.keys.iter().map(needed).sum::<u16>() - GAP;
-        let room = area.width.saturating_sub(BORDER.0);
-        let width = columns(&self.text).min(WIDTH).max(keys).min(room);
+        let space = area.width.saturating_sub(BORDER.0);
+        let width = columns(&self.text).min(WIDTH).max(keys).min(space);
         let lines = wrapped(&self.text, width.into());
         let height = u16::try_from(lines.len())
             .unwrap_or(u16::MAX)
@@ -106,10 +106,10 @@ impl Asked {
 }
 
 pub(super) fn render(app: &App, title: &str, area: Rect, buffer: &mut Buffer) {
-    let Some(asked) = Asked::of(app) else {
+    let Some(requested) = QuestionText::of(app) else {
         return;
     };
-    let (lines, place) = asked.arranged(area);
+    let (lines, place) = requested.arranged(area);
     popup::frame(app.glyphs(), place, title, buffer);
     let inner = popup::within(place);
     let last = inner.bottom().saturating_sub(1);
@@ -117,27 +117,27 @@ pub(super) fn render(app: &App, title: &str, area: Rect, buffer: &mut Buffer) {
         print_line(buffer, row, line, ScreenPart::Text);
     }
     let mut x = inner.x;
-    for (key, name) in &asked.keys {
+    for (key, name) in &requested.keys {
         let mut put = |x: u16, text: &str, part| {
-            let room = inner.right().saturating_sub(x);
-            print(buffer, x, last, room, text, theme::part(part))
+            let space = inner.right().saturating_sub(x);
+            print(buffer, x, last, space, text, theme::part(part))
         };
-        let behind = put(x, key, ScreenPart::Key) + 1;
-        x = put(behind, name, ScreenPart::Quiet) + GAP;
+        let after = put(x, key, ScreenPart::Key) + 1;
+        x = put(after, name, ScreenPart::Quiet) + GAP;
     }
 }
 
 /// Returns the question as lines for an area too small for a frame; empty without a question. The
 /// text is truncated so that all answers fit.
 pub(super) fn lines(app: &App, area: Rect) -> Vec<String> {
-    let Some(Asked { text, keys }) = Asked::of(app) else {
+    let Some(QuestionText { text, keys }) = QuestionText::of(app) else {
         return Vec::new();
     };
-    let room = usize::from(area.height).saturating_sub(keys.len());
+    let space = usize::from(area.height).saturating_sub(keys.len());
     let keys = keys.iter().map(|(key, name)| format!("{key} {name}"));
     let mut text = wrapped(&text, area.width.into());
-    if text.len() > room {
-        text.truncate(room);
+    if text.len() > space {
+        text.truncate(space);
         if let Some(last) = text.last_mut() {
             *last = cut(&format!("{last} ..."), area.width.into());
         }
@@ -147,5 +147,5 @@ pub(super) fn lines(app: &App, area: Rect) -> Vec<String> {
 
 /// Returns the area of the popup; zero without a question.
 pub(super) fn placed(app: &App, area: Rect) -> Rect {
-    Asked::of(app).map_or(Rect::ZERO, |asked| asked.arranged(area).1)
+    QuestionText::of(app).map_or(Rect::ZERO, |requested| requested.arranged(area).1)
 }

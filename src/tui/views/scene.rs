@@ -33,7 +33,7 @@ const MAX_NAME_LEN: u16 = 24;
 const WHOLE: (u16, u16) = (4, 10);
 const FRACTION: (u16, u16) = (4, 8);
 /// Minimum and maximum width of the value in the file or of the formula.
-const FILED: (u16, u16) = (10, 22);
+const FILE_VALUE_WIDTH: (u16, u16) = (10, 22);
 /// Columns before a name: the cursor and the mark of a change.
 const CURSOR: u16 = 2;
 /// Height of the line above the list.
@@ -50,13 +50,13 @@ struct SceneAreas {
 
 fn arrange(app: &App, body: Rect) -> SceneAreas {
     let list = ColumnWidths::of(app.editor()).width() + 1 + super::MARGIN;
-    let has_drawing = app.standing().contains(&View::Motion);
+    let has_drawing = app.visible_views().contains(&View::Motion);
     match body.width.checked_sub(list + 1).filter(|_| !has_drawing) {
         Some(width) if width >= MIN_DRAWING_WIDTH => {
-            let (list, beside) = split_columns(body, list);
+            let (list, side) = split_columns(body, list);
             SceneAreas {
                 list: inset(list),
-                beside: Some(split_columns(beside, 1)),
+                beside: Some(split_columns(side, 1)),
             }
         }
         Some(_) | None => SceneAreas {
@@ -80,7 +80,7 @@ struct ColumnWidths {
     whole: u16,
     fraction: u16,
     unit: u16,
-    filed: u16,
+    file_width: u16,
 }
 
 /// The scene view: all values of the scene.
@@ -102,8 +102,8 @@ impl Pane for SceneView {
     }
 
     fn render(&self, app: &App, sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
-        let SceneAreas { list, beside } = arrange(app, body);
-        if let Some((line, drawing)) = beside {
+        let SceneAreas { list, beside: side } = arrange(app, body);
+        if let Some((line, drawing)) = side {
             rule(app.glyphs(), line, buffer);
             show(sketch.raster(), drawing, buffer);
         }
@@ -116,9 +116,9 @@ impl Pane for SceneView {
             let value = &values[number];
             // The name of an element is emphasized only in the first row of its values.
             let before = number.checked_sub(1).filter(|_| row.y > rows.y);
-            let goes_on = before.is_some_and(|before| part_of(&values[before]) == part_of(value));
+            let continues = before.is_some_and(|before| part_of(&values[before]) == part_of(value));
             columns.row(app, value, number == cursor, row, buffer);
-            if goes_on && number != cursor {
+            if continues && number != cursor {
                 let name = split_columns(row, CURSOR).1;
                 let part = columns_of_part(value).min(columns.name);
                 let style = theme::part(ScreenPart::Quiet).remove_modifier(Modifier::BOLD);
@@ -147,7 +147,7 @@ impl Pane for SceneView {
     }
 
     fn hints(&self, app: &App) -> &'static [Action] {
-        if app.editor().gathered.is_some() {
+        if app.editor().staged.is_some() {
             return &[
                 Action::Scene(SceneAction::Gather),
                 Action::Back,
@@ -182,8 +182,8 @@ impl ColumnWidths {
         let part = |which: usize| {
             widest(&|value| {
                 let number = number_of(value);
-                let (whole, fraction) = halves(&number);
-                columns([whole, fraction][which])
+                let (text, fraction) = halves(&number);
+                columns([text, fraction][which])
             })
         };
         ColumnWidths {
@@ -191,8 +191,8 @@ impl ColumnWidths {
             whole: part(0).clamp(WHOLE.0, WHOLE.1),
             fraction: part(1).clamp(FRACTION.0, FRACTION.1),
             unit: widest(&|v| columns(v.unit)),
-            filed: widest(&|v| formula_of(v).map_or(0, |formula| columns(&formula)))
-                .clamp(FILED.0, FILED.1),
+            file_width: widest(&|v| formula_of(v).map_or(0, |formula| columns(&formula)))
+                .clamp(FILE_VALUE_WIDTH.0, FILE_VALUE_WIDTH.1),
         }
     }
 
@@ -203,7 +203,7 @@ impl ColumnWidths {
 
     /// Returns the width of all columns.
     fn width(&self) -> u16 {
-        self.values() + 2 + self.filed
+        self.values() + 2 + self.file_width
     }
 
     fn head(&self, editor: &Editor, area: Rect, buffer: &mut Buffer) {
@@ -213,7 +213,7 @@ impl ColumnWidths {
             print(buffer, area.x, area.y, area.width, text, style);
             return;
         };
-        let nudge = match (&editor.gathered, formula_of(value)) {
+        let nudge = match (&editor.staged, formula_of(value)) {
             (Some(gathered), _) => words().gathering(gathered.len()),
             // A value with a formula depends on others, so it cannot be nudged.
             (None, Some(formula)) => formula,
@@ -223,7 +223,7 @@ impl ColumnWidths {
         // A narrow list has no column for the value in the file.
         let is_wide = area.width >= self.width();
         let filed = editor.in_file(value).filter(|_| !is_wide);
-        let says = match (editor.changes(), filed) {
+        let message = match (editor.changes(), filed) {
             (0, _) => String::new(),
             (_, Some(filed)) => words().value_in_file(&filed.literal),
             (_, None) if is_wide => words().in_the_file().into(),
@@ -231,14 +231,14 @@ impl ColumnWidths {
         };
         let width = if is_wide { self.width() } else { self.values() };
         let right = area.x + width.min(area.width);
-        print_right(buffer, right, area.y, &says, style);
+        print_right(buffer, right, area.y, &message, style);
     }
 
     fn row(&self, app: &App, value: &Value, under_cursor: bool, area: Rect, buffer: &mut Buffer) {
         let part = |other| theme::part(if under_cursor { ScreenPart::Key } else { other });
         let editor = app.editor();
         let filed = editor.in_file(value);
-        let waiting = editor.gathered.as_ref();
+        let waiting = editor.staged.as_ref();
         let waiting = waiting.and_then(|gathered| gathered.text(&value.name));
         let waiting = waiting.map(|text| value.with_text(text));
         let is_changed = filed.is_some() || editor.is_new(value);
@@ -266,8 +266,8 @@ impl ColumnWidths {
         if let Some(typed) = typed {
             // A typed text may be longer than the column; its end is visible.
             let from = at + self.name + 1;
-            let room = usize::from(right.saturating_sub(from + 1));
-            let skipped = typed.len().saturating_sub(room);
+            let space = usize::from(right.saturating_sub(from + 1));
+            let skipped = typed.len().saturating_sub(space);
             let seen = typed.get(skipped..).unwrap_or_default();
             put(from, seen, theme::part(ScreenPart::Text));
             put(from + columns(seen), " ", theme::part(ScreenPart::Caret));
@@ -288,16 +288,16 @@ impl ColumnWidths {
             None => number_of(value),
         };
         self.number(&number, point, y, style, buffer);
-        let beside = match filed {
+        let side = match filed {
             _ if waiting.is_some() && shown.formula.is_some() => formula_of(shown),
             Some(filed) if filed.unit == value.unit => Some(filed.literal.clone()),
             Some(filed) => Some(filed.text()),
             None => formula_of(shown),
         };
-        if let Some(text) = beside
+        if let Some(text) = side
             && is_wide
         {
-            let text = cut(&text, self.filed.into());
+            let text = cut(&text, self.file_width.into());
             print_right(
                 buffer,
                 area.x + self.width(),

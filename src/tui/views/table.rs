@@ -1,8 +1,8 @@
 //! Renders the live tables of the motion view.
 
-use super::{cut, first_seen, page, print, split};
+use super::{cut, first_visible_line, page, print, split};
 use crate::capability::Colours;
-use crate::page::{Line, Span, Unsure};
+use crate::page::{Line, Span, UnprovedDigits};
 use crate::tui::app::{App, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::figures::sheet::{self, Placed, TableLine};
@@ -18,7 +18,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let placed = placed(app, area);
     let lines = placed.lines();
     let scroll = app.views.scroll[View::Motion as usize];
-    let scroll = first_seen(scroll, lines.len(), area, buffer);
+    let scroll = first_visible_line(scroll, lines.len(), area, buffer);
     for (y, line) in (area.top()..area.bottom()).zip(lines.iter().skip(scroll)) {
         render_line(app, &placed, line, Rect { y, ..area }, buffer);
     }
@@ -76,7 +76,7 @@ pub(super) fn render_line(
 ) -> Line {
     let shown = match *line {
         TableLine::Row(part, row, _) if is_alone(app, line) => {
-            placed.told((part, row), words().only_here())
+            placed.text_line((part, row), words().only_here())
         }
         _ => placed.show(line, app.tables()),
     };
@@ -100,11 +100,11 @@ fn tint(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buff
 /// Dims the unproved digits of a value. Without colours dim text may look like any other, so points
 /// replace these digits. A value without any bound is then unmarked; the status line reports it.
 pub(super) fn doubt(colours: Colours, figure: &Span, left: u16, area: Rect, buffer: &mut Buffer) {
-    let digits = match &figure.unsure {
-        Unsure::Nothing => return,
-        Unsure::Last(digits) => digits.clone(),
-        Unsure::Everything if colours == Colours::None => return,
-        Unsure::Everything => 0..figure.text.len(),
+    let digits = match &figure.unproved {
+        UnprovedDigits::Nothing => return,
+        UnprovedDigits::Last(digits) => digits.clone(),
+        UnprovedDigits::Everything if colours == Colours::None => return,
+        UnprovedDigits::Everything => 0..figure.text.len(),
     };
     for at in digits {
         let x = left.saturating_add(columns_of(at));
@@ -112,15 +112,15 @@ pub(super) fn doubt(colours: Colours, figure: &Span, left: u16, area: Rect, buff
             return;
         }
         let place = &mut buffer[(x, area.y)];
-        place.set_style(theme::part(ScreenPart::Unsure));
+        place.set_style(theme::part(ScreenPart::UnprovedDigits));
         if colours == Colours::None && place.symbol().bytes().all(|b| b.is_ascii_digit()) {
-            place.set_char(UNSURE);
+            place.set_char(UNPROVED_DIGIT);
         }
     }
 }
 
 /// The character in place of an unproved digit that cannot be dimmed.
-pub(super) const UNSURE: char = '.';
+pub(super) const UNPROVED_DIGIT: char = '.';
 
 /// Converts a width to columns, saturating.
 pub(super) fn columns_of(width: usize) -> u16 {

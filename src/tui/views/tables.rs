@@ -10,16 +10,16 @@
 
 use super::pane::{Copied, Listing, Pane, PaneSpot};
 use super::table::{self, columns_of, render_line};
-use super::{MARGIN, Sketch, columns, first_seen, print};
+use super::{MARGIN, Sketch, columns, first_visible_line, print};
 use crate::page::Line;
 use crate::quantity::Subject;
-use crate::report::upwards;
+use crate::report::perpendicular_up;
 use crate::tui::app::{App, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, TablesAction};
-use crate::tui::figures::cursor::seen;
+use crate::tui::figures::cursor::visible_lines;
 use crate::tui::figures::rows::subject_of;
-use crate::tui::figures::sheet::{FOUND, SheetPart, TableLine};
+use crate::tui::figures::sheet::{COMPUTED_MARK, SheetPart, TableLine};
 use crate::tui::views::motion::followed;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
@@ -42,13 +42,13 @@ impl Pane for TablesView {
         let body = table::below_title(app, place(body));
         let placed = table::placed(app, body);
         let lines = placed.lines();
-        let first = first_seen(
+        let first = first_visible_line(
             app.views.scroll[self.view() as usize],
             lines.len(),
             body,
             buffer,
         );
-        let seen = seen(&lines, first, body.height.into());
+        let seen = visible_lines(&lines, first, body.height.into());
         for (y, at) in (body.top()..body.bottom()).zip(seen) {
             let body = Rect { y, ..body };
             let shown = render_line(app, &placed, &lines[at], body, buffer);
@@ -69,9 +69,9 @@ impl Pane for TablesView {
     fn under(&self, app: &App, body: Rect, at: Position) -> Option<PaneSpot> {
         let area = table::below_title(app, place(body));
         let lines = table::placed(app, area).lines();
-        let most = lines.len().saturating_sub(area.height.into());
-        let first = app.views.scroll[self.view() as usize].min(most);
-        let seen = seen(&lines, first, area.height.into());
+        let maximum = lines.len().saturating_sub(area.height.into());
+        let first = app.views.scroll[self.view() as usize].min(maximum);
+        let seen = visible_lines(&lines, first, area.height.into());
         let line = seen.get(usize::from(at.y.checked_sub(area.y)?))?;
         match lines.get(*line)? {
             TableLine::Row(part, row, _) => Some(PaneSpot::Figure(*part, *row)),
@@ -92,7 +92,7 @@ impl Pane for TablesView {
     }
 
     fn legend(&self) -> Option<(char, &'static str)> {
-        Some((FOUND, words().found()))
+        Some((COMPUTED_MARK, words().found()))
     }
 
     /// Returns the error bound of the selected value.
@@ -102,9 +102,9 @@ impl Pane for TablesView {
         let entry = entries.get(cursor.column).copied().flatten()?;
         let unit = sheet.unit(cursor.part, cursor.column)?;
         entry.value?;
-        Some(match entry.seen_bound() {
+        Some(match entry.display_bound() {
             _ if entry.given => words().given().into(),
-            Some(bound) => format!("+-{} {unit}", upwards(bound, 1)),
+            Some(bound) => format!("+-{} {unit}", perpendicular_up(bound, 1)),
             None => words().no_bound().into(),
         })
     }

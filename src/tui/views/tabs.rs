@@ -41,13 +41,13 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
 /// Returns the view whose tab is at a column.
 pub(super) fn at(app: &App, area: Rect, x: u16) -> Option<View> {
     let (tabs, gap) = fitted(app, area.width);
-    let mut begin = area.x;
+    let mut start = area.x;
     for tab in &tabs {
-        let end = begin + needed(std::slice::from_ref(tab), 0) + 1;
-        if (begin..end).contains(&x) {
+        let end = start + needed(std::slice::from_ref(tab), 0) + 1;
+        if (start..end).contains(&x) {
             return Some(tab.view);
         }
-        begin = end - 1 + gap;
+        start = end - 1 + gap;
     }
     None
 }
@@ -78,7 +78,7 @@ fn render_tab(app: &App, tab: &Tab, (x, y): (u16, u16), buffer: &mut Buffer) -> 
 /// Returns the longest form of the tabs that fits, and the additional blanks between them.
 fn fitted(app: &App, width: u16) -> (Vec<Tab>, u16) {
     let all = || View::ALL.into_iter();
-    let whole = || all().map(|view| tab(app, view, named(view)));
+    let complete = || all().map(|view| tab(app, view, named(view)));
     let brief = || all().map(|view| tab(app, view, in_short(view)));
     let own = |view: View| {
         if view == app.view() {
@@ -89,8 +89,8 @@ fn fitted(app: &App, width: u16) -> (Vec<Tab>, u16) {
     };
     let keys = || all().map(|view| tab(app, view, own(view)));
     let candidates: [(Vec<Tab>, u16); 4] = [
-        (whole().collect(), 1),
-        (whole().collect(), 0),
+        (complete().collect(), 1),
+        (complete().collect(), 0),
         (brief().collect(), 0),
         (keys().collect(), 0),
     ];
@@ -132,7 +132,7 @@ fn in_short(view: View) -> String {
 }
 
 fn capitalised(name: &str) -> String {
-    Language::spoken().capitalised(name)
+    Language::current_language().capitalised(name)
 }
 
 /// Returns the hints for help and commands, through which everything else is found.

@@ -27,10 +27,10 @@ const MAX_NAME_LEN: usize = 20;
 
 /// Renders the drawing's title if it fills the screen.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
-    let room = area.width.saturating_sub(2);
-    let (title, settings) = heading(app, room);
+    let space = area.width.saturating_sub(2);
+    let (title, settings) = heading(app, space);
     let style = theme::part(ScreenPart::Title);
-    print(buffer, area.x + 1, area.y, room, &title, style);
+    print(buffer, area.x + 1, area.y, space, &title, style);
     let style = theme::part(ScreenPart::Quiet);
     let right = area.right().saturating_sub(1);
     print_right(buffer, right, area.y, &settings, style);
@@ -38,7 +38,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
 
 /// Returns the scene's title with the compared scene, and as many of the step and playback settings
 /// as fit.
-pub(super) fn heading(app: &App, room: u16) -> (String, String) {
+pub(super) fn heading(app: &App, space: u16) -> (String, String) {
     let title = app.open_scene().scene().title();
     let title = shown(&title, app.glyphs());
     let title = if app.is_unsaved() {
@@ -52,17 +52,17 @@ pub(super) fn heading(app: &App, room: u16) -> (String, String) {
     let mut settings = settings(app);
     let joined = loop {
         let joined = settings.join(GAP);
-        if columns(&joined) + wanted <= room || settings.pop().is_none() {
+        if columns(&joined) + wanted <= space || settings.pop().is_none() {
             break joined;
         }
     };
-    let beside = match joined.is_empty() {
+    let side = match joined.is_empty() {
         true => 0,
         false => columns(&joined) + columns(GAP),
     };
-    let left = room.saturating_sub(beside);
-    let most = left.saturating_sub(columns(&against)).max(TITLE.min(left));
-    let title = cut(&title, most.into()) + &against;
+    let left = space.saturating_sub(side);
+    let maximum = left.saturating_sub(columns(&against)).max(TITLE.min(left));
+    let title = cut(&title, maximum.into()) + &against;
     (cut(&title, left.into()), joined)
 }
 

@@ -27,24 +27,24 @@ struct Remark {
 }
 
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
-    let told = told(app.open_scene().verdict(), app.verdict_before());
+    let shown_text = remarks(app.open_scene().verdict(), app.verdict_before());
     let mut x = area.x + INDENT;
-    for (text, is_changed) in fit(told, area.width.saturating_sub(2 * INDENT)) {
+    for (text, is_changed) in fit(shown_text, area.width.saturating_sub(2 * INDENT)) {
         let part = match is_changed {
             true => ScreenPart::Warning,
             false => ScreenPart::Quiet,
         };
-        let room = area.right().saturating_sub(x);
+        let space = area.right().saturating_sub(x);
         let text = shown(&text, app.glyphs());
-        x = print(buffer, x, area.y, room, &text, theme::part(part)) + GAP;
+        x = print(buffer, x, area.y, space, &text, theme::part(part)) + GAP;
     }
 }
 
 /// Returns the parts of the verdict; a part changed by the last edit includes its old value.
-fn told(now: &Verdict, before: Option<&Verdict>) -> Vec<Remark> {
+fn remarks(now: &Verdict, before: Option<&Verdict>) -> Vec<Remark> {
     let before = before.unwrap_or(now);
     let pairs = now.parts.iter().zip(&before.parts);
-    let told = pairs.filter_map(|(now, before)| match (before, now) {
+    let shown_text = pairs.filter_map(|(now, before)| match (before, now) {
         (None, None) => None,
         (Some(old), Some(new)) if old == new => Some(Remark {
             texts: [new.long.clone(), new.short.clone()],
@@ -62,25 +62,29 @@ fn told(now: &Verdict, before: Option<&Verdict>) -> Vec<Remark> {
             })
         }
     });
-    told.collect()
+    shown_text.collect()
 }
 
 /// Returns the texts that fit. All parts are shortened before any is dropped, and changed parts are
 /// dropped last.
-fn fit(mut told: Vec<Remark>, room: u16) -> Vec<(String, bool)> {
-    let needed = |told: &[Remark], brevity: usize| {
-        let texts = told.iter().map(|told| columns(&told.texts[brevity]) + GAP);
+fn fit(mut shown_text: Vec<Remark>, space: u16) -> Vec<(String, bool)> {
+    let needed = |shown_text: &[Remark], brevity: usize| {
+        let texts = shown_text
+            .iter()
+            .map(|shown_text| columns(&shown_text.texts[brevity]) + GAP);
         texts.sum::<u16>().saturating_sub(GAP)
     };
-    while told.len() > 1 && needed(&told, 1) > room {
-        let unchanged = told.iter().rposition(|told| !told.is_changed);
-        told.remove(unchanged.unwrap_or(told.len() - 1));
+    while shown_text.len() > 1 && needed(&shown_text, 1) > space {
+        let unchanged = shown_text
+            .iter()
+            .rposition(|shown_text| !shown_text.is_changed);
+        shown_text.remove(unchanged.unwrap_or(shown_text.len() - 1));
     }
-    let brevity = usize::from(needed(&told, 0) > room);
-    let texts = told.into_iter().map(|told| {
-        let [long, short] = told.texts;
+    let brevity = usize::from(needed(&shown_text, 0) > space);
+    let texts = shown_text.into_iter().map(|shown_text| {
+        let [long, short] = shown_text.texts;
         let text = if brevity == 0 { long } else { short };
-        (cut(&text, room.into()), told.is_changed)
+        (cut(&text, space.into()), shown_text.is_changed)
     });
     texts.collect()
 }
@@ -96,8 +100,8 @@ mod tests {
         })
     }
 
-    fn texts(now: &Verdict, before: Option<&Verdict>, room: u16) -> Vec<String> {
-        let fitted = fit(told(now, before), room);
+    fn texts(now: &Verdict, before: Option<&Verdict>, space: u16) -> Vec<String> {
+        let fitted = fit(remarks(now, before), space);
         fitted.into_iter().map(|(text, _)| text).collect()
     }
 

@@ -14,7 +14,7 @@ use ratatui::layout::Rect;
 const PATIENCE: f64 = 3.0;
 /// Assumed cell size of a terminal that does not report it, in pixels. It is smaller than most, so
 /// that an image fits.
-const USUAL_CELL: (u16, u16) = (6, 12);
+const DEFAULT_CELL_SIZE: (u16, u16) = (6, 12);
 
 /// The state of a requested image.
 #[derive(Debug, Default)]
@@ -40,7 +40,7 @@ pub(super) struct ActiveImage {
 
 impl Still {
     /// Confirms or drops an offered image: `again` if the next action was the same request.
-    pub(super) fn asked_again(&mut self, again: bool) {
+    pub(super) fn confirm(&mut self, again: bool) {
         if matches!(self, Still::Offered) {
             *self = if again { Still::Accepted } else { Still::None };
         }
@@ -101,7 +101,7 @@ impl Workbench {
     }
 
     /// Removes the image before the next event, so that its cells are painted again.
-    pub(super) fn put_still_away(&mut self) {
+    pub(super) fn remove_image(&mut self) {
         match self.still {
             Still::Shown(shown) => {
                 self.still = Still::None;
@@ -118,7 +118,7 @@ impl Workbench {
         if let Still::Shown(shown) = self.still
             && self.painter.differs_in(shown.area)
         {
-            self.put_still_away();
+            self.remove_image();
         }
     }
 
@@ -128,7 +128,7 @@ impl Workbench {
         cell: Option<(u16, u16)>,
     ) -> Result<Option<(StillSequence, ActiveImage)>, PaintError> {
         let canvas = Canvas::new()?;
-        self.app.catch_up();
+        self.app.update_before_frame();
         views::prepare(&self.app, &mut self.sketch);
         let ground = match self.app.palette().theme {
             Theme::Dark => SvgGround::Dark,
@@ -146,7 +146,7 @@ impl Workbench {
 /// Returns the width of an image in pixels, such that its height fits too; its cells have the given
 /// aspect.
 fn width_in(area: Rect, cell: Option<(u16, u16)>, aspect: f64) -> u32 {
-    let (width, height) = cell.unwrap_or(USUAL_CELL);
+    let (width, height) = cell.unwrap_or(DEFAULT_CELL_SIZE);
     let column = f64::from(width).min(f64::from(height) / aspect);
     let across = f64::from(area.width) * column;
     #[expect(
@@ -174,7 +174,7 @@ mod tests {
             (None, 2.0),
             (None, 1.5),
         ] {
-            let (width, height) = cell.unwrap_or(USUAL_CELL);
+            let (width, height) = cell.unwrap_or(DEFAULT_CELL_SIZE);
             let across = f64::from(width_in(area, cell, aspect));
             let down = across * f64::from(area.height) * aspect / f64::from(area.width);
             assert!(across <= f64::from(area.width * width), "{cell:?}");

@@ -23,7 +23,7 @@ const ODD: [&str; 14] = [
 ];
 
 /// Beginnings of comments that do not stand alone.
-const BEGINNINGS: [&str; 6] = [
+const DEPENDENT_STARTS: [&str; 6] = [
     "What ",
     "Whatever ",
     "Whoever ",
@@ -56,7 +56,7 @@ fn doc_comments(source: &str) -> Vec<(String, bool)> {
 fn is_odd(text: &str) -> bool {
     let mut words = text.split(|c: char| !c.is_alphanumeric());
     words.any(|word| ODD.contains(&word.to_lowercase().as_str()))
-        || BEGINNINGS.iter().any(|begin| text.starts_with(begin))
+        || DEPENDENT_STARTS.iter().any(|start| text.starts_with(start))
 }
 
 /// Returns `true` if a text begins with a verb in the third person, as in "Returns the angle".

@@ -1,11 +1,11 @@
-//! Checks that all user-visible sentences are in the catalogue: in the modules of [`SAID`], no text
+//! Checks that all user-visible sentences are in the catalogue: in the modules of [`CATALOGUE_MODULES`], no text
 //! outside `wording` has two words.
 
 use super::{files, is_test, module_path, source_folders, sources, tokens, without_tests};
 use std::fs;
 
 /// Modules whose sentences are in the catalogue.
-const SAID: [&[&str]; 16] = [
+const CATALOGUE_MODULES: [&[&str]; 16] = [
     &["capability"],
     &["cli"],
     &["document"],
@@ -48,7 +48,7 @@ const OTHERS: [&[&str]; 12] = [
 
 /// Functions and macros whose texts no user reads: they address readers of the code, or are
 /// compared with other texts.
-const UNSAID: [&str; 10] = [
+const DEVELOPER_FUNCTIONS: [&str; 10] = [
     "assert",
     "assert_eq",
     "assert_ne",
@@ -70,8 +70,12 @@ fn sentences(tokens: &[String]) -> Vec<&str> {
         i = match at(i) {
             "#" if at(i + 1) == "[" => behind(tokens, i + 1),
             "#" if at(i + 1) == "!" && at(i + 2) == "[" => behind(tokens, i + 2),
-            name if UNSAID.contains(&name) && at(i + 1) == "(" => behind(tokens, i + 1),
-            name if UNSAID.contains(&name) && at(i + 1) == "!" => behind(tokens, i + 2),
+            name if DEVELOPER_FUNCTIONS.contains(&name) && at(i + 1) == "(" => {
+                behind(tokens, i + 1)
+            }
+            name if DEVELOPER_FUNCTIONS.contains(&name) && at(i + 1) == "!" => {
+                behind(tokens, i + 2)
+            }
             // The text of an error type belongs to the library.
             "Display" if at(i + 1) == "for" => behind(tokens, i + 3),
             text => {
@@ -113,35 +117,37 @@ fn is_sentence(text: &str) -> bool {
         })
         .collect();
     let is_word = |text: String| text.chars().count() >= 2 && text.chars().all(char::is_alphabetic);
-    let begins = |part: &str| is_word(part.chars().take(2).collect());
+    let starts = |part: &str| is_word(part.chars().take(2).collect());
     let ends = |part: &str| is_word(part.chars().rev().take(2).collect());
     let parts: Vec<&str> = marked.split(' ').collect();
     let is_between = |parts: &[&str]| {
         parts[0].ends_with(FILLED) && is_word(parts[1].into()) && parts[2].starts_with(FILLED)
     };
-    parts.windows(2).any(|two| ends(two[0]) && begins(two[1])) || parts.windows(3).any(is_between)
+    parts.windows(2).any(|two| ends(two[0]) && starts(two[1])) || parts.windows(3).any(is_between)
 }
 
 /// Represents a placeholder.
 const FILLED: char = '\u{1}';
 
 /// Returns the index of the first entry that contains a module.
-fn room_of(path: &[String], rooms: &[&[&str]]) -> Option<usize> {
+fn layer_of(path: &[String], rooms: &[&[&str]]) -> Option<usize> {
     let holds =
-        |room: &&[&str]| path.len() >= room.len() && path.iter().zip(*room).all(|(a, b)| a == b);
+        |space: &&[&str]| path.len() >= space.len() && path.iter().zip(*space).all(|(a, b)| a == b);
     rooms.iter().position(holds)
 }
 
 #[test]
 fn user_visible_sentences_are_in_the_catalogue() {
     let mut faults = Vec::new();
-    let mut seen = [false; SAID.len()];
+    let mut seen = [false; CATALOGUE_MODULES.len()];
     for (file, inner) in sources() {
         let path = module_path(&inner);
-        let Some(room) = room_of(&path, &SAID).filter(|_| room_of(&path, &OTHERS).is_none()) else {
+        let Some(space) =
+            layer_of(&path, &CATALOGUE_MODULES).filter(|_| layer_of(&path, &OTHERS).is_none())
+        else {
             continue;
         };
-        seen[room] = true;
+        seen[space] = true;
         if is_test(&path) {
             continue;
         }
@@ -153,19 +159,19 @@ fn user_visible_sentences_are_in_the_catalogue() {
                 .map(|s| format!("{}: {s}", path.join("::"))),
         );
     }
-    assert_eq!(seen, [true; SAID.len()], "a room has gone");
+    assert_eq!(seen, [true; CATALOGUE_MODULES.len()], "a room has gone");
     assert!(faults.is_empty(), "\n{}\n", faults.join("\n"));
 }
 
 /// Returns `true` if a doc comment would become help text: of an option, a command or a value.
-fn is_told_as_help(lines: &[&str]) -> bool {
-    let mut behind = lines[1..]
+fn is_help_text(lines: &[&str]) -> bool {
+    let mut after = lines[1..]
         .iter()
         .skip_while(|line| line.starts_with("#[cfg"));
-    let told = ["#[arg", "#[command(about", "#[command(after", "#[value"];
-    let next = behind.next().copied().unwrap_or_default();
+    let texts = ["#[arg", "#[command(about", "#[command(after", "#[value"];
+    let next = after.next().copied().unwrap_or_default();
     let is_value = next.ends_with(',') && next.starts_with(|c: char| c.is_ascii_uppercase());
-    lines[0].starts_with("///") && (is_value || told.iter().any(|of| next.starts_with(of)))
+    lines[0].starts_with("///") && (is_value || texts.iter().any(|of| next.starts_with(of)))
 }
 
 #[test]
@@ -179,14 +185,14 @@ fn command_line_help_is_not_in_doc_comments() {
     assert!(found.len() > 15, "{}", found.len());
     for (text, file) in found {
         let lines: Vec<&str> = text.lines().map(str::trim).collect();
-        let told = (0..lines.len()).find(|&at| is_told_as_help(&lines[at..]));
-        assert_eq!(told.map(|at| lines[at]), None, "{}", file.display());
+        let output = (0..lines.len()).find(|&at| is_help_text(&lines[at..]));
+        assert_eq!(output.map(|at| lines[at]), None, "{}", file.display());
     }
     for bad in [
         "/// Whose\n#[cfg(unix)]\n#[arg(long)]\nwhose: u8,",
         "/// None\nNone,",
     ] {
-        assert!(is_told_as_help(&bad.lines().collect::<Vec<_>>()), "{bad}");
+        assert!(is_help_text(&bad.lines().collect::<Vec<_>>()), "{bad}");
     }
 }
 

@@ -12,7 +12,7 @@ use crate::{Double, Vec2};
 pub const TURN: f64 = 360.0;
 
 /// 1.5 * 2^52: adding and subtracting it rounds to the nearest integer without a library call.
-const ROUNDER: f64 = 6_755_399_441_055_744.0;
+const INTEGER_SHIFT: f64 = 6_755_399_441_055_744.0;
 /// Below this, 90 times the number of quadrants is exact. Larger angles are first reduced by a
 /// remainder.
 const EXACT_QUADRANTS: f64 = 4_503_599_627_370_496.0; // 2^52
@@ -56,8 +56,8 @@ pub(super) fn is_reduced(degrees: f64) -> bool {
 pub(super) fn components(degrees: f64) -> (f64, f64) {
     // The lowest bits of the counter are the quadrant modulo 4. The subtraction is exact by
     // Sterbenz's lemma.
-    let counter = degrees * (1.0 / 90.0) + ROUNDER;
-    let (sin, cos) = sin_cos(degrees - 90.0 * (counter - ROUNDER));
+    let counter = degrees * (1.0 / 90.0) + INTEGER_SHIFT;
+    let (sin, cos) = sin_cos(degrees - 90.0 * (counter - INTEGER_SHIFT));
     let quadrant = counter.to_bits();
     let odd = quadrant & 1 == 1;
     let (x, y) = if odd { (sin, cos) } else { (cos, sin) };
@@ -75,8 +75,8 @@ pub(crate) fn unit_closely<const FUSED: bool>(degrees: f64) -> (Vec2<Double>, Ve
     } else {
         degrees % TURN
     };
-    let counter = reduced * (1.0 / 90.0) + ROUNDER;
-    let (sin, cos, square) = sin_cos_closely::<FUSED>(reduced - 90.0 * (counter - ROUNDER));
+    let counter = reduced * (1.0 / 90.0) + INTEGER_SHIFT;
+    let (sin, cos, square) = sin_cos_closely::<FUSED>(reduced - 90.0 * (counter - INTEGER_SHIFT));
     // The rounding errors of the two series, each proportional to z^2: see `sin_cos_closely`.
     let off = [U * 0.06, U * 0.3].map(|part| part * square);
     let minus = |v: Double| -v;
@@ -175,7 +175,7 @@ pub fn degrees(direction: Vec2) -> f64 {
 }
 
 /// Shifts a direction by whole turns to within half a turn of `other`, in degrees.
-pub fn beside(other: f64, direction: f64) -> f64 {
+pub fn unwrap_near(other: f64, direction: f64) -> f64 {
     unwrap_within(TURN, other, direction)
 }
 
@@ -234,9 +234,9 @@ mod tests {
             let angle = f64::from(k) * 0.017_1;
             let (close, off) = unit_closely::<false>(angle);
             let miss = (close - Double::unit(angle)).map(|v| v.hi.abs());
-            let most = off.map(|v| v + 1e-19);
+            let maximum = off.map(|v| v + 1e-19);
             assert!(
-                miss.x <= most.x && miss.y <= most.y,
+                miss.x <= maximum.x && miss.y <= maximum.y,
                 "{angle}: {miss:?} {off:?}"
             );
             assert!(off.x < 0.12 * U && off.y < 0.12 * U, "{angle}");

@@ -1,7 +1,7 @@
 //! Implements ball arithmetic: numbers with a bound on their error.
 
 use super::double::{two_product, two_sum};
-use super::{TWICE, U};
+use super::{DOUBLE_DOUBLE_ERROR, U};
 use crate::{Constant, Number, Vec2, angle};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
@@ -134,11 +134,11 @@ impl Div for Ball {
     #[inline]
     fn div(self, o: Ball) -> Ball {
         let mid = self.mid / o.mid;
-        let least = o.mid.abs() - o.radius;
-        if !(least > 0.0) {
+        let minimum = o.mid.abs() - o.radius;
+        if !(minimum > 0.0) {
             return Ball::new(mid, f64::INFINITY);
         }
-        let carried = (self.radius + mid.abs() * o.radius) / least;
+        let carried = (self.radius + mid.abs() * o.radius) / minimum;
         Ball::new(mid, carried + half_ulp(mid))
     }
 }
@@ -172,7 +172,7 @@ impl Number for Ball {
     fn times(self, constant: Constant) -> Ball {
         let Constant { hi, lo, radius, .. } = constant;
         let (mid, lost) = two_product(self.mid, hi);
-        let radius = radius + TWICE * hi.abs();
+        let radius = radius + DOUBLE_DOUBLE_ERROR * hi.abs();
         let carried = self.radius * (hi.abs() + lo.abs() + radius) + self.mid.abs() * radius;
         Ball::shifted(mid, lost + self.mid * lo, carried)
     }
@@ -182,18 +182,22 @@ impl Number for Ball {
     fn plus(self, constant: Constant) -> Ball {
         let Constant { hi, lo, radius, .. } = constant;
         let (mid, lost) = two_sum(self.mid, hi);
-        Ball::shifted(mid, lost + lo, self.radius + radius + TWICE * hi.abs())
+        Ball::shifted(
+            mid,
+            lost + lo,
+            self.radius + radius + DOUBLE_DOUBLE_ERROR * hi.abs(),
+        )
     }
 
     /// Bounds the error by |sqrt(v + d) - sqrt(v)| = |d| / (sqrt(v) + sqrt(v + d)).
     #[inline]
     fn sqrt(self) -> Ball {
         let mid = self.mid.sqrt();
-        let least = self.mid - self.radius;
-        if !(least > 0.0) {
+        let minimum = self.mid - self.radius;
+        if !(minimum > 0.0) {
             return Ball::new(mid, f64::INFINITY);
         }
-        Ball::new(mid, self.radius / (mid + least.sqrt()) + half_ulp(mid))
+        Ball::new(mid, self.radius / (mid + minimum.sqrt()) + half_ulp(mid))
     }
 
     #[inline]
@@ -213,10 +217,10 @@ impl Number for Ball {
 
     /// Encloses both balls.
     fn either(self, other: Ball) -> Ball {
-        let apart = (self.mid - other.mid).abs();
+        let distance = (self.mid - other.mid).abs();
         Ball::new(
             self.mid,
-            self.radius.max((apart + other.radius) * INFLATION),
+            self.radius.max((distance + other.radius) * INFLATION),
         )
     }
 
@@ -250,8 +254,8 @@ impl Number for Ball {
             }
             let mid = x.mid.hypot(y.mid);
             // The platform's hypot is accurate to an ulp.
-            let apart = x.radius.hypot(y.radius) * INFLATION;
-            Ball::new(mid, apart + 4.0 * half_ulp(mid) + TINY)
+            let distance = x.radius.hypot(y.radius) * INFLATION;
+            Ball::new(mid, distance + 4.0 * half_ulp(mid) + TINY)
         }
     }
 
@@ -261,9 +265,9 @@ impl Number for Ball {
         let Vec2 { x, y } = direction;
         let length = x.mid.hypot(y.mid) * (1.0 - 4.0 * U);
         let across = (x.mid.abs() * y.radius + y.mid.abs() * x.radius) / length;
-        let least = length - (x.radius + y.radius);
-        let off = if least > 0.0 {
-            (across / least).to_degrees() * (1.0 + 4.0 * U)
+        let minimum = length - (x.radius + y.radius);
+        let off = if minimum > 0.0 {
+            (across / minimum).to_degrees() * (1.0 + 4.0 * U)
         } else {
             f64::INFINITY
         };

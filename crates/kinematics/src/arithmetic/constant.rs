@@ -15,9 +15,9 @@ const LAST_BITS: u64 = (1 << 20) - 1;
 /// the constant pi round by less than 3.4 u in all, and u is at most two half ulps.
 const CONVERSION: f64 = 7.0;
 /// Assumed rounding errors of a coordinate that a program computed.
-const ROUNDED: f64 = 8.0;
+const COMPUTED_ROUNDINGS: f64 = 8.0;
 /// Relative error of a double-double operation, with a margin.
-pub(crate) const TWICE: f64 = 1e-31;
+pub(crate) const DOUBLE_DOUBLE_ERROR: f64 = 1e-31;
 /// Maximum relative error of an operation in double-double (Joldes, Muller and Popescu: 3 u^2 for a
 /// sum, 7 for a product, 15 for a quotient).
 const LOST: f64 = 16.0 * U * U;
@@ -107,18 +107,18 @@ impl Constant {
 
     /// Creates a position for comparing lengths, from the typed decimals or from the stored
     /// doubles. `radius` covers the rounding of both coordinates if one of them is a long number.
-    pub(crate) fn compared(place: Vec2, is_decimal: bool) -> Vec2<Constant> {
+    pub(crate) fn compared(position: Vec2, is_decimal: bool) -> Vec2<Constant> {
         let read = |v: f64| {
             if is_decimal {
                 let decimal = Decimal::of(v);
                 // A long number was computed by a program, and its last digit was then rounded.
-                let radius = decimal.rounding + ROUNDED * typed_radius(v);
+                let radius = decimal.rounding + COMPUTED_ROUNDINGS * typed_radius(v);
                 return (Constant::new(decimal.value, radius), decimal.is_long);
             }
-            let radius = ROUNDED * typed_radius(v);
+            let radius = COMPUTED_ROUNDINGS * typed_radius(v);
             (Constant::new(Double::exactly(v), radius), radius > 0.0)
         };
-        let Vec2 { x, y } = place.map(read);
+        let Vec2 { x, y } = position.map(read);
         let is_rounded = x.1 || y.1;
         Vec2::new(x.0, y.0).map(|v| Constant {
             radius: if is_rounded { v.radius } else { 0.0 },
@@ -129,8 +129,8 @@ impl Constant {
     /// Creates a position as meant: the typed decimals or the stored doubles. The radius covers
     /// double-double rounding only, but a decimal of 15 digits or more counts as already rounded
     /// when it was typed, to half an ulp.
-    pub(crate) fn meant(place: Vec2, is_decimal: bool) -> Vec2<Constant> {
-        place.map(|v| {
+    pub(crate) fn intended_position(position: Vec2, is_decimal: bool) -> Vec2<Constant> {
+        position.map(|v| {
             if !is_decimal {
                 return Constant::new(Double::exactly(v), 0.0);
             }
@@ -150,9 +150,10 @@ impl Constant {
     }
 
     /// Returns the unit vector at an angle in degrees, with the angle as meant (see
-    /// [`Constant::meant`]).
-    pub(crate) fn meant_unit(degrees: f64, is_decimal: bool) -> Vec2<Constant> {
-        let Vec2 { x: angle, .. } = Constant::meant(Vec2::new(degrees, 0.0), is_decimal);
+    /// [`Constant::intended_position`]).
+    pub(crate) fn intended_unit_vector(degrees: f64, is_decimal: bool) -> Vec2<Constant> {
+        let Vec2 { x: angle, .. } =
+            Constant::intended_position(Vec2::new(degrees, 0.0), is_decimal);
         <Double as Number>::unit(angle.value()).map(|v| {
             let is_exact = v == Double::ZERO || v.abs() == Double::ONE;
             let off = angle.radius.to_radians() + LOST_IN_UNIT;
@@ -176,10 +177,11 @@ impl Constant {
     }
 
     /// Returns the displacement for a length and an angle in degrees, both as meant (see
-    /// [`Constant::meant`]).
-    pub(crate) fn meant_arm(length: f64, degrees: f64, is_decimal: bool) -> Vec2<Constant> {
-        let Vec2 { x: length, .. } = Constant::meant(Vec2::new(length, 0.0), is_decimal);
-        Constant::meant_unit(degrees, is_decimal).map(|v| length * v)
+    /// [`Constant::intended_position`]).
+    pub(crate) fn intended_arm(length: f64, degrees: f64, is_decimal: bool) -> Vec2<Constant> {
+        let Vec2 { x: length, .. } =
+            Constant::intended_position(Vec2::new(length, 0.0), is_decimal);
+        Constant::intended_unit_vector(degrees, is_decimal).map(|v| length * v)
     }
 
     /// Widens a sine or cosine by the error of its series.
@@ -219,18 +221,18 @@ impl Constant {
     /// Creates a constant known to double-double precision, such as a mathematical one, without
     /// typing error.
     pub(crate) fn known(value: Double) -> Constant {
-        Constant::new(value, TWICE * value.hi.abs())
+        Constant::new(value, DOUBLE_DOUBLE_ERROR * value.hi.abs())
     }
 
     /// Creates a constant known to double-double precision up to a few roundings, and stored as the
     /// double `hi` near it.
     pub(crate) fn stored(hi: f64, value: Double) -> Constant {
-        Constant::new(value, 4.0 * LOST * value.hi.abs()).beside(hi)
+        Constant::new(value, 4.0 * LOST * value.hi.abs()).relative_to(hi)
     }
 
     /// Re-expresses the same value relative to a double near it.
     #[must_use]
-    pub(crate) fn beside(self, hi: f64) -> Constant {
+    pub(crate) fn relative_to(self, hi: f64) -> Constant {
         let rest = self.value() - Double::exactly(hi);
         Constant {
             hi,
@@ -254,7 +256,7 @@ impl Constant {
     #[inline]
     #[must_use]
     pub fn off(self) -> f64 {
-        self.radius + (self.lo.abs() + TWICE * self.hi.abs())
+        self.radius + (self.lo.abs() + DOUBLE_DOUBLE_ERROR * self.hi.abs())
     }
 }
 
@@ -302,8 +304,8 @@ impl Div for Constant {
     type Output = Constant;
     fn div(self, o: Constant) -> Constant {
         let value = self.value() / o.value();
-        let least = o.hi.abs() * (1.0 - 4.0 * U) - o.radius;
-        let radius = (self.radius + value.hi.abs() * o.radius) / least;
+        let minimum = o.hi.abs() * (1.0 - 4.0 * U) - o.radius;
+        let radius = (self.radius + value.hi.abs() * o.radius) / minimum;
         let quotient = Constant::rounded(value, radius * (1.0 + 8.0 * U), false);
         quotient.with_slope((self.slope - value.hi * o.slope) / o.hi)
     }
@@ -381,7 +383,10 @@ mod tests {
     #[test]
     fn exactly_representable_values_have_no_error() {
         for exact in [0.0, 250.0, -0.625, 400.0, 1e6 + 1.0] {
-            assert!(Constant::given(exact).off() <= TWICE * 1e7, "{exact}");
+            assert!(
+                Constant::given(exact).off() <= DOUBLE_DOUBLE_ERROR * 1e7,
+                "{exact}"
+            );
         }
         // The double nearest to the last one ends with twenty zero bits.
         for rounded in [0.1, 39.3, 1.000_000_001, 9.47615610808134] {

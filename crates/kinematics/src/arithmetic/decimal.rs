@@ -42,11 +42,11 @@ impl Decimal {
         }
         let first = size.log10().floor() as i32;
         let mut unit = first + 1 - DIGITS;
-        let mut digits = times_power(exactly.value, -unit).nearest_whole();
+        let mut digits = times_power(exactly.value, -unit).nearest_integer();
         // The rounded logarithm can be off by one.
         if digits.abs() >= 1e15 {
             unit += 1;
-            digits = times_power(exactly.value, -unit).nearest_whole();
+            digits = times_power(exactly.value, -unit).nearest_integer();
         }
         let decimal = times_power(Double::exactly(digits), unit);
         let is_read_so = decimal.hi == value;
@@ -65,10 +65,10 @@ impl Decimal {
 }
 
 impl Double {
-    fn nearest_whole(self) -> f64 {
-        let whole = self.hi.round();
+    fn nearest_integer(self) -> f64 {
+        let complete = self.hi.round();
         // Half-way cases may round either way: no decimal of 15 digits is one.
-        whole + ((self.hi - whole) + self.lo).round()
+        complete + ((self.hi - complete) + self.lo).round()
     }
 }
 

@@ -25,7 +25,7 @@ impl Dual {
 }
 
 /// Relative tolerance for two derivatives computed in different ways.
-const SAME: f64 = 1e-12;
+const EQUALITY_TOLERANCE: f64 = 1e-12;
 
 impl Add for Dual {
     type Output = Dual;
@@ -125,9 +125,9 @@ impl Number for Dual {
 
     /// Treats slopes that differ only by rounding errors as equal.
     fn at_kink(self, other: Dual) -> Dual {
-        let apart = (self.slope - other.slope).abs();
-        let most = self.slope.abs().max(other.slope.abs());
-        match apart <= SAME * most {
+        let distance = (self.slope - other.slope).abs();
+        let maximum = self.slope.abs().max(other.slope.abs());
+        match distance <= EQUALITY_TOLERANCE * maximum {
             true => self,
             false => Dual::new(self.value, f64::NAN),
         }

@@ -23,9 +23,17 @@ pub(crate) struct Product {
 impl<const FUSED: bool> Halves<FUSED> {
     /// Splits a number.
     #[inline(always)]
-    pub(crate) fn of(whole: f64) -> Self {
-        let (top, tail) = if FUSED { (whole, 0.0) } else { split(whole) };
-        Halves { whole, top, tail }
+    pub(crate) fn of(complete: f64) -> Self {
+        let (top, tail) = if FUSED {
+            (complete, 0.0)
+        } else {
+            split(complete)
+        };
+        Halves {
+            whole: complete,
+            top,
+            tail,
+        }
     }
 
     /// Returns the product; exact except for underflow (Dekker).

@@ -29,7 +29,7 @@ mod vec2;
 pub use ball::Ball;
 pub(crate) use ball::{INFLATION, half_ulp};
 pub use constant::Constant;
-pub(crate) use constant::{TWICE, typed_radius};
+pub(crate) use constant::{DOUBLE_DOUBLE_ERROR, typed_radius};
 pub use decimal::Decimal;
 pub use double::Double;
 pub use dual::Dual;

@@ -23,7 +23,7 @@ pub trait Number:
     /// Whether an operation costs no more than a test whether it is needed.
     const IS_CHEAP: bool = true;
     /// The rounding error relative to that of doubles; 0 if the type bounds its own error.
-    const GRAIN: f64 = 1.0;
+    const RELATIVE_ROUNDING: f64 = 1.0;
 
     /// Converts a constant of the mechanism, keeping as much as the type can hold.
     fn of(constant: Constant) -> Self;
@@ -183,7 +183,7 @@ impl Number for f64 {
 impl Number for Double {
     const IS_CHEAP: bool = false;
     // 2^-49, with a margin for chains of operations.
-    const GRAIN: f64 = 8.0 * f64::EPSILON;
+    const RELATIVE_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
     #[inline]
     fn of(constant: Constant) -> Double {

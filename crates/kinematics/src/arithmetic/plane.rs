@@ -55,7 +55,7 @@ pub(crate) trait Plane:
 
     /// Returns the x components of `self` with the y components of `other`.
     #[must_use]
-    fn beside(self, other: Self) -> Self;
+    fn with_y_of(self, other: Self) -> Self;
 
     /// Returns `true` if every lane is greater than `other`'s; `false` if one is NaN.
     fn exceeds(self, other: Self) -> bool;
@@ -76,14 +76,14 @@ pub(crate) trait Plane:
     #[inline(always)]
     #[must_use]
     fn x(self) -> Self {
-        self.beside(self.crossed())
+        self.with_y_of(self.crossed())
     }
 
     /// Returns the y component of each vector in both of its lanes.
     #[inline(always)]
     #[must_use]
     fn y(self) -> Self {
-        self.crossed().beside(self)
+        self.crossed().with_y_of(self)
     }
 
     /// Returns the sum of the components' absolute values.
@@ -187,7 +187,7 @@ impl<S: Simd> Plane for f64x2<S> {
     }
 
     #[inline(always)]
-    fn beside(self, other: Self) -> Self {
+    fn with_y_of(self, other: Self) -> Self {
         mask64x2::simd_from(self.simd, [0, -1]).select(other, self)
     }
 
@@ -219,7 +219,7 @@ impl<S: Simd> Plane for f64x4<S> {
     }
 
     #[inline(always)]
-    fn beside(self, other: Self) -> Self {
+    fn with_y_of(self, other: Self) -> Self {
         mask64x4::simd_from(self.simd, [0, -1, 0, -1]).select(other, self)
     }
 

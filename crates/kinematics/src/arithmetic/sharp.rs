@@ -99,17 +99,17 @@ impl Div for Sharp {
     #[inline]
     fn div(self, o: Sharp) -> Sharp {
         let mid = self.mid / o.mid;
-        let least = o.mid.hi.abs() * (1.0 - U) - o.radius;
-        if !(least > 0.0) {
+        let minimum = o.mid.hi.abs() * (1.0 - U) - o.radius;
+        if !(minimum > 0.0) {
             return Sharp::new(mid, f64::INFINITY);
         }
-        Sharp::rounded(mid, (self.radius + mid.hi.abs() * o.radius) / least)
+        Sharp::rounded(mid, (self.radius + mid.hi.abs() * o.radius) / minimum)
     }
 }
 
 impl Number for Sharp {
     const IS_CHEAP: bool = false;
-    const GRAIN: f64 = 0.0;
+    const RELATIVE_ROUNDING: f64 = 0.0;
 
     #[inline]
     fn of(constant: Constant) -> Sharp {
@@ -138,11 +138,11 @@ impl Number for Sharp {
     #[inline]
     fn sqrt(self) -> Sharp {
         let mid = self.mid.sqrt();
-        let least = self.mid.hi * (1.0 - U) - self.radius;
-        if !(least > 0.0) {
+        let minimum = self.mid.hi * (1.0 - U) - self.radius;
+        if !(minimum > 0.0) {
             return Sharp::new(mid, f64::INFINITY);
         }
-        Sharp::rounded(mid, self.radius / (mid.hi + least.sqrt()))
+        Sharp::rounded(mid, self.radius / (mid.hi + minimum.sqrt()))
     }
 
     #[inline]
@@ -162,8 +162,8 @@ impl Number for Sharp {
 
     /// Encloses both.
     fn either(self, o: Sharp) -> Sharp {
-        let apart = (self.mid - o.mid).hi.abs();
-        Sharp::new(self.mid, self.radius.max((apart + o.radius) * INFLATION))
+        let distance = (self.mid - o.mid).hi.abs();
+        Sharp::new(self.mid, self.radius.max((distance + o.radius) * INFLATION))
     }
 
     fn unit(degrees: Sharp) -> Vec2<Sharp> {
@@ -176,11 +176,11 @@ impl Number for Sharp {
         let mid = <Double as Number>::degrees(direction.map(|v| v.mid));
         let length = direction.x.mid.hi.hypot(direction.y.mid.hi) * (1.0 - 4.0 * U);
         let off = direction.x.radius + direction.y.radius;
-        let least = length - off;
-        if !(least > 0.0) {
+        let minimum = length - off;
+        if !(minimum > 0.0) {
             return Sharp::new(mid, f64::INFINITY);
         }
-        Sharp::rounded(mid, (off / least).to_degrees() * (1.0 + 8.0 * U))
+        Sharp::rounded(mid, (off / minimum).to_degrees() * (1.0 + 8.0 * U))
     }
 }
 

@@ -311,7 +311,7 @@ impl Builder {
     /// # Errors
     /// All defects found, in the order of the elements.
     pub fn build(mut self) -> Result<Mechanism, Defects> {
-        self.lay();
+        self.compute_polar_points();
         let defects = self.defects();
         match self.driver {
             Some(driver) if defects.is_empty() => Ok(Mechanism {
@@ -341,9 +341,9 @@ impl Builder {
 
     /// Computes the coordinates given by lengths and angles. This waits for `build`, when it is
     /// known whether numbers mean decimals.
-    fn lay(&mut self) {
+    fn compute_polar_points(&mut self) {
         for link in &mut self.links {
-            link.lay(self.decimals);
+            link.compute_polar_points(self.decimals);
         }
         for slide in &mut self.slides {
             let (Body::Link(on), Some(named)) = (slide.on, slide.named) else {
@@ -374,7 +374,7 @@ impl Builder {
             | Load::GasSpring { .. }
             | Load::TorsionSpring { .. } => true,
         };
-        let are_sound = self.loads.iter().all(|l| l.is_sound() && on_ground(l));
+        let are_sound = self.loads.iter().all(|l| l.is_valid() && on_ground(l));
         if !(are_sound && self.gravity.is_finite() && is_unit) {
             found.push(Defect::Load);
         }
@@ -383,13 +383,13 @@ impl Builder {
             .limits
             .iter()
             .zip(0..)
-            .filter(|(l, _)| !l.is_sound(input));
+            .filter(|(l, _)| !l.is_valid(input));
         found.extend(unsound.map(|(_, i)| Defect::Limit {
             limit: LimitId::new(i),
         }));
         // Negated so that NaN is rejected too.
         if !(self.misfit >= 0.0 && self.misfit.is_finite()) {
-            found.push(Defect::Misfit);
+            found.push(Defect::RateError);
         }
         found
     }
@@ -425,7 +425,7 @@ impl Builder {
             Body::Link(_) => slide.through,
         });
         let members = self.links.iter().flat_map(reaches).map(|(_, reach)| reach);
-        let places = ground.map(|place| place - origin).chain(guides);
+        let places = ground.map(|position| position - origin).chain(guides);
         let lengths = places.map(Vec2::norm).chain(members);
         let longest = lengths.fold(0.0, f64::max);
         let links = (0..self.links.len()).map(LinkId::new);

@@ -110,7 +110,7 @@ pub enum Defect {
     },
     /// A negative or non-finite accepted disagreement.
     #[error("the accepted misfit must be finite and not negative")]
-    Misfit,
+    RateError,
     /// A load, gravity or length unit that is not finite, or negative where it must not be. Also a
     /// spring from a point to itself, and a press whose guide moves.
     #[error(

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 /// Tolerance for comparing turns and values, in multiples of the machine epsilon, because typed
 /// values are rounded.
-const SAME: f64 = 4.0;
+const EQUALITY_TOLERANCE: f64 = 4.0;
 
 /// An input's coordinate as a function of the driver's: a cubic spline through knots, with
 /// continuous first and second derivatives.
@@ -37,7 +37,7 @@ impl InputTable {
     /// knots do not span whole turns.
     ///
     /// The last value must equal the first, for a turned link up to whole turns: see
-    /// [`InputTable::comes_back`].
+    /// [`InputTable::is_closed`].
     #[must_use]
     pub fn closed(knots: Vec<[f64; 2]>) -> Option<InputTable> {
         let curve = Spline::new(knots, SplineEnds::Closed)?;
@@ -72,10 +72,10 @@ impl InputTable {
 
     /// Returns `true` if the last value equals the first; for a turned link, up to whole turns.
     #[must_use]
-    pub fn comes_back(&self, turns: bool) -> bool {
+    pub fn is_closed(&self, is_rotary: bool) -> bool {
         let [first, last] = self.curve.ends().map(|knot| knot[1]);
         match whole_turns(first, last) {
-            Some(way) => turns || way == 0.0,
+            Some(way) => is_rotary || way == 0.0,
             None => false,
         }
     }
@@ -105,7 +105,7 @@ impl InputTable {
 /// than rounding errors.
 fn whole_turns(from: f64, to: f64) -> Option<f64> {
     let way = TURN * ((to - from) / TURN).round();
-    let slack = SAME * f64::EPSILON * from.abs().max(to.abs());
+    let slack = EQUALITY_TOLERANCE * f64::EPSILON * from.abs().max(to.abs());
     ((to - from) - way).abs().le(&slack).then_some(way)
 }
 
@@ -118,12 +118,12 @@ mod tests {
         let closed = |knots: &[[f64; 2]]| InputTable::closed(knots.to_vec());
         let rocks = closed(&[[0.1, 20.0], [180.0, 70.0], [360.1, 20.0]]).unwrap();
         assert_eq!(rocks.period(), Some(360.0));
-        assert!(rocks.comes_back(false) && rocks.comes_back(true));
+        assert!(rocks.is_closed(false) && rocks.is_closed(true));
         let turns = closed(&[[0.0, 0.1], [500.0, 30.0], [720.0, 360.1]]).unwrap();
         assert_eq!(turns.period(), Some(720.0));
-        assert!(!turns.comes_back(false) && turns.comes_back(true));
+        assert!(!turns.is_closed(false) && turns.is_closed(true));
         let jumps = closed(&[[0.0, 0.0], [360.0, 10.0]]).unwrap();
-        assert!(!jumps.comes_back(true));
+        assert!(!jumps.is_closed(true));
         assert_eq!(closed(&[[0.0, 0.0], [300.0, 0.0]]), None);
         assert_eq!(closed(&[[0.0, 0.0], [0.0, 0.0]]), None);
     }

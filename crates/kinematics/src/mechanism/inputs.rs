@@ -76,7 +76,7 @@ impl TimedInput {
     }
 
     /// Returns `true` if the input repeats after this many turns of a driven link.
-    pub(crate) fn comes_round(&self, turns: usize) -> bool {
+    pub(crate) fn repeats_after(&self, turns: usize) -> bool {
         let turns = turns as f64;
         match &self.law {
             InputLaw::Ratio { ratio, .. } => match (self.input, fraction(*ratio)) {
@@ -98,8 +98,8 @@ impl TimedInput {
                 }
             }
             InputLaw::Table(table) => {
-                let [drives, turns] = [driver, self.input].map(|i| matches!(i, Input::Turn(_)));
-                if table.period().is_some() && !(drives && table.comes_back(turns)) {
+                let [drives, is_rotary] = [driver, self.input].map(|i| matches!(i, Input::Turn(_)));
+                if table.period().is_some() && !(drives && table.is_closed(is_rotary)) {
                     let of = self.input.element();
                     found.push(Defect::OpenTable { of });
                 }

@@ -134,7 +134,7 @@ impl TimedStep {
     }
 
     /// Returns `true` if the step begins at coordinate `from` and its numbers are valid.
-    fn is_sound(&self, from: f64) -> bool {
+    fn is_valid(&self, from: f64) -> bool {
         match self {
             TimedStep::Law { law, to, time } => {
                 let has_ramps = match law {
@@ -159,17 +159,17 @@ impl MotionLaw {
     /// Returns `None` without steps, if a step is invalid, if a number is not finite, or if the end
     /// does not match the start.
     #[must_use]
-    pub fn new(start: f64, steps: Vec<TimedStep>, turns: bool) -> Option<MotionLaw> {
+    pub fn new(start: f64, steps: Vec<TimedStep>, is_rotary: bool) -> Option<MotionLaw> {
         let end = steps.last()?.to();
-        let advance = match turns {
+        let advance = match is_rotary {
             true => ((end - start) / TURN).round() * TURN,
             false => 0.0,
         };
         let closes = (end - start - advance).abs() <= ROUNDING * (start.abs() + end.abs());
         let mut from = start;
         let is_sound = steps.iter().all(|step| {
-            let begins = std::mem::replace(&mut from, step.to());
-            step.is_sound(begins)
+            let starts = std::mem::replace(&mut from, step.to());
+            step.is_valid(starts)
         });
         if !(closes && start.is_finite() && is_sound) {
             return None;
@@ -233,9 +233,9 @@ impl MotionLaw {
 
     /// Returns the coordinate on the arc before the given place.
     fn before(&self, place: &MotionPlace) -> Sharp {
-        let begin = Sharp::of(self.arcs[place.arc].begin);
+        let start = Sharp::of(self.arcs[place.arc].begin);
         let (arc, end, advance) = match place.arc.checked_sub(1) {
-            Some(arc) => (&self.arcs[arc], begin, 0.0),
+            Some(arc) => (&self.arcs[arc], start, 0.0),
             None => {
                 let last = &self.arcs[self.arcs.len() - 1];
                 (last, Sharp::of(self.period), self.advance)
@@ -247,11 +247,11 @@ impl MotionLaw {
 
     /// Finds the arc on which a time lies.
     fn place(&self, time: f64) -> MotionPlace {
-        let (asked, period) = (Sharp::of(Constant::given(time)), Sharp::of(self.period));
+        let (requested, period) = (Sharp::of(Constant::given(time)), Sharp::of(self.period));
         let slack = NAMED * f64::EPSILON * time.abs().max(self.period.hi);
-        let since = |periods: f64| asked - Sharp::exactly(periods) * period;
-        let reaches = |left: Sharp, begin: Constant| {
-            let after = left - Sharp::of(begin);
+        let since = |periods: f64| requested - Sharp::exactly(periods) * period;
+        let reaches = |left: Sharp, start: Constant| {
+            let after = left - Sharp::of(start);
             after.mid.hi >= -(after.radius + slack)
         };
         // The rounded quotient can be off by one.
@@ -264,8 +264,8 @@ impl MotionLaw {
             periods -= 1.0;
             left = since(periods);
         }
-        let begun = self.arcs.partition_point(|arc| reaches(left, arc.begin));
-        let arc = begun.max(1) - 1;
+        let started = self.arcs.partition_point(|arc| reaches(left, arc.begin));
+        let arc = started.max(1) - 1;
         let after = left - Sharp::of(self.arcs[arc].begin);
         MotionPlace {
             arc,
@@ -319,8 +319,8 @@ mod tests {
     }
 
     pub(super) fn near(value: f64, exact: f64) {
-        let most = 1e-12 * exact.abs().max(1.0);
-        assert!((value - exact).abs() < most, "{value} for {exact}");
+        let maximum = 1e-12 * exact.abs().max(1.0);
+        assert!((value - exact).abs() < maximum, "{value} for {exact}");
     }
 
     /// Returns the moments of a step of 1 in 1 s, followed by a step back.
@@ -342,9 +342,9 @@ mod tests {
         for ((law, speed), acceleration) in LAWS.into_iter().zip(speeds).zip(accelerations) {
             let shape = shape(law);
             let moments: Vec<[f64; 3]> = (0..=1000).map(|k| shape(f64::from(k) / 1000.0)).collect();
-            let most = |i: usize| moments.iter().map(|m| m[i].abs()).fold(0.0, f64::max);
-            near(most(1), speed);
-            near(most(2), acceleration);
+            let maximum = |i: usize| moments.iter().map(|m| m[i].abs()).fold(0.0, f64::max);
+            near(maximum(1), speed);
+            near(maximum(2), acceleration);
             near(moments[0][0], 0.0);
             near(moments[500][0], 0.5);
             near(moments[1000][0], 1.0);
@@ -358,13 +358,13 @@ mod tests {
             let shape = shape(law);
             for k in 1..50 {
                 let s = f64::from(k) / 50.0 + 0.003;
-                let apart = 1e-5;
-                if s + apart >= 1.0 {
+                let distance = 1e-5;
+                if s + distance >= 1.0 {
                     continue;
                 }
-                let (low, here, high) = (shape(s - apart), shape(s), shape(s + apart));
+                let (low, here, high) = (shape(s - distance), shape(s), shape(s + distance));
                 for i in 0..2 {
-                    let slope = (high[i] - low[i]) / (2.0 * apart);
+                    let slope = (high[i] - low[i]) / (2.0 * distance);
                     assert!(
                         (slope - here[i + 1]).abs() < 1e-6,
                         "{law:?} {s} {i}: {slope}"
@@ -407,15 +407,15 @@ mod tests {
         let law = MotionLaw::new(0.0, steps, false).unwrap();
         let joints: Vec<f64> = law.joints().collect();
         for period in [0.0, 1.0, 7.0, 1e6, -3.0] {
-            let begun = period * 1.3;
+            let started = period * 1.3;
             for (time, at, speed) in [
-                (begun, 0.0, 300.0),
-                (begun + 0.1, 30.0, 0.0),
-                (begun + 0.3, 30.0, 200.0),
-                (begun + (0.1 + 0.2), 30.0, 200.0),
-                (begun + joints[1], 30.0, 200.0),
-                (begun + 0.6, 90.0, 0.0),
-                (begun + joints[3], 0.0, 300.0),
+                (started, 0.0, 300.0),
+                (started + 0.1, 30.0, 0.0),
+                (started + 0.3, 30.0, 200.0),
+                (started + (0.1 + 0.2), 30.0, 200.0),
+                (started + joints[1], 30.0, 200.0),
+                (started + 0.6, 90.0, 0.0),
+                (started + joints[3], 0.0, 300.0),
             ] {
                 let moment = law.at(time);
                 let off = 4.0 * f64::EPSILON * time.abs() * 300.0;
@@ -445,8 +445,8 @@ mod tests {
                 let motion = MotionLaw::new(12.3, steps, false).unwrap();
                 let time = f64::from(k) / 1000.0;
                 let found = motion.at(time);
-                let [from, way, whole] = [tenths(12_300), tenths(119_400), tenths(700)];
-                let s = tenths(k) / whole;
+                let [from, way, complete] = [tenths(12_300), tenths(119_400), tenths(700)];
+                let s = tenths(k) / complete;
                 let turned = |half_turns: f64| {
                     let angle = s * Double::exactly(180.0 * half_turns);
                     <Double as Number>::unit(angle)
@@ -469,25 +469,25 @@ mod tests {
                     }
                     _ => {
                         let r = Double::exactly(if number == 3 { 0.25 } else { 0.5 });
-                        let most = one / (one - r);
+                        let maximum = one / (one - r);
                         let left = one - s;
                         if (s - r).hi < -1e-25 {
-                            [half * most * s * s / r, most * s / r, most / r]
+                            [half * maximum * s * s / r, maximum * s / r, maximum / r]
                         } else if (left - r).hi > 1e-25 {
-                            [most * (s - half * r), most, Double::ZERO]
+                            [maximum * (s - half * r), maximum, Double::ZERO]
                         } else {
                             [
-                                one - half * most * left * left / r,
-                                most * left / r,
-                                -most / r,
+                                one - half * maximum * left * left / r,
+                                maximum * left / r,
+                                -maximum / r,
                             ]
                         }
                     }
                 };
                 let exact = [
                     from + way * exact[0],
-                    way * exact[1] / whole,
-                    way * exact[2] / (whole * whole),
+                    way * exact[1] / complete,
+                    way * exact[2] / (complete * complete),
                 ];
                 let values = [found.at, found.speed, found.acceleration];
                 for i in 0..3 {
@@ -604,13 +604,13 @@ mod tests {
         for k in 1..700_u32 {
             let found = law.at(f64::from(k) / 1000.0);
             let rate = Double::exactly(360.0) / tenths(700);
-            let (begin, here) = (
+            let (start, here) = (
                 unit(tenths(12_300)),
                 unit(tenths(12_300) + rate * tenths(k)),
             );
             let (way, turn) = (tenths(13_700), rate * Double::RADIAN);
             let exact = [
-                tenths(41_100) + way * (here.y - begin.y),
+                tenths(41_100) + way * (here.y - start.y),
                 way * turn * here.x,
                 -(way * turn * turn * here.y),
             ];

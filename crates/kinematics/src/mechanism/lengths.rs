@@ -103,9 +103,9 @@ impl Mechanism {
     /// the length of the arm.
     #[must_use]
     pub fn given(&self, length: Length) -> f64 {
-        let along = |place: Vec2, axis| match axis {
-            CoordinateAxis::X => place.x,
-            CoordinateAxis::Y => place.y,
+        let along = |position: Vec2, axis| match axis {
+            CoordinateAxis::X => position.x,
+            CoordinateAxis::Y => position.y,
         };
         let member = |link, point| self.link(link).member(point);
         let given = match length {
@@ -233,13 +233,13 @@ impl Mechanism {
     pub(crate) fn slopes(&self, length: Length) -> Mechanism {
         let mut flat = Parts::clone(&self.parts);
         let grounds = flat.points.iter_mut().filter_map(|p| p.ground.as_mut());
-        grounds.for_each(|place| *place = Vec2::ZERO);
+        grounds.for_each(|position| *position = Vec2::ZERO);
         let members = flat.links.iter_mut().flat_map(|l| &mut l.members);
         members.for_each(|member| member.local = Vec2::ZERO);
         let guides = flat.slides.iter_mut();
         guides.for_each(|slide| slide.through = Vec2::ZERO);
-        if let Some((link, point, way)) = self.parts.way_of(length) {
-            flat.move_seen(link, point, way);
+        if let Some((link, point, way)) = self.parts.displacement_of(length) {
+            flat.move_with_dependents(link, point, way);
             return Mechanism {
                 parts: Arc::new(flat),
             };
@@ -259,8 +259,8 @@ impl Parts {
                 polar.angle += (by / polar.length).to_degrees();
             }),
             Length::Ground(point, axis) => {
-                if let Some(place) = &mut self.points[point.index()].ground {
-                    *place += axis.along(by);
+                if let Some(position) = &mut self.points[point.index()].ground {
+                    *position += axis.along(by);
                 }
                 self.move_guides(Body::Ground, point, axis.along(by));
             }
@@ -268,16 +268,16 @@ impl Parts {
                 self.slides[slide.index()].through += axis.along(by);
             }
             Length::Link(..) | Length::Local(..) => {
-                if let Some((link, point, way)) = self.way_of(length) {
+                if let Some((link, point, way)) = self.displacement_of(length) {
                     self.move_member(link, point, way * by);
-                    self.lay(link);
+                    self.recompute_polar_points(link);
                 }
             }
         }
     }
 
     /// Returns the point that a length on a link moves, and its displacement per unit of length.
-    fn way_of(&self, length: Length) -> Option<(LinkId, PointId, Vec2)> {
+    fn displacement_of(&self, length: Length) -> Option<(LinkId, PointId, Vec2)> {
         match length {
             Length::Link(link) => Some((link, self.links[link.index()].ends?.1, Vec2::X)),
             Length::Local(link, point, axis) => Some((link, point, axis.along(1.0))),
@@ -303,7 +303,7 @@ impl Parts {
     }
 
     /// Moves a point of a link and all points measured from it, by the same amount.
-    fn move_seen(&mut self, link: LinkId, point: PointId, by: Vec2) {
+    fn move_with_dependents(&mut self, link: LinkId, point: PointId, by: Vec2) {
         let mut moved = HashSet::from([point]);
         // Reference points precede the points measured from them.
         for member in &self.links[link.index()].members {
@@ -324,12 +324,12 @@ impl Parts {
         if let Some(polar) = member.and_then(|member| member.polar.as_mut()) {
             change(polar);
         }
-        self.lay(link);
+        self.recompute_polar_points(link);
     }
 
     /// Recomputes the coordinates of a link's polar points and moves guides named after them.
-    fn lay(&mut self, link: LinkId) {
-        for (point, by) in self.links[link.index()].lay(self.decimals) {
+    fn recompute_polar_points(&mut self, link: LinkId) {
+        for (point, by) in self.links[link.index()].compute_polar_points(self.decimals) {
             self.move_guides(Body::Link(link), point, by);
         }
     }

@@ -48,7 +48,7 @@ impl Limit {
     /// Checks that the ends are finite and in order. An angle's ends must be less than a turn
     /// apart, or a full turn would reach the other side of a stop. A driver may turn up to
     /// `MAX_TURNS`.
-    pub(super) fn is_sound(&self, input: Option<Input>) -> bool {
+    pub(super) fn is_valid(&self, input: Option<Input>) -> bool {
         let (fits, widest) = match self.of {
             LimitOf::Driver if matches!(input, Some(Input::Turn(_))) => (true, MAX_TURNS * TURN),
             LimitOf::Driver | LimitOf::Slide(_) | LimitOf::Table(_) => (true, f64::INFINITY),

@@ -34,12 +34,12 @@ impl Profile {
     /// Returns `true` if the profile jumps between two coordinates, ends included. With `turns`, a
     /// profile that spans whole turns repeats.
     #[must_use]
-    pub fn jumps_between(&self, low: f64, high: f64, turns: bool) -> bool {
+    pub fn jumps_between(&self, low: f64, high: f64, is_rotary: bool) -> bool {
         let span = match self.knots[..] {
             [first, .., last] => last[0] - first[0],
             _ => return false,
         };
-        let repeats = self.repeats(turns);
+        let repeats = self.repeats(is_rotary);
         let passes = |at: f64| {
             let times = if repeats {
                 ((high - at) / span).floor()
@@ -56,19 +56,19 @@ impl Profile {
     }
 
     /// Returns `true` if the profile repeats: the driver turns and the knots span whole turns.
-    fn repeats(&self, turns: bool) -> bool {
+    fn repeats(&self, is_rotary: bool) -> bool {
         let [first, .., last] = self.knots[..] else {
             return false;
         };
         let span = last[0] - first[0];
-        turns && span > 0.0 && span % TURN == 0.0
+        is_rotary && span > 0.0 && span % TURN == 0.0
     }
 
     /// Returns the coordinates of the knots that have no effect between `low` and `high`; empty for
     /// a repeating profile.
     #[must_use]
-    pub fn unused_between(&self, low: f64, high: f64, turns: bool) -> Vec<f64> {
-        if self.repeats(turns) {
+    pub fn unused_between(&self, low: f64, high: f64, is_rotary: bool) -> Vec<f64> {
+        if self.repeats(is_rotary) {
             return Vec::new();
         }
         // The profile is constant before the first knot and beyond the last.
@@ -91,9 +91,9 @@ impl Profile {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StrokeEnd {
     /// The minimum of the position along the guide.
-    Least,
+    Minimum,
     /// The maximum of the position along the guide.
-    Greatest,
+    Maximum,
 }
 
 /// A load on the mechanism. Friction is not modelled.
@@ -228,7 +228,7 @@ impl Load {
 
     /// Returns `true` if all numbers are finite, those that must not be negative are not, and the
     /// load acts on two different points or bodies.
-    pub(super) fn is_sound(&self) -> bool {
+    pub(super) fn is_valid(&self) -> bool {
         match self {
             Load::Force { force, .. } => force.is_finite(),
             Load::Torque { torque, .. } => torque.is_finite(),

@@ -29,7 +29,7 @@ pub use limit::MAX_TURNS;
 pub use limit::{Limit, LimitId, LimitOf};
 pub use load::{Load, Profile, StrokeEnd};
 pub use polar::PolarPosition;
-pub use polar::seen_from;
+pub use polar::polar_position;
 pub use spline::ClampedSpline;
 pub(crate) use spline::{SplineEnds, bends, cubic};
 pub use tolerances::Tolerances;

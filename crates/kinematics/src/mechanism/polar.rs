@@ -21,7 +21,7 @@ pub struct PolarPosition {
     /// The resulting coordinates: from the stored doubles (`given`) and from the numbers as meant
     /// (`meant`).
     pub(super) given: Vec2<Constant>,
-    pub(super) meant: Vec2<Constant>,
+    pub(super) intended: Vec2<Constant>,
     /// A bound on the rounding of its long numbers, as a distance.
     pub(super) rounding: f64,
 }
@@ -42,18 +42,18 @@ impl PolarPosition {
             length,
             angle,
             given: Vec2::default(),
-            meant: Vec2::default(),
+            intended: Vec2::default(),
             rounding: 0.0,
         }
     }
 
     /// Computes the coordinates, given the reference member with its own coordinates known.
-    fn lay(&mut self, base: Option<&Member>, is_decimal: bool) {
+    fn compute_polar_points(&mut self, base: Option<&Member>, is_decimal: bool) {
         let origin = Vec2::ZERO.map(Constant::given);
         let given = base.map_or(origin, Member::given);
-        let meant = base.map_or(origin, |base| base.meant(is_decimal));
-        self.given = seen_from(given, self.length, self.angle);
-        self.meant = meant + Constant::meant_arm(self.length, self.angle, is_decimal);
+        let intended = base.map_or(origin, |base| base.intended_coordinates(is_decimal));
+        self.given = polar_position(given, self.length, self.angle);
+        self.intended = intended + Constant::intended_arm(self.length, self.angle, is_decimal);
         let off = |v: f64| Constant::compared(Vec2::new(v, 0.0), is_decimal).x.radius;
         let before = base.map_or(0.0, |base| base.rounding(is_decimal));
         self.rounding = before + off(self.length) + self.length * off(self.angle).to_radians();
@@ -62,7 +62,7 @@ impl PolarPosition {
 
 /// Returns the position at a length and an angle in degrees from `base`, each number with its error
 /// bound as given.
-pub fn seen_from(base: Vec2<Constant>, length: f64, angle: f64) -> Vec2<Constant> {
+pub fn polar_position(base: Vec2<Constant>, length: f64, angle: f64) -> Vec2<Constant> {
     base + Constant::given_arm(length, angle)
 }
 
@@ -75,16 +75,16 @@ impl Member {
     }
 
     /// Returns the coordinates as meant.
-    pub(crate) fn meant(&self, is_decimal: bool) -> Vec2<Constant> {
-        let typed = || Constant::meant(self.local, is_decimal);
-        self.polar.map_or_else(typed, |polar| polar.meant)
+    pub(crate) fn intended_coordinates(&self, is_decimal: bool) -> Vec2<Constant> {
+        let typed = || Constant::intended_position(self.local, is_decimal);
+        self.polar.map_or_else(typed, |polar| polar.intended)
     }
 
     /// Returns a bound on the rounding of the long numbers that define the place, as a distance.
     pub(crate) fn rounding(&self, is_decimal: bool) -> f64 {
         let typed = || {
-            let place = Constant::compared(self.local, is_decimal);
-            place.map(|v| v.radius).norm()
+            let position = Constant::compared(self.local, is_decimal);
+            position.map(|v| v.radius).norm()
         };
         self.polar.map_or_else(typed, |polar| polar.rounding)
     }
@@ -93,7 +93,7 @@ impl Member {
 impl Link {
     /// Computes the coordinates of every polar point; reference points precede the points measured
     /// from them. Returns the polar points with their displacements.
-    pub(super) fn lay(&mut self, is_decimal: bool) -> Vec<(PointId, Vec2)> {
+    pub(super) fn compute_polar_points(&mut self, is_decimal: bool) -> Vec<(PointId, Vec2)> {
         let mut moved = Vec::new();
         for i in 0..self.members.len() {
             let (before, rest) = self.members.split_at_mut(i);
@@ -109,10 +109,10 @@ impl Link {
                 member.local = Vec2::new(f64::NAN, f64::NAN);
                 continue;
             }
-            polar.lay(base, is_decimal);
-            let place = polar.given.map(|v| v.hi);
-            moved.push((member.point, place - member.local));
-            member.local = place;
+            polar.compute_polar_points(base, is_decimal);
+            let position = polar.given.map(|v| v.hi);
+            moved.push((member.point, position - member.local));
+            member.local = position;
         }
         moved
     }
@@ -124,7 +124,7 @@ mod tests {
     use crate::Double;
 
     /// Returns a polar point whose reference point is the end of its link.
-    fn seen_at(length: f64, angle: f64) -> Member {
+    fn polar(length: f64, angle: f64) -> Member {
         let mut link = Link {
             members: Vec::new(),
             ends: None,
@@ -143,7 +143,7 @@ mod tests {
             local: Vec2::ZERO,
             polar: Some(PolarPosition::new(Some(end), length, angle, &link.members)),
         });
-        let moved = link.lay(true);
+        let moved = link.compute_polar_points(true);
         assert_eq!(moved.len(), 1);
         link.members[1]
     }
@@ -152,13 +152,13 @@ mod tests {
     /// 2.2e-14 mm.
     #[test]
     fn position_error_follows_from_length_and_angle() {
-        let exact = seen_at(180.0, 90.0);
+        let exact = polar(180.0, 90.0);
         assert_eq!(exact.local, Vec2::new(300.0, 180.0));
         assert_eq!(exact.given().map(Constant::off).x, 1e-31 * 300.0);
-        let turned = seen_at(180.0, 90.1).given();
+        let turned = polar(180.0, 90.1).given();
         assert!((2.2e-14..2.3e-14).contains(&turned.x.radius), "{turned:?}");
         assert!(turned.y.radius < 1e-16, "{turned:?}");
-        let long = seen_at(180.1, 90.0).given();
+        let long = polar(180.1, 90.0).given();
         assert!(long.x.radius < 1e-27, "{long:?}");
         assert!((1.4e-14..1.5e-14).contains(&long.y.radius), "{long:?}");
     }
@@ -167,18 +167,21 @@ mod tests {
     #[test]
     fn typed_position_is_within_error_of_given_one() {
         for (length, angle) in [(180.1, 72.3), (0.7, -40.1), (12.3, 33.0), (1e-3, 359.9)] {
-            let seen = seen_at(length, angle);
-            let (given, meant) = (seen.given(), seen.meant(true));
-            for (given, meant) in [(given.x, meant.x), (given.y, meant.y)] {
-                let apart = (given.value() - meant.value()).abs();
-                assert!(apart.hi <= given.radius, "{length} {angle}: {apart:?}");
-                assert!(meant.radius < 1e-26, "{meant:?}");
+            let seen = polar(length, angle);
+            let (given, intended) = (seen.given(), seen.intended_coordinates(true));
+            for (given, intended) in [(given.x, intended.x), (given.y, intended.y)] {
+                let distance = (given.value() - intended.value()).abs();
+                assert!(
+                    distance.hi <= given.radius,
+                    "{length} {angle}: {distance:?}"
+                );
+                assert!(intended.radius < 1e-26, "{intended:?}");
             }
             assert!(seen.rounding(true) == 0.0, "few digits are no rounding");
         }
-        assert!(seen_at(180.123_456_789_012_34, 72.0).rounding(true) > 0.0);
+        assert!(polar(180.123_456_789_012_34, 72.0).rounding(true) > 0.0);
         let (x, y) = (
-            seen_at(2.0, 45.0).meant(true).x,
+            polar(2.0, 45.0).intended_coordinates(true).x,
             Double::exactly(2.0).sqrt(),
         );
         assert!(((x.value() - Double::exactly(300.0)) - y).abs().hi < 1e-29);

@@ -234,11 +234,11 @@ pub(crate) fn bends<T: Number>(knots: &[[T; 2]], ends: SplineEnds) -> Vec<T> {
 fn bends_at_rest<T: Number>(widths: &[T], rises: &[T]) -> Vec<T> {
     let last = widths.len();
     let before = |of: &[T], k: usize| if k > 0 { of[k - 1] } else { T::default() };
-    let behind = |of: &[T], k: usize| if k < last { of[k] } else { T::default() };
+    let after = |of: &[T], k: usize| if k < last { of[k] } else { T::default() };
     let rows = (0..=last).map(|k| BendRow {
-        pivot: T::exactly(2.0) * (before(widths, k) + behind(widths, k)),
-        next: behind(widths, k),
-        side: T::exactly(6.0) * (behind(rises, k) - before(rises, k)),
+        pivot: T::exactly(2.0) * (before(widths, k) + after(widths, k)),
+        next: after(widths, k),
+        side: T::exactly(6.0) * (after(rises, k) - before(rises, k)),
     });
     solved(rows.collect())
 }
@@ -253,7 +253,7 @@ fn bends_around<T: Number>(widths: &[T], rises: &[T]) -> Vec<T> {
         next: widths[k],
         side,
     };
-    let turned = |before: usize, behind: usize| T::exactly(6.0) * (rises[behind] - rises[before]);
+    let turned = |before: usize, after: usize| T::exactly(6.0) * (rises[after] - rises[before]);
     let around = |inner: Vec<T>, end: T| {
         let ends = [end];
         let all = ends.iter().chain(&inner).chain(&ends);
@@ -273,9 +273,9 @@ fn bends_around<T: Number>(widths: &[T], rises: &[T]) -> Vec<T> {
     let v = solved(inner.map(|k| row(k, ends_beside(k))).collect());
     let (u, v) = (around(u, T::default()), around(v, T::exactly(1.0)));
     let [first, last] = [widths[0], widths[count - 1]];
-    let beside = |of: &[T]| first * of[1] + last * of[count - 1];
-    let pivot = T::exactly(2.0) * (first + last) + beside(&v);
-    let s = (turned(count - 1, 0) - beside(&u)) / pivot;
+    let nearby = |of: &[T]| first * of[1] + last * of[count - 1];
+    let pivot = T::exactly(2.0) * (first + last) + nearby(&v);
+    let s = (turned(count - 1, 0) - nearby(&u)) / pivot;
     u.iter().zip(&v).map(|(&u, &v)| u + s * v).collect()
 }
 
@@ -314,8 +314,8 @@ mod tests {
     #[test]
     fn cubic_at_rest_at_both_ends_is_reproduced() {
         let cubic = |s: f64| s * s * (3.0 - 2.0 * s);
-        for places in [&[0.0, 1.0][..], &[0.0, 0.1, 0.25, 0.7, 1.0]] {
-            let knots = places.iter().map(|&s| [s, cubic(s)]).collect();
+        for coordinates in [&[0.0, 1.0][..], &[0.0, 0.1, 0.25, 0.7, 1.0]] {
+            let knots = coordinates.iter().map(|&s| [s, cubic(s)]).collect();
             let spline = ClampedSpline::new(knots).unwrap();
             for k in 0..=40 {
                 let s = f64::from(k) / 40.0;
@@ -340,8 +340,8 @@ mod tests {
             (value - 40.0).abs() < 1e-12 && (found - slope).abs() < 1e-10,
             "{found} {slope}"
         );
-        let apart = 1e-9;
-        let [before, after] = [spline.at(0.2 - apart)[2], spline.at(0.2 + apart)[2]];
+        let distance = 1e-9;
+        let [before, after] = [spline.at(0.2 - distance)[2], spline.at(0.2 + distance)[2]];
         assert!((before - after).abs() < 1e-3, "{before} {after}");
         assert_eq!([spline.at(-1.0)[1], spline.at(9.0)[0]], [0.0, 120.0]);
     }

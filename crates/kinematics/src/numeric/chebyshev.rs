@@ -15,7 +15,7 @@ pub const TERMS: usize = 24;
 /// is 0.
 const LAST: usize = 4;
 /// Number of subintervals in which a sign change is searched.
-const LOOKS: u32 = 64;
+const SUBINTERVALS: u32 = 64;
 /// The last terms count as rounding errors unless they are smaller than the terms at a quarter by
 /// this factor.
 const FLAT: f64 = 0.5;
@@ -53,8 +53,8 @@ impl Basis {
         ChebyshevSum(std::array::from_fn(|k| {
             let cosine = |j: usize| self.cosines[(k * (2 * j + 1)) % (4 * TERMS)];
             let terms = values.iter().enumerate().map(|(j, v)| v * cosine(j));
-            let whole = if k == 0 { 1.0 } else { 2.0 };
-            whole / TERMS as f64 * terms.sum::<f64>()
+            let complete = if k == 0 { 1.0 } else { 2.0 };
+            complete / TERMS as f64 * terms.sum::<f64>()
         }))
     }
 }
@@ -105,13 +105,13 @@ impl ChebyshevSum {
     pub fn product(&self, other: &ChebyshevSum) -> f64 {
         // Tm Tn = (T(m + n) + T(m - n)) / 2. Only even ones have a nonzero integral: 2 / (1 - k^2).
         let even = |k: usize| 2.0 / (1.0 - (k * k) as f64);
-        let mut whole = 0.0;
+        let mut complete = 0.0;
         for (m, a) in self.0.iter().enumerate() {
             for n in (m % 2..TERMS).step_by(2) {
-                whole += a * other.0[n] * 0.5 * (even(m + n) + even(m.abs_diff(n)));
+                complete += a * other.0[n] * 0.5 * (even(m + n) + even(m.abs_diff(n)));
             }
         }
-        whole
+        complete
     }
 
     /// Subtracts a constant.
@@ -163,13 +163,13 @@ impl ChebyshevSum {
 }
 
 fn largest(terms: &[f64]) -> f64 {
-    terms.iter().fold(0.0, |most, c| most.max(c.abs()))
+    terms.iter().fold(0.0, |maximum, c| maximum.max(c.abs()))
 }
 
 /// Returns the points between -1 and 1 where a function of the sums changes its sign.
 pub fn crossings(f: impl Fn(f64) -> f64) -> Vec<f64> {
-    let place = |k: u32| -(PI * f64::from(k) / f64::from(LOOKS)).cos();
-    roots((0..=LOOKS).map(place), f64::EPSILON, |t| Some(f(t)))
+    let place = |k: u32| -(PI * f64::from(k) / f64::from(SUBINTERVALS)).cos();
+    roots((0..=SUBINTERVALS).map(place), f64::EPSILON, |t| Some(f(t)))
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
 /// The reason why the search failed, with the lowest point found and its value.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-pub enum Unsettled {
+pub enum MinimumError {
     /// The function does not exist at a point of the search.
     #[error("the function does not exist at {at}")]
     Gap {
@@ -26,11 +26,11 @@ pub enum Unsettled {
     },
 }
 
-impl Unsettled {
+impl MinimumError {
     /// Returns the lowest point found and its value.
     pub fn best(self) -> (f64, f64) {
         match self {
-            Unsettled::Gap { best, .. } | Unsettled::Spent { best } => best,
+            MinimumError::Gap { best, .. } | MinimumError::Spent { best } => best,
         }
     }
 }
@@ -44,19 +44,19 @@ impl Unsettled {
 /// of that, because a smooth function is flat at its minimum.
 ///
 /// # Errors
-/// If the search does not converge: see [`Unsettled`].
+/// If the search does not converge: see [`MinimumError`].
 pub fn lowest(
     mut f: impl FnMut(f64) -> Option<f64>,
     [mut low, mut high]: [f64; 2],
     first: (f64, f64),
-) -> Result<(f64, f64), Unsettled> {
+) -> Result<(f64, f64), MinimumError> {
     let (mut best, mut second, mut third) = (first, first, first);
     let (mut step, mut before) = (0.0_f64, 0.0_f64);
     let finest = f64::EPSILON.sqrt() * (high - low).abs().max(f64::MIN_POSITIVE);
     for _ in 0..MAX_STEPS {
         let middle = 0.5 * (low + high);
-        let least = finest.max(4.0 * f64::EPSILON * best.0.abs());
-        if (best.0 - middle).abs() <= 2.0 * least - 0.5 * (high - low) {
+        let minimum = finest.max(4.0 * f64::EPSILON * best.0.abs());
+        if (best.0 - middle).abs() <= 2.0 * minimum - 0.5 * (high - low) {
             return Ok(best);
         }
         let parabola = vertex(best, second, third).filter(|vertex| {
@@ -65,8 +65,8 @@ pub fn lowest(
         });
         before = step;
         step = match parabola {
-            Some(vertex) if vertex - low < 2.0 * least || high - vertex < 2.0 * least => {
-                least.copysign(middle - best.0)
+            Some(vertex) if vertex - low < 2.0 * minimum || high - vertex < 2.0 * minimum => {
+                minimum.copysign(middle - best.0)
             }
             Some(vertex) => vertex - best.0,
             None => {
@@ -79,13 +79,13 @@ pub fn lowest(
             }
         };
         let place = best.0
-            + if step.abs() < least {
-                least.copysign(step)
+            + if step.abs() < minimum {
+                minimum.copysign(step)
             } else {
                 step
             };
         let Some(value) = f(place) else {
-            return Err(Unsettled::Gap { at: place, best });
+            return Err(MinimumError::Gap { at: place, best });
         };
         let tried = (place, value);
         if value <= best.1 {
@@ -100,7 +100,7 @@ pub fn lowest(
             }
         }
     }
-    Err(Unsettled::Spent { best })
+    Err(MinimumError::Spent { best })
 }
 
 /// Returns the vertex of the parabola through three points.
@@ -146,11 +146,11 @@ mod tests {
     #[test]
     fn error_explains_missing_minimum() {
         let gap = lowest(|_| None, [0.0, 1.0], (0.4, 2.0)).unwrap_err();
-        assert!(matches!(gap, Unsettled::Gap { at, .. } if (0.4..1.0).contains(&at)));
+        assert!(matches!(gap, MinimumError::Gap { at, .. } if (0.4..1.0).contains(&at)));
         assert_eq!(gap.best(), (0.4, 2.0));
         // The function decreases up to the largest double.
         let spent = lowest(|x| Some(-x), [0.0, f64::MAX], (1.0, -1.0)).unwrap_err();
-        assert!(matches!(spent, Unsettled::Spent { .. }), "{spent:?}");
+        assert!(matches!(spent, MinimumError::Spent { .. }), "{spent:?}");
         assert!(spent.best().0 > 1e300);
     }
 }

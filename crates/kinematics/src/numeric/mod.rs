@@ -27,7 +27,7 @@ mod turns;
 
 pub use chance::SeededRng;
 pub use evolution::mutate;
-pub use lowest::{Unsettled, lowest};
+pub use lowest::{MinimumError, lowest};
 pub use polynomial::polynomial_roots;
 pub use root::{RootError, few_decimals, root, roots};
 pub use turns::turns;

@@ -4,7 +4,7 @@ use super::roots;
 
 /// Relative tolerance for a double root: the maximum ratio of an extremum's value to the sum of its
 /// terms' magnitudes. Rounding may have separated or merged two roots as close as that.
-const TOUCHED: f64 = 1e-13;
+const DOUBLE_ROOT_TOLERANCE: f64 = 1e-13;
 
 /// Returns the real roots of c0 + c1 x + c2 x^2 + ..., in ascending order. A double root is
 /// returned once. Returns an empty list if all coefficients are 0 or one of them is not finite.
@@ -19,7 +19,7 @@ pub fn polynomial_roots(coefficients: &[f64]) -> Vec<f64> {
     let bound = 1.0
         + terms[..degree]
             .iter()
-            .fold(0.0_f64, |most, c| most.max((c / terms[degree]).abs()));
+            .fold(0.0_f64, |maximum, c| maximum.max((c / terms[degree]).abs()));
     if degree == 0 || !bound.is_finite() {
         return Vec::new();
     }
@@ -43,7 +43,7 @@ fn polynomial(coefficients: &[f64], x: f64) -> f64 {
 
 fn is_touched(terms: &[f64], x: f64) -> bool {
     let sizes: Vec<f64> = terms.iter().map(|c| c.abs()).collect();
-    polynomial(terms, x).abs() <= TOUCHED * polynomial(&sizes, x.abs())
+    polynomial(terms, x).abs() <= DOUBLE_ROOT_TOLERANCE * polynomial(&sizes, x.abs())
 }
 
 #[cfg(test)]
@@ -65,9 +65,9 @@ mod tests {
 
     #[test]
     fn planted_roots_are_found_and_no_others() {
-        let mut chance = SeededRng::new(1);
+        let mut rng = SeededRng::new(1);
         for round in 0..300 {
-            let mut planted: Vec<f64> = (0..=round % 6).map(|_| 3.0 * chance.even()).collect();
+            let mut planted: Vec<f64> = (0..=round % 6).map(|_| 3.0 * rng.even()).collect();
             planted.sort_by(f64::total_cmp);
             let near = planted.windows(2).any(|two| two[1] - two[0] < 0.05);
             let found = polynomial_roots(&with(&planted));

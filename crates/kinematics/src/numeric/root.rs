@@ -19,7 +19,7 @@ pub enum RootError {
     Gap(f64),
     /// The root lies between these positions, but the requested tolerance is too fine to reach.
     #[error("the root was only narrowed down to between {0} and {1}")]
-    Unsettled(f64, f64),
+    MinimumError(f64, f64),
 }
 
 /// Finds the root of `f` between `a` and `b`, each a position with its value, to within `finest` or
@@ -62,10 +62,13 @@ pub fn root(
         if best.1 == 0.0 || width <= 2.0 * tolerance {
             return Ok(rounded(best, &mut f));
         }
-        let least = tolerance / width;
-        share = interpolated(new, other, last).clamp(least, 1.0 - least);
+        let minimum = tolerance / width;
+        share = interpolated(new, other, last).clamp(minimum, 1.0 - minimum);
     }
-    Err(RootError::Unsettled(new.0.min(other.0), new.0.max(other.0)))
+    Err(RootError::MinimumError(
+        new.0.min(other.0),
+        new.0.max(other.0),
+    ))
 }
 
 /// Finds the roots between neighbouring positions, given in order, where the sign of `f` changes. A
@@ -170,7 +173,7 @@ mod tests {
         assert_eq!(gap, Err(RootError::Gap(0.5)));
         // After 200 bisections, the interval is still wider than the smallest number.
         let step = |x: f64| if x > 0.0 { 1.0 } else { -1.0 };
-        let Err(RootError::Unsettled(low, high)) = of(-1.0, 1.0, step) else {
+        let Err(RootError::MinimumError(low, high)) = of(-1.0, 1.0, step) else {
             panic!("it cannot be settled");
         };
         assert!(

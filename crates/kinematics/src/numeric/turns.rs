@@ -11,13 +11,13 @@ pub struct Turn {
 
 /// Finds the extrema of `values`, alternating peaks and dips, that differ by more than `least`.
 /// With `goes_round`, the samples are periodic: the last one repeats the first.
-pub fn turns(values: &[f64], least: f64, goes_round: bool) -> Vec<Turn> {
+pub fn turns(values: &[f64], minimum: f64, is_periodic: bool) -> Vec<Turn> {
     let last = values.len().saturating_sub(1);
     if last < 2 {
         return Vec::new();
     }
-    if !goes_round {
-        let (mut turns, pending) = walk(values.iter().copied().enumerate(), least);
+    if !is_periodic {
+        let (mut turns, pending) = walk(values.iter().copied().enumerate(), minimum);
         for turn in &mut turns {
             turn.is_end = turn.sample == 0;
         }
@@ -33,12 +33,12 @@ pub fn turns(values: &[f64], least: f64, goes_round: bool) -> Vec<Turn> {
         .max_by(|&i, &j| values[i].total_cmp(&values[j]))
         .unwrap_or(0);
     let round = (highest..last).chain(0..=highest);
-    walk(round.map(|i| (i, values[i])), least).0
+    walk(round.map(|i| (i, values[i])), minimum).0
 }
 
-/// Tracks the highest and lowest value since the last extremum. A value more than `least` away from
+/// Tracks the highest and lowest value since the last extremum. A value more than `minimum` away from
 /// one confirms it as an extremum. Also returns the last, unconfirmed extremum.
-fn walk(values: impl Iterator<Item = (usize, f64)>, least: f64) -> (Vec<Turn>, Option<Turn>) {
+fn walk(values: impl Iterator<Item = (usize, f64)>, minimum: f64) -> (Vec<Turn>, Option<Turn>) {
     let mut turns: Vec<Turn> = Vec::new();
     let (mut high, mut low) = ((0, f64::NEG_INFINITY), (0, f64::INFINITY));
     let turn = |sample, is_peak| Turn {
@@ -55,10 +55,10 @@ fn walk(values: impl Iterator<Item = (usize, f64)>, least: f64) -> (Vec<Turn>, O
         }
         let seeks_peak = turns.last().is_none_or(|turn| !turn.is_peak);
         let seeks_dip = turns.last().is_none_or(|turn| turn.is_peak);
-        if seeks_peak && high.1 - value > least {
+        if seeks_peak && high.1 - value > minimum {
             turns.push(turn(high.0, true));
             low = (i, value);
-        } else if seeks_dip && value - low.1 > least {
+        } else if seeks_dip && value - low.1 > minimum {
             turns.push(turn(low.0, false));
             high = (i, value);
         }
@@ -77,8 +77,8 @@ fn walk(values: impl Iterator<Item = (usize, f64)>, least: f64) -> (Vec<Turn>, O
 mod tests {
     use super::*;
 
-    fn found(values: &[f64], goes_round: bool) -> Vec<(usize, bool, bool)> {
-        let turns = turns(values, 0.1, goes_round);
+    fn found(values: &[f64], is_periodic: bool) -> Vec<(usize, bool, bool)> {
+        let turns = turns(values, 0.1, is_periodic);
         turns
             .iter()
             .map(|t| (t.sample, t.is_peak, t.is_end))

@@ -11,11 +11,11 @@ use std::sync::Arc;
 
 /// Maximum derivative of a redundant constraint's miss by a length, in units of the constraint's
 /// distance from the origin: rounding error.
-const JAMMED: f64 = 1e-9;
+const MAX_REDUNDANT_DERIVATIVE: f64 = 1e-9;
 /// Maximum derivative of a place by a length, and of a link's direction times its reach. Beyond it
 /// a group is nearly singular. At a sine of s the derivatives are 1/s, and doubles lose u/s^2 of
 /// them: 8e-6.
-const STEEPEST: f64 = 262_144.0;
+const MAX_DERIVATIVE: f64 = 262_144.0;
 
 /// A mechanism with its derivatives by one of its lengths, created by [`Solver::by_length`].
 #[derive(Clone, Debug)]
@@ -73,9 +73,9 @@ impl Solver {
         let reach = |link: &Link| {
             let from = link.members.first().map_or(Vec2::ZERO, |m| m.local);
             let places = link.members.iter().map(|m| (m.local - from).norm());
-            let furthest = places.fold(0.0, f64::max);
-            if furthest > 0.0 {
-                self.engine.frame.length(furthest)
+            let extreme = places.fold(0.0, f64::max);
+            if extreme > 0.0 {
+                self.engine.frame.length(extreme)
             } else {
                 self.engine.frame.longest
             }
@@ -96,52 +96,52 @@ impl ByLength {
     /// unit per unit of the scene's length.
     #[must_use]
     pub fn state(&self) -> Workspace<Dual> {
-        let mut work = self.engine.state(self.slides);
+        let mut workspace = self.engine.state(self.slides);
         let balance = self.balance.as_ref();
-        work.state.forces = balance.map(|b| b.room(&self.engine));
-        work
+        workspace.state.forces = balance.map(|b| b.force_state(&self.engine));
+        workspace
     }
 
     /// Solves `state` again with the derivatives. Returns `true` if they exist. They do not exist
     /// where the motion ends or branches, or nearly so, and where the length would jam a redundant
     /// linkage. If they do not exist, nothing in `work` may be read. Allocates nothing.
-    pub fn solve(&self, state: &State, order: Order, work: &mut Workspace<Dual>) -> bool {
-        work.state.begin(Dual::exactly(state.at), order);
-        let exists = state.condition == Condition::Ok && self.solved(state, order, work);
+    pub fn solve(&self, state: &State, order: Order, workspace: &mut Workspace<Dual>) -> bool {
+        workspace.state.start(Dual::exactly(state.at), order);
+        let exists = state.condition == Condition::Ok && self.solved(state, order, workspace);
         if exists {
-            Balance::follow(self.balance.as_deref(), &self.engine, order, work);
+            Balance::follow(self.balance.as_deref(), &self.engine, order, workspace);
         } else {
-            work.state.condition = Condition::NoAssembly;
-            work.state.forget_forces();
+            workspace.state.condition = Condition::NoAssembly;
+            workspace.state.forget_forces();
         }
         exists
     }
 
-    fn solved(&self, state: &State, order: Order, work: &mut Workspace<Dual>) -> bool {
-        let dual = &mut work.state;
+    fn solved(&self, state: &State, order: Order, workspace: &mut Workspace<Dual>) -> bool {
+        let dual = &mut workspace.state;
         dual.condition = state.condition;
         for (sign, &of) in dual.signs.iter_mut().zip(&state.signs) {
             *sign = Dual::exactly(of);
         }
         let solved = match order {
-            Order::Position => self.run::<POSITION>(state, work),
-            Order::Velocity => self.run::<VELOCITY>(state, work),
-            Order::Acceleration | Order::Force => self.run::<ACCELERATION>(state, work),
+            Order::Position => self.run::<POSITION>(state, workspace),
+            Order::Velocity => self.run::<VELOCITY>(state, workspace),
+            Order::Acceleration | Order::Force => self.run::<ACCELERATION>(state, workspace),
         };
-        solved && !self.is_steep(&work.state) && !self.is_jammed(&work.state)
+        solved && !self.is_steep(&workspace.state) && !self.is_jammed(&workspace.state)
     }
 
-    fn run<const ORDER: u8>(&self, state: &State, work: &mut Workspace<Dual>) -> bool {
-        let at = work.state.at;
+    fn run<const ORDER: u8>(&self, state: &State, workspace: &mut Workspace<Dual>) -> bool {
+        let at = workspace.state.at;
         let engine = &self.engine;
-        engine.run_in::<Dual, ORDER>(at, work, |group, q, dual, scratch| {
+        engine.run_in::<Dual, ORDER>(at, workspace, |group, q, dual, scratch| {
             group.by_length(q, ORDER, state, dual, scratch)
         })
     }
 
     /// Returns `true` if a derivative is so large that none can be trusted.
     fn is_steep(&self, dual: &State<Dual>) -> bool {
-        let steepest = STEEPEST / self.engine.frame.scale;
+        let steepest = MAX_DERIVATIVE / self.engine.frame.scale;
         // Written so that NaN is steep.
         let is_gentle = |v: Vec2<Dual>, reach: f64| {
             let slope = v.x.slope.abs().max(v.y.slope.abs());
@@ -158,7 +158,8 @@ impl ByLength {
         let scale = self.engine.frame.scale;
         let mut misses = self.engine.misses(dual);
         // Written so that NaN jams.
-        let holds = |miss: Dual, reach: f64| (miss.slope * scale).abs() <= JAMMED * reach;
+        let holds =
+            |miss: Dual, reach: f64| (miss.slope * scale).abs() <= MAX_REDUNDANT_DERIVATIVE * reach;
         self.is_strict && misses.any(|(_, miss, reach)| !holds(miss, reach))
     }
 }

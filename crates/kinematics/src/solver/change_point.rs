@@ -21,16 +21,16 @@ use crate::{Double, LinkId, PointId, Vec2};
 const MAX_WIDTH: f64 = 0.02;
 /// Maximum size of the last terms of a series in the second derivatives, within its zone: about a
 /// rounding error.
-const FINE: f64 = 1e-15;
+const MAX_LAST_TERM: f64 = 1e-15;
 /// Maximum relative difference between a coordinate and a change point that counts as none.
-const SAME: f64 = 4.0 * f64::EPSILON;
+const EQUALITY_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
 /// The known Taylor coefficients of a function of the driver's coordinate.
 type Taylor = Vec<Vec2>;
 
 /// A crossing of one of a group's change points.
 #[derive(Clone, Debug)]
-pub(super) struct Passage {
+pub(super) struct ChangePointCrossing {
     /// The driver's coordinate, reduced to one period if there is one.
     pub at: f64,
     /// The rounding error of `at`: the low part of the coordinate in double-double.
@@ -38,10 +38,10 @@ pub(super) struct Passage {
     /// The group that crosses the change point.
     pub group: usize,
     /// Whether the group's sign changes there.
-    pub turns: bool,
+    pub is_rotary: bool,
     /// Whether nothing branches there: a redundant constraint leads the group through, or the group
     /// only just misses a change point.
-    pub is_led: bool,
+    pub is_led_through: bool,
     /// The maximum distance from the centre of the series at which the series replaces the group's equations, in
     /// radians or scaled lengths.
     pub zone: f64,
@@ -56,8 +56,8 @@ pub(super) struct Passage {
 
 /// All change point crossings of a motion.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Passages {
-    list: Vec<Passage>,
+pub(super) struct ChangePointCrossings {
+    list: Vec<ChangePointCrossing>,
     /// The group and list index of every crossing, in order.
     by_group: Vec<(usize, usize)>,
     start: f64,
@@ -65,23 +65,23 @@ pub(super) struct Passages {
     period: f64,
 }
 
-impl Passages {
+impl ChangePointCrossings {
     /// Reduces all coordinates to one period, if there is one.
-    pub(super) fn of_motion(self, start: f64, period: f64) -> Passages {
-        let Passages { mut list, .. } = self;
-        for passage in &mut list {
-            passage.at = reduced(passage.at, period);
+    pub(super) fn of_motion(self, start: f64, period: f64) -> ChangePointCrossings {
+        let ChangePointCrossings { mut list, .. } = self;
+        for crossing in &mut list {
+            crossing.at = reduced(crossing.at, period);
         }
         list.sort_by(|a, b| a.at.total_cmp(&b.at));
         let start = reduced(start, period);
-        let mut passages = Passages {
+        let mut crossings = ChangePointCrossings {
             list,
             by_group: Vec::new(),
             start,
             period,
         };
-        passages.sort_groups();
-        passages
+        crossings.sort_groups();
+        crossings
     }
 
     /// Rebuilds the index by group.
@@ -89,12 +89,12 @@ impl Passages {
         let groups = self.list.iter().enumerate();
         self.by_group.clear();
         self.by_group
-            .extend(groups.map(|(i, passage)| (passage.group, i)));
+            .extend(groups.map(|(i, crossing)| (crossing.group, i)));
         self.by_group.sort_unstable();
     }
 
     /// Returns the crossings of a group.
-    fn of_group(&self, group: usize) -> impl Iterator<Item = &Passage> {
+    fn of_group(&self, group: usize) -> impl Iterator<Item = &ChangePointCrossing> {
         let first = self.by_group.partition_point(|&(of, _)| of < group);
         let ours = self.by_group[first..].iter();
         let ours = ours.take_while(move |&&(of, _)| of == group);
@@ -102,12 +102,12 @@ impl Passages {
     }
 
     /// Adds the crossings not yet known.
-    pub(super) fn add(&mut self, mut passages: Vec<Passage>) {
-        passages.retain(|new| {
+    pub(super) fn add(&mut self, mut crossings: Vec<ChangePointCrossing>) {
+        crossings.retain(|new| {
             let mut known = self.of_group(new.group);
             known.all(|old| old.at != new.at)
         });
-        self.list.extend(passages);
+        self.list.extend(crossings);
         self.sort_groups();
     }
 
@@ -122,7 +122,7 @@ impl Passages {
     }
 
     /// Returns the crossings from index `from` on.
-    pub(super) fn latest(&mut self, from: usize) -> &mut [Passage] {
+    pub(super) fn latest(&mut self, from: usize) -> &mut [ChangePointCrossing] {
         self.list.get_mut(from..).unwrap_or_default()
     }
 
@@ -147,7 +147,7 @@ impl Passages {
 
     /// Returns the driver's coordinates of the branching change points, each once.
     pub(super) fn coordinates(&self) -> Vec<f64> {
-        let branching = self.list.iter().filter(|p| !p.is_led);
+        let branching = self.list.iter().filter(|p| !p.is_led_through);
         let mut at: Vec<f64> = branching.map(|p| p.at).collect();
         at.dedup();
         at
@@ -165,18 +165,23 @@ impl Passages {
     /// Returns the groups whose sign changes between the start and a coordinate, once per change.
     pub(super) fn changed(&self, at: f64) -> impl Iterator<Item = usize> {
         let here = reduced(at, self.period);
-        let between = move |p: &&Passage| (p.at < here) != (p.at < self.start);
-        let turning = self.list.iter().filter(|p| p.turns);
+        let between = move |p: &&ChangePointCrossing| (p.at < here) != (p.at < self.start);
+        let turning = self.list.iter().filter(|p| p.is_rotary);
         turning.filter(between).map(|p| p.group)
     }
 
     /// Returns the crossing of a group whose zone contains a coordinate, with the signed distance
     /// from it. The nearest one counts if there are several.
-    pub(super) fn near(&self, engine: &Engine, at: f64, group: usize) -> Option<(&Passage, f64)> {
+    pub(super) fn near(
+        &self,
+        engine: &Engine,
+        at: f64,
+        group: usize,
+    ) -> Option<(&ChangePointCrossing, f64)> {
         let here = reduced(at, self.period);
         let away = self
             .of_group(group)
-            .map(|p| (p, self.away(engine, p, here)));
+            .map(|p| (p, self.distance_from_crossing(engine, p, here)));
         away.filter(|(p, dq)| p.holds(*dq))
             .min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))
     }
@@ -184,24 +189,29 @@ impl Passages {
     /// Returns `true` if a series replaces the equations of any group at a coordinate.
     pub(super) fn is_near(&self, engine: &Engine, at: f64) -> bool {
         let here = reduced(at, self.period);
-        let mut passages = self.list.iter();
-        passages.any(|p| p.holds(self.away(engine, p, here)))
+        let mut crossings = self.list.iter();
+        crossings.any(|p| p.holds(self.distance_from_crossing(engine, p, here)))
     }
 
     /// Returns the signed distance from a crossing to a coordinate, across the end of the period if
     /// that is shorter.
-    fn away(&self, engine: &Engine, passage: &Passage, here: f64) -> f64 {
-        let straight = here - passage.at;
+    fn distance_from_crossing(
+        &self,
+        engine: &Engine,
+        crossing: &ChangePointCrossing,
+        here: f64,
+    ) -> f64 {
+        let straight = here - crossing.at;
         let around = straight - self.period * straight.signum();
         let shorter = if around.abs() < straight.abs() {
             around
         } else {
             straight
         };
-        if shorter.abs() <= SAME * passage.at.abs() {
+        if shorter.abs() <= EQUALITY_TOLERANCE * crossing.at.abs() {
             return 0.0;
         }
-        engine.difference(passage.rest, shorter)
+        engine.difference(crossing.rest, shorter)
     }
 }
 
@@ -215,7 +225,7 @@ fn reduced(at: f64, period: f64) -> f64 {
 }
 
 /// Evaluates a series and its first two derivatives at a distance from the change point.
-fn told(series: &[Vec2], dq: f64) -> [Vec2; 3] {
+fn eval_series(series: &[Vec2], dq: f64) -> [Vec2; 3] {
     let mut sums = [Vec2::ZERO; 3];
     for (n, &c) in series.iter().enumerate().rev() {
         let n = n as f64;
@@ -231,7 +241,7 @@ fn told(series: &[Vec2], dq: f64) -> [Vec2; 3] {
     sums
 }
 
-impl Passage {
+impl ChangePointCrossing {
     /// Returns `true` if the series holds at a distance from the change point.
     fn holds(&self, dq: f64) -> bool {
         let away = dq + self.off_centre;
@@ -240,11 +250,11 @@ impl Passage {
 
     /// Returns the crossing by the same series of a change point at a distance from its centre,
     /// with the other sign beyond it.
-    pub(super) fn turning_at(&self, at: Double, off_centre: f64) -> Passage {
-        Passage {
+    pub(super) fn turning_at(&self, at: Double, off_centre: f64) -> ChangePointCrossing {
+        ChangePointCrossing {
             at: at.hi,
             rest: at.lo,
-            turns: true,
+            is_rotary: true,
             off_centre,
             ..self.clone()
         }
@@ -254,17 +264,17 @@ impl Passage {
     /// `None` if too few coefficients are known.
     pub(super) fn new(
         at: Double,
-        (group, turns): (usize, bool),
+        (group, is_rotary): (usize, bool),
         (points, links): (Vec<PointId>, Vec<LinkId>),
         series: &State<Series>,
-    ) -> Option<Passage> {
+    ) -> Option<ChangePointCrossing> {
         let mut known = TERMS;
         let mut kept = |v: Vec2<Series>| {
             known = known.min(v.x.known).min(v.y.known);
             // The remaining coefficients are zero.
             let terms = v.x.known.max(v.y.known);
-            let told = v.x.c.iter().zip(&v.y.c).take(terms);
-            told.map(|(x, y)| Vec2::new(x.hi, y.hi)).collect::<Taylor>()
+            let text = v.x.c.iter().zip(&v.y.c).take(terms);
+            text.map(|(x, y)| Vec2::new(x.hi, y.hi)).collect::<Taylor>()
         };
         let points = points.into_iter();
         let points: Vec<_> = points
@@ -279,12 +289,12 @@ impl Passage {
             .map(|p| &p.1)
             .chain(links.iter().map(|l| &l.1));
         let zone = zone(all, known)?;
-        Some(Passage {
+        Some(ChangePointCrossing {
             at: at.hi,
             rest: at.lo,
             group,
-            turns,
-            is_led: false,
+            is_rotary,
+            is_led_through: false,
             zone,
             off_centre: 0.0,
             side: 0.0,
@@ -297,12 +307,12 @@ impl Passage {
     pub(super) fn write(&self, dq: f64, state: &mut State) {
         let dq = dq + self.off_centre;
         for (point, series) in &self.points {
-            let [p, v, a] = told(series, dq);
+            let [p, v, a] = eval_series(series, dq);
             state.points[point.index()] = PointState { p, v, a };
         }
         for (link, series) in &self.links {
             // d' = w k x d and d'' = a k x d - w^2 d.
-            let [d, rate, second] = told(series, dq);
+            let [d, rate, second] = eval_series(series, dq);
             let length = d.norm();
             let (w, a) = (d.cross(rate), d.cross(second));
             state.links[link.index()] = LinkState {
@@ -315,7 +325,7 @@ impl Passage {
 }
 
 /// Returns the distance from the change point within which `known` coefficients determine the
-/// second derivatives: their last two terms must be at most [`FINE`]. Returns `None` if there are
+/// second derivatives: their last two terms must be at most [`MAX_LAST_TERM`]. Returns `None` if there are
 /// too few coefficients.
 fn zone<'a>(series: impl Iterator<Item = &'a Taylor>, known: usize) -> Option<f64> {
     let last = known.checked_sub(1).filter(|&last| last >= 4)?;
@@ -324,7 +334,7 @@ fn zone<'a>(series: impl Iterator<Item = &'a Taylor>, known: usize) -> Option<f6
         for n in [last - 1, last] {
             let size = taylor[n].norm() * (n * (n - 1)) as f64;
             let power = 1.0 / (n - 2) as f64;
-            zone = zone.min((FINE / size).powf(power));
+            zone = zone.min((MAX_LAST_TERM / size).powf(power));
         }
     }
     (zone > 0.0).then_some(zone)

@@ -1,12 +1,12 @@
 //! Lists the alternative assemblies of a group and of the whole mechanism.
 
 use super::assemble::{Assembler, Placement, Request, handedness};
-use super::coupled::{SAME, distance};
+use super::coupled::{EQUALITY_TOLERANCE, distance};
 use super::elements::Step;
 use super::engine::Engine;
 use super::fault::Fault;
 use super::network::Network;
-use super::plan::{Group, GroupId, Pick};
+use super::plan::{AssemblyChoice, Group, GroupId};
 use super::state::{Condition, State};
 use super::{Order, Solver, Workspace};
 use crate::{ElementId, Mechanism, PointId, Vec2};
@@ -20,13 +20,13 @@ pub const MAX_ASSEMBLIES: usize = 64;
 const MAX_TRIED: usize = 10_000;
 /// A distance past a change point, in radians or scaled lengths, small enough to stay before the
 /// next one.
-const BEYOND: f64 = 1e-6;
+const STEP_PAST_CHANGE_POINT: f64 = 1e-6;
 
 /// An assembly of a group.
 #[derive(Clone, Debug)]
 pub struct Choice {
     /// The pick that selects it.
-    pub pick: Pick,
+    pub pick: AssemblyChoice,
     /// Whether the solver follows this assembly.
     pub is_current: bool,
     /// Whether the later groups close with it, each in its current assembly or near it.
@@ -39,7 +39,7 @@ pub struct Choice {
 #[derive(Clone, Debug, Default)]
 pub struct Assemblies {
     /// For each assembly the picks of its groups, in plan order.
-    pub list: Vec<Vec<(GroupId, Pick)>>,
+    pub list: Vec<Vec<(GroupId, AssemblyChoice)>>,
     /// The index of the assembly that the solver follows.
     pub current: Option<usize>,
     /// Whether the list was not cut at [`MAX_ASSEMBLIES`]. The search may still miss assemblies of
@@ -74,17 +74,17 @@ impl Solver {
         let (mut engine, mut state) = (self.engine.clone(), present.state.clone());
         engine.signs.clone_from(&present.signs);
         state.state.signs.clone_from(&present.signs);
-        state.state.begin(at, Order::Position);
-        let ways = assembler.ways(group, &engine, &mut state);
-        let numbered = ways.iter().enumerate();
+        state.state.start(at, Order::Position);
+        let placements = assembler.ways(group, &engine, &mut state);
+        let numbered = placements.iter().enumerate();
         numbered
             .map(|(i, way)| {
-                let is_current = present.is_in(self, group, &ways, i);
+                let is_current = present.is_in(self, group, &placements, i);
                 let mut state = present.state.clone();
                 state.state.signs.clone_from(&present.signs);
                 let taken = assembler.take(group, way, &mut engine, &mut state);
                 let closes = taken != Condition::NoAssembly
-                    && assembler.settle_from(group + 1, &mut engine, &mut state)
+                    && assembler.place_groups_from(group + 1, &mut engine, &mut state)
                     && engine.misfit(&state).is_none();
                 state.state.condition = Condition::Ok;
                 Choice {
@@ -114,15 +114,15 @@ impl Solver {
             order: Order::Position,
         };
         let (mut engine, mut state) = (self.engine.clone(), present.state.clone());
-        state.state.begin(at, Order::Position);
+        state.state.start(at, Order::Position);
         // The placements of each group so far, and the index of the current one: an odometer.
         let mut taken: Vec<(Vec<Placement>, usize)> = Vec::new();
         let mut tried = 0;
         loop {
             let number = taken.len();
             if number < self.plan.groups.len() {
-                let ways = assembler.ways(number, &engine, &mut state);
-                taken.push((ways, 0));
+                let placements = assembler.ways(number, &engine, &mut state);
+                taken.push((placements, 0));
             } else {
                 if engine.misfit(&state).is_none() {
                     if found.list.len() == MAX_ASSEMBLIES {
@@ -134,7 +134,7 @@ impl Solver {
             }
             // Try the next placement; if a group has none left, continue with the group before it.
             loop {
-                let Some((ways, next)) = taken.last() else {
+                let Some((placements, next)) = taken.last() else {
                     found.is_complete = true;
                     return found;
                 };
@@ -143,7 +143,7 @@ impl Solver {
                     return found;
                 }
                 let number = taken.len() - 1;
-                let placed = ways.get(*next).map(|way| {
+                let placed = placements.get(*next).map(|way| {
                     assembler.take(number, way, &mut engine, &mut state) != Condition::NoAssembly
                 });
                 match placed {
@@ -164,7 +164,12 @@ impl Solver {
     ///
     /// # Errors
     /// See [`Fault`]. The usual reason is that later groups do not close with it.
-    pub fn switched(&self, at: f64, group: GroupId, pick: Pick) -> Result<Solver, Fault> {
+    pub fn switched(
+        &self,
+        at: f64,
+        group: GroupId,
+        choice: AssemblyChoice,
+    ) -> Result<Solver, Fault> {
         let nothing = || Fault::NoChoice {
             group: self
                 .plan
@@ -177,16 +182,16 @@ impl Solver {
             return Err(nothing());
         }
         let present = self.present(at).ok_or_else(nothing)?;
-        let mut picks: Vec<(ElementId, Pick)> = Vec::new();
+        let mut choices: Vec<(ElementId, AssemblyChoice)> = Vec::new();
         for (number, of) in self.plan.numbered() {
             let own = if number == group {
-                Some(pick)
+                Some(choice)
             } else {
                 present.picks[number.index()]
             };
-            picks.extend(of.name().zip(own));
+            choices.extend(of.name().zip(own));
         }
-        Solver::open(&self.mechanism, at, &present.near, &picks)
+        Solver::open(&self.mechanism, at, &present.near, &choices)
     }
 
     /// Returns a solver for changed dimensions, in the assembly of this solver at `at`. It opens at
@@ -195,15 +200,19 @@ impl Solver {
     ///
     /// # Errors
     /// See [`Fault`]. The usual reason is that the mechanism does not close in this assembly.
-    pub fn carried_over(&self, at: f64, changed: &Mechanism) -> Result<Solver, Fault> {
+    pub fn with_dimensions_in_assembly(
+        &self,
+        at: f64,
+        changed: &Mechanism,
+    ) -> Result<Solver, Fault> {
         let Some(present) = self.present(at) else {
             return Solver::new(changed);
         };
         let named = self.plan.groups.iter().zip(&present.picks);
-        let picks: Vec<(ElementId, Pick)> = named
-            .filter_map(|(group, pick)| group.name().zip(*pick))
+        let choices: Vec<(ElementId, AssemblyChoice)> = named
+            .filter_map(|(group, choice)| group.name().zip(*choice))
             .collect();
-        Solver::open(changed, changed.driver().start, &present.near, &picks)
+        Solver::open(changed, changed.driver().start, &present.near, &choices)
     }
 
     /// Returns a solver for changed dimensions in the assembly of this solver at `at`. If `changed`
@@ -211,11 +220,11 @@ impl Solver {
     /// and the flag is `true`.
     ///
     /// # Errors
-    /// See [`Solver::carried_over`].
-    pub fn kept(&self, at: f64, changed: &Mechanism) -> Result<(Solver, bool), Fault> {
+    /// See [`Solver::with_dimensions_in_assembly`].
+    pub fn with_dimensions(&self, at: f64, changed: &Mechanism) -> Result<(Solver, bool), Fault> {
         match Solver::new(changed) {
             Ok(plain) if self.has_sides_of(at, &plain) => Ok((plain, false)),
-            _ => Ok((self.carried_over(at, changed)?, true)),
+            _ => Ok((self.with_dimensions_in_assembly(at, changed)?, true)),
         }
     }
 
@@ -230,27 +239,27 @@ impl Solver {
             return false;
         };
         let mut groups = self.plan.groups.iter().zip(&own);
-        own == others && groups.all(|(group, pick)| pick.is_some() || !group.has_choices())
+        own == others && groups.all(|(group, choice)| choice.is_some() || !group.has_choices())
     }
 
     /// Returns the pick of the `i`-th placement of a group.
-    fn pick_of(&self, group: usize, way: &Placement, i: usize) -> Pick {
+    fn pick_of(&self, group: usize, way: &Placement, i: usize) -> AssemblyChoice {
         match way {
-            Placement::Side(sign) => self.side_pick(group, *sign).unwrap_or(Pick::Plus),
-            Placement::Root(_) | Placement::Only => Pick::Number(i + 1),
+            Placement::Side(sign) => self.side_pick(group, *sign).unwrap_or(AssemblyChoice::Plus),
+            Placement::Root(_) | Placement::Only => AssemblyChoice::Number(i + 1),
         }
     }
 
     /// Returns the pick of a dyad with this sign.
-    fn side_pick(&self, group: usize, sign: f64) -> Option<Pick> {
+    fn side_pick(&self, group: usize, sign: f64) -> Option<AssemblyChoice> {
         // `signs` has one entry more than there are groups.
         self.plan.groups.get(group)?;
         let steps = &self.engine.program.steps[super::assemble::steps_of(&self.engine, group)];
         let key = steps.iter().find(|s| s.choice().is_some())?;
         Some(if sign * handedness(&self.mechanism, key) > 0.0 {
-            Pick::Plus
+            AssemblyChoice::Plus
         } else {
-            Pick::Minus
+            AssemblyChoice::Minus
         })
     }
 
@@ -260,10 +269,10 @@ impl Solver {
             taken
                 .iter()
                 .enumerate()
-                .map(|(n, (ways, i))| (n, &ways[*i], *i))
+                .map(|(n, (placements, i))| (n, &placements[*i], *i))
         };
         let mut all = taken.iter().enumerate();
-        if all.all(|(n, (ways, i))| present.is_in(self, n, ways, *i)) {
+        if all.all(|(n, (placements, i))| present.is_in(self, n, placements, *i)) {
             found.current = Some(found.list.len());
         }
         let picks = chosen().filter(|&(n, _, _)| self.plan.groups[n].has_choices());
@@ -273,9 +282,9 @@ impl Solver {
 
     /// Returns the assembly at a coordinate; `None` if steps are left out or there is no assembly.
     fn present(&self, at: f64) -> Option<Present> {
-        let whole =
+        let is_whole =
             self.engine.program.group_starts.last() == Some(&self.engine.program.steps.len());
-        if !whole {
+        if !is_whole {
             return None;
         }
         let mut state = self.state();
@@ -284,20 +293,22 @@ impl Solver {
         }
         let mut signs = self.engine.signs.clone();
         // At a change point itself, the assembly just past it counts.
-        let beyond = self.engine.moved(at, BEYOND);
+        let beyond = self.engine.moved(at, STEP_PAST_CHANGE_POINT);
         let place = if state.condition == Condition::ChangePoint {
             beyond
         } else {
             at
         };
-        self.motion.passages.choose(&self.engine, place, &mut signs);
+        self.motion
+            .crossings
+            .choose(&self.engine, place, &mut signs);
         let points = self.mechanism.point_ids();
         let near = points.map(|p| (p, state.place(p)));
         let numbered = signs.iter().enumerate();
-        let picks = numbered.map(|(n, &sign)| self.side_pick(n, sign));
+        let choices = numbered.map(|(n, &sign)| self.side_pick(n, sign));
         Some(Present {
             near: near.collect(),
-            picks: picks.take(self.plan.groups.len()).collect(),
+            picks: choices.take(self.plan.groups.len()).collect(),
             signs,
             state,
         })
@@ -317,7 +328,7 @@ struct Present {
     /// The sign of every group.
     signs: Vec<f64>,
     /// The picks that select this assembly, for dyads.
-    picks: Vec<Option<Pick>>,
+    picks: Vec<Option<AssemblyChoice>>,
     /// The position of every point, in the scene's frame.
     near: Vec<(PointId, Vec2)>,
 }
@@ -334,15 +345,15 @@ impl Present {
 
     /// Returns `true` if a group is in its `i`-th placement. For a solution of a coupled group: if
     /// it is the nearest one, and near.
-    fn is_in(&self, solver: &Solver, group: usize, ways: &[Placement], i: usize) -> bool {
-        match &ways[i] {
+    fn is_in(&self, solver: &Solver, group: usize, placements: &[Placement], i: usize) -> bool {
+        match &placements[i] {
             Placement::Only => true,
             Placement::Side(sign) => sign * self.signs[group] > 0.0,
             Placement::Root(_) => {
                 let away = |way| self.distance(&solver.engine, group, way);
-                let own = away(&ways[i]);
-                let mut others = ways.iter().map(away);
-                own < SAME && others.all(|other| own <= other)
+                let own = away(&placements[i]);
+                let mut others = placements.iter().map(away);
+                own < EQUALITY_TOLERANCE && others.all(|other| own <= other)
             }
         }
     }

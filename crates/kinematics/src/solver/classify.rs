@@ -75,7 +75,7 @@ pub enum LoopKind {
     /// A slider-crank's class.
     SliderCrank {
         /// Whether the crank turns fully.
-        turns: bool,
+        is_rotary: bool,
     },
 }
 
@@ -88,7 +88,7 @@ impl DrivenLoop {
                 grashof, inversion, ..
             } => LoopKind::FourBar(inversion, grashof),
             DrivenLoop::SliderCrank { margin, .. } => LoopKind::SliderCrank {
-                turns: margin > 0.0,
+                is_rotary: margin > 0.0,
             },
         }
     }
@@ -135,7 +135,7 @@ pub(super) fn classify(engine: &Engine, mechanism: &Mechanism) -> Option<DrivenL
         });
         for (coupler, of) in loops {
             let rank = mechanism.link_rank(coupler);
-            if found.is_none_or(|(least, _)| rank < least) {
+            if found.is_none_or(|(minimum, _)| rank < minimum) {
                 found = Some((rank, of));
             }
         }

@@ -8,11 +8,11 @@
 use super::coupled::Coupled;
 use super::plan::GroupId;
 use super::{Condition, Order, Solver, Workspace};
-use crate::numeric::{Unsettled, lowest};
+use crate::numeric::{MinimumError, lowest};
 use nalgebra::DMatrix;
 
 /// Number of places over a turn or a range at which the groups are evaluated.
-const LOOKS: u32 = 360;
+const SAMPLES_PER_TURN: u32 = 360;
 /// Maximum number of sweeps of a decomposition.
 const MAX_SWEEPS: usize = 1000;
 
@@ -34,37 +34,37 @@ impl Solver {
     #[must_use]
     pub fn conditioning(&self) -> Vec<Conditioning> {
         let groups = self.engine.program.coupled.iter();
-        let mut work = self.state();
-        let worst = groups.filter_map(|group| self.worst(group, &mut work));
+        let mut workspace = self.state();
+        let worst = groups.filter_map(|group| self.worst(group, &mut workspace));
         worst.collect()
     }
 
-    fn worst(&self, group: &Coupled, work: &mut Workspace) -> Option<Conditioning> {
+    fn worst(&self, group: &Coupled, workspace: &mut Workspace) -> Option<Conditioning> {
         let (low, high) = self.motion.range.ends();
-        let step = (high - low) / f64::from(LOOKS);
+        let step = (high - low) / f64::from(SAMPLES_PER_TURN);
         // The ends are left out: at a limit a group may fold.
-        let places = (0..LOOKS).map(|k| low + step * (f64::from(k) + 0.5));
-        let seen = places.filter_map(|at| Some((at, self.condition_of(group, at, work)?)));
+        let places = (0..SAMPLES_PER_TURN).map(|k| low + step * (f64::from(k) + 0.5));
+        let seen = places.filter_map(|at| Some((at, self.condition_of(group, at, workspace)?)));
         let first = seen.min_by(|a, b| a.1.total_cmp(&b.1))?;
         let around = [(first.0 - step).max(low), (first.0 + step).min(high)];
-        let look = |at| self.condition_of(group, at, work);
-        let (at, least) = lowest(look, around, first).unwrap_or_else(Unsettled::best);
+        let look = |at| self.condition_of(group, at, workspace);
+        let (at, minimum) = lowest(look, around, first).unwrap_or_else(MinimumError::best);
         Some(Conditioning {
             group: GroupId::new(group.group),
-            least,
+            least: minimum,
             at,
         })
     }
 
     /// Returns the condition of a group in one state; `None` if the state is not an ordinary one.
-    fn condition_of(&self, group: &Coupled, at: f64, work: &mut Workspace) -> Option<f64> {
-        match self.solve(at, Order::Position, work) {
+    fn condition_of(&self, group: &Coupled, at: f64, workspace: &mut Workspace) -> Option<f64> {
+        match self.solve(at, Order::Position, workspace) {
             Condition::Ok => {}
             Condition::ChangePoint => return Some(0.0),
             Condition::DeadPoint | Condition::NoAssembly => return None,
         }
         let (q, _) = self.engine.coordinate(at);
-        let Workspace { state, scratch, .. } = work;
+        let Workspace { state, scratch, .. } = workspace;
         let n = group.unknowns();
         let matrix = DMatrix::from_row_slice(n, n, group.normalised(q, state, scratch));
         let decomposed = nalgebra::SVD::try_new(matrix, false, false, f64::EPSILON, MAX_SWEEPS)?;

@@ -8,7 +8,7 @@ use crate::SlideId;
 use crate::numeric::roots;
 
 /// Number of intervals over the motion. In each of them s' changes its sign at most once.
-const LOOKS: u32 = 720;
+const MOTION_INTERVALS: u32 = 720;
 /// Distance inside the range at which a dead point, which has no rates, is replaced, relative to
 /// the range.
 const INSIDE: f64 = 1e-9;
@@ -35,7 +35,8 @@ impl Solver {
         let mut state = solver.state();
         let (low, high) = self.motion.range.ends();
         // Offset from round coordinates, where symmetry puts dead centres.
-        let place = |k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(LOOKS);
+        let place =
+            |k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(MOTION_INTERVALS);
         let finest = self.engine.finest();
         let slope = |at| match solver.solve(at, Order::Velocity, &mut state) {
             Condition::Ok | Condition::ChangePoint => Some(state.travels[slide.index()].v),
@@ -43,11 +44,13 @@ impl Solver {
         };
         let turns = match self.motion.range {
             // Past the end of the period to the first place again.
-            Range::Full { .. } => roots((0..=LOOKS).map(place), finest, slope),
+            Range::Full { .. } => roots((0..=MOTION_INTERVALS).map(place), finest, slope),
             Range::Limited { .. } => {
                 let inside = INSIDE * (high - low);
                 let first = [low + inside].into_iter();
-                let places = first.chain((0..LOOKS).map(place)).chain([high - inside]);
+                let places = first
+                    .chain((0..MOTION_INTERVALS).map(place))
+                    .chain([high - inside]);
                 let mut turns = roots(places, finest, slope);
                 turns.insert(0, low);
                 turns.push(high);

@@ -46,8 +46,8 @@ pub(super) fn prune(program: &mut Program, demand: &Demand, left_out: &mut Marks
     let points = demand.points.iter().map(|&p| PlacedPart::Point(p));
     let links = demand.links.iter().map(|&l| PlacedPart::Link(l));
     let slides = demand.slides.iter().map(|&s| PlacedPart::Slide(s));
-    let asked = points.chain(links).chain(slides);
-    asked.for_each(|part| *needed.of(part) = true);
+    let requested = points.chain(links).chain(slides);
+    requested.for_each(|part| *needed.of(part) = true);
     let mut kept = Vec::new();
     for step in program.steps.drain(..).rev() {
         let mut parts = Vec::new();

@@ -36,25 +36,25 @@ impl Solver {
     /// Solves at any coordinate, with the motion's knowledge of its ends, and in double-double
     /// where doubles do not suffice.
     #[cold]
-    pub(super) fn solve_closely(&self, at: f64, order: Order, work: &mut Workspace) {
-        work.state.begin(at, order);
-        work.state.condition = Condition::NoAssembly;
+    pub(super) fn solve_closely(&self, at: f64, order: Order, workspace: &mut Workspace) {
+        workspace.state.start(at, order);
+        workspace.state.condition = Condition::NoAssembly;
         if !self.motion.covers(at) {
             return;
         }
         let mut found = at;
         let is_coupled = !self.engine.program.coupled.is_empty();
-        if self.look_closely(at, order, work) == Condition::NoAssembly {
+        if self.solve_closely_at(at, order, workspace) == Condition::NoAssembly {
             let exists = |&at: &f64| {
                 let condition = match is_coupled {
-                    true => self.run(at, order, work),
-                    false => self.look_closely(at, order, work),
+                    true => self.run(at, order, workspace),
+                    false => self.solve_closely_at(at, order, workspace),
                 };
                 condition != Condition::NoAssembly
             };
             found = self.motion.drawn_back(at).find(exists).unwrap_or(at);
         }
-        let state = &mut work.state;
+        let state = &mut workspace.state;
         state.at = at;
         // Within rounding of a limit, rates are as worthless as at the limit itself.
         let is_dead = found != at || self.motion.is_dead_point(at);
@@ -63,54 +63,54 @@ impl Solver {
         }
     }
 
-    fn look_closely(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
-        let Some(exact) = self.exact.as_ref().filter(|_| !self.is_told(at)) else {
-            return self.run(at, order, work);
+    fn solve_closely_at(&self, at: f64, order: Order, workspace: &mut Workspace) -> Condition {
+        let Some(exact) = self.exact.as_ref().filter(|_| !self.is_overridden(at)) else {
+            return self.run(at, order, workspace);
         };
-        let Some(mut close) = work.close.take() else {
-            return self.run(at, order, work);
+        let Some(mut close) = workspace.close.take() else {
+            return self.run(at, order, workspace);
         };
-        self.aim(at, work);
-        let how = (&work.state.signs[..], self.motion.stretched_at(at));
+        self.aim(at, workspace);
+        let how = (&workspace.state.signs[..], self.motion.stretched_at(at));
         let mut condition = exact.run(exact.closed, Double::exactly(at), order, how, &mut close);
-        exact.write(exact.closed, &close, &mut work.state);
-        work.close = Some(close);
-        let behind = exact.closed..self.engine.program.steps.len();
-        if condition != Condition::NoAssembly && !behind.is_empty() {
-            let found = self.engine.run_steps(behind, at, order, work);
+        exact.write(exact.closed, &close, &mut workspace.state);
+        workspace.close = Some(close);
+        let after = exact.closed..self.engine.program.steps.len();
+        if condition != Condition::NoAssembly && !after.is_empty() {
+            let found = self.engine.run_steps(after, at, order, workspace);
             if found != Condition::Ok {
                 condition = found;
             }
         }
-        work.state.condition = condition;
+        workspace.state.condition = condition;
         condition
     }
 
     /// Solves the steps before the first coupled group again in double-double, if that improves
     /// them.
     #[cold]
-    pub(super) fn refine(&self, at: f64, order: Order, work: &mut Workspace) {
-        let Some(exact) = self.exact.as_ref().filter(|_| !self.is_told(at)) else {
+    pub(super) fn refine(&self, at: f64, order: Order, workspace: &mut Workspace) {
+        let Some(exact) = self.exact.as_ref().filter(|_| !self.is_overridden(at)) else {
             return;
         };
-        let Some(mut close) = work.close.take() else {
+        let Some(mut close) = workspace.close.take() else {
             return;
         };
-        let how = (&work.state.signs[..], None);
-        let meant = self.meant_coordinate(at);
-        if exact.run(exact.closed, meant, order, how, &mut close) == Condition::Ok {
-            exact.write(exact.closed, &close, &mut work.state);
-            let behind = exact.closed..self.engine.program.steps.len();
-            if self.engine.run_steps(behind, at, order, work) != Condition::Ok {
-                let _ = self.run_between(at, order, work);
+        let how = (&workspace.state.signs[..], None);
+        let intended = self.intended_coordinate(at);
+        if exact.run(exact.closed, intended, order, how, &mut close) == Condition::Ok {
+            exact.write(exact.closed, &close, &mut workspace.state);
+            let after = exact.closed..self.engine.program.steps.len();
+            if self.engine.run_steps(after, at, order, workspace) != Condition::Ok {
+                let _ = self.run_between(at, order, workspace);
             }
         }
-        work.close = Some(close);
+        workspace.close = Some(close);
     }
 
     /// Returns `true` if data kept by the motion replaces the solution at a coordinate: a fold, or
     /// a series.
-    fn is_told(&self, at: f64) -> bool {
+    fn is_overridden(&self, at: f64) -> bool {
         self.motion.fold_at(at).is_some() || self.is_passing(at)
     }
 }

@@ -1,6 +1,6 @@
 //! Runs a program at one coordinate of the driver.
 
-use super::change_point::Passages;
+use super::change_point::ChangePointCrossings;
 use super::coupled::{Coupled, Scratch};
 use super::demand::{Marks, PlacedPart, prune};
 use super::elements::{ACCELERATION, POSITION, Step, StepOutcome, VELOCITY};
@@ -25,7 +25,7 @@ const MISFIT: f64 = 1e-11;
 pub(super) struct Engine {
     pub program: Program,
     pub frame: Frame,
-    pub turns: bool,
+    pub is_rotary: bool,
     /// Whether steps read the angle itself, not only its direction.
     reads_angle: bool,
     /// The further inputs, needed to find when they return to their start.
@@ -59,7 +59,7 @@ impl Engine {
             carriers: carriers(mechanism, &program),
             program,
             frame,
-            turns: driver.turns(),
+            is_rotary: driver.turns(),
             reads_angle: !mechanism.timed().is_empty() || mechanism.elbows().next().is_some(),
             timed: mechanism.timed().to_vec(),
             tables: Following::all(mechanism, &frame)
@@ -80,7 +80,7 @@ impl Engine {
         let mut offset = 0;
         for group in &mut engine.program.coupled {
             group.offset = offset;
-            offset += group.room();
+            offset += group.scratch_len();
         }
         engine
     }
@@ -119,8 +119,12 @@ impl Engine {
             rates,
             length_rates: rates.times(self.frame.scale),
             driven: self.driven,
-            is_turned: self.turns,
-            driver_scale: if self.turns { 1.0 } else { self.frame.scale },
+            is_turned: self.is_rotary,
+            driver_scale: if self.is_rotary {
+                1.0
+            } else {
+                self.frame.scale
+            },
         };
         Workspace::new(state, self.scratch())
     }
@@ -129,7 +133,7 @@ impl Engine {
     pub(super) fn scratch<T: Number>(&self) -> Scratch<T> {
         let coupled = &self.program.coupled;
         Scratch {
-            numbers: vec![T::default(); coupled.iter().map(|c| c.room()).sum()],
+            numbers: vec![T::default(); coupled.iter().map(|c| c.scratch_len()).sum()],
             pivots: vec![0; coupled.iter().map(|c| c.unknowns()).max().unwrap_or(0)],
             first: vec![0.0; coupled.len()],
             work: Vec::new(),
@@ -143,7 +147,7 @@ impl Engine {
 
     /// Returns a difference of the driver's coordinate in the unit of the derivatives.
     pub(super) fn difference(&self, from: f64, to: f64) -> f64 {
-        if self.turns {
+        if self.is_rotary {
             angle::radians(to - from)
         } else {
             self.frame.length(to - from)
@@ -153,7 +157,7 @@ impl Engine {
     /// Returns the coordinate at a difference from another one, in the unit of
     /// [`Engine::difference`].
     pub(super) fn moved(&self, from: f64, by: f64) -> f64 {
-        from + if self.turns {
+        from + if self.is_rotary {
             by.to_degrees()
         } else {
             by * self.frame.scale
@@ -162,15 +166,20 @@ impl Engine {
 
     /// Returns the finest resolution of the driver's coordinate, which also applies near zero.
     pub(super) fn finest(&self) -> f64 {
-        f64::EPSILON * if self.turns { 1.0 } else { self.frame.scale }
+        f64::EPSILON
+            * if self.is_rotary {
+                1.0
+            } else {
+                self.frame.scale
+            }
     }
 
     /// Runs every step. A coupled group starts from the z in the scratch memory.
     #[inline(always)]
-    pub(super) fn run(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
-        work.state.begin(at, order);
-        work.state.condition = self.run_all(&self.program.steps, at, order, work);
-        work.condition
+    pub(super) fn run(&self, at: f64, order: Order, workspace: &mut Workspace) -> Condition {
+        workspace.state.start(at, order);
+        workspace.state.condition = self.run_all(&self.program.steps, at, order, workspace);
+        workspace.condition
     }
 
     #[inline(never)]
@@ -179,26 +188,37 @@ impl Engine {
         steps: std::ops::Range<usize>,
         at: f64,
         order: Order,
-        work: &mut Workspace,
+        workspace: &mut Workspace,
     ) -> Condition {
-        self.run_all(&self.program.steps[steps], at, order, work)
+        self.run_all(&self.program.steps[steps], at, order, workspace)
     }
 
     #[inline(always)]
-    fn run_all(&self, steps: &[Step], at: f64, order: Order, work: &mut Workspace) -> Condition {
+    fn run_all(
+        &self,
+        steps: &[Step],
+        at: f64,
+        order: Order,
+        workspace: &mut Workspace,
+    ) -> Condition {
         match order {
-            Order::Position => self.run_to::<POSITION>(steps, at, work),
-            Order::Velocity => self.run_to::<VELOCITY>(steps, at, work),
-            Order::Acceleration | Order::Force => self.run_to::<ACCELERATION>(steps, at, work),
+            Order::Position => self.run_to::<POSITION>(steps, at, workspace),
+            Order::Velocity => self.run_to::<VELOCITY>(steps, at, workspace),
+            Order::Acceleration | Order::Force => self.run_to::<ACCELERATION>(steps, at, workspace),
         }
     }
 
     /// Runs the steps with the machine's vector instructions.
     #[inline(always)]
-    fn run_to<const ORDER: u8>(&self, steps: &[Step], at: f64, work: &mut Workspace) -> Condition {
+    fn run_to<const ORDER: u8>(
+        &self,
+        steps: &[Step],
+        at: f64,
+        workspace: &mut Workspace,
+    ) -> Condition {
         vectorized(
             #[inline(always)]
-            || self.run_here::<ORDER>(steps, at, work),
+            || self.run_here::<ORDER>(steps, at, workspace),
         )
     }
 
@@ -207,9 +227,9 @@ impl Engine {
         &self,
         steps: &[Step],
         at: f64,
-        work: &mut Workspace,
+        workspace: &mut Workspace,
     ) -> Condition {
-        let Workspace { state, scratch, .. } = work;
+        let Workspace { state, scratch, .. } = workspace;
         let (q, direction) = self.coordinate(at);
         let mut condition = Condition::Ok;
         let mut steps = steps.iter();
@@ -238,10 +258,10 @@ impl Engine {
     pub(super) fn run_in<T: Number, const ORDER: u8>(
         &self,
         at: T,
-        work: &mut Workspace<T>,
+        workspace: &mut Workspace<T>,
         mut place: impl FnMut(&Coupled, T, &mut State<T>, &mut Scratch<T>) -> bool,
     ) -> bool {
-        let Workspace { state, scratch, .. } = work;
+        let Workspace { state, scratch, .. } = workspace;
         let (q, direction) = self.coordinate(at);
         self.program.steps.iter().all(|step| match step.coupled() {
             Some(index) => place(&self.program.coupled[index], q, state, scratch),
@@ -257,21 +277,21 @@ impl Engine {
         steps: std::ops::Range<usize>,
         at: f64,
         order: Order,
-        passages: &Passages,
-        work: &mut Workspace,
+        crossings: &ChangePointCrossings,
+        workspace: &mut Workspace,
     ) -> Condition {
-        work.state.begin(at, order);
-        work.state.condition = Condition::Ok;
+        workspace.state.start(at, order);
+        workspace.state.condition = Condition::Ok;
         for i in steps {
-            let condition = self.run_steps(i..i + 1, at, order, work);
-            let Workspace { state, scratch, .. } = &mut *work;
+            let condition = self.run_steps(i..i + 1, at, order, workspace);
+            let Workspace { state, scratch, .. } = &mut *workspace;
             let near = self
                 .group_of(i)
-                .and_then(|group| passages.near(self, at, group));
-            if let Some((passage, dq)) = near {
-                passage.write(dq, state);
+                .and_then(|group| crossings.near(self, at, group));
+            if let Some((crossing, dq)) = near {
+                crossing.write(dq, state);
                 self.read_coupled(&self.program.steps[i], state, scratch);
-                if dq == 0.0 && !passage.is_led && state.condition == Condition::Ok {
+                if dq == 0.0 && !crossing.is_led_through && state.condition == Condition::Ok {
                     state.condition = Condition::ChangePoint;
                 }
             } else if condition != Condition::Ok {
@@ -281,7 +301,7 @@ impl Engine {
                 break;
             }
         }
-        work.condition
+        workspace.condition
     }
 
     /// Copies the placed values of a coupled group to its scratch memory, where the bounds read
@@ -295,29 +315,29 @@ impl Engine {
 
     /// Computes positions at a limit where a coupled group folds. The group takes the stored
     /// solution.
-    pub(super) fn run_folded(&self, fold: &Folded, work: &mut Workspace) -> Condition {
+    pub(super) fn run_folded(&self, fold: &Folded, workspace: &mut Workspace) -> Condition {
         let (q, _) = self.coordinate(fold.at);
-        work.state.begin(fold.at, Order::Position);
-        work.state.condition = Condition::DeadPoint;
+        workspace.state.start(fold.at, Order::Position);
+        workspace.state.condition = Condition::DeadPoint;
         for (i, step) in self.program.steps.iter().enumerate() {
             if step.coupled() == Some(fold.index) {
                 let group = &self.program.coupled[fold.index];
-                let Workspace { state, scratch, .. } = &mut *work;
+                let Workspace { state, scratch, .. } = &mut *workspace;
                 group.open(scratch).z.copy_from_slice(&fold.z);
                 group.finish(q, POSITION, state, scratch);
-            } else if self.run_steps(i..i + 1, fold.at, Order::Position, work)
+            } else if self.run_steps(i..i + 1, fold.at, Order::Position, workspace)
                 == Condition::NoAssembly
             {
-                work.state.condition = Condition::NoAssembly;
+                workspace.state.condition = Condition::NoAssembly;
                 break;
             }
         }
-        work.condition
+        workspace.condition
     }
 
     /// Returns `true` if all further inputs return to their start after `turns` turns.
-    pub(super) fn comes_round(&self, turns: usize) -> bool {
-        self.timed.iter().all(|timed| timed.comes_round(turns))
+    pub(super) fn repeats_after(&self, turns: usize) -> bool {
+        self.timed.iter().all(|timed| timed.repeats_after(turns))
     }
 
     /// Returns `true` if any input follows a table.
@@ -330,7 +350,7 @@ impl Engine {
     ///
     /// At an end of an open table, only the side inside the table counts.
     pub(super) fn smooth(&self, at: f64) -> f64 {
-        let (q, unit) = match self.turns {
+        let (q, unit) = match self.is_rotary {
             true => (at, 1_f64.to_radians()),
             false => (at / self.frame.scale, 1.0),
         };
@@ -353,7 +373,11 @@ impl Engine {
 
     /// Returns where the open tables begin and end, in turn.
     pub(super) fn table_ends(&self) -> impl Iterator<Item = f64> {
-        let unit = if self.turns { 1.0 } else { self.frame.scale };
+        let unit = if self.is_rotary {
+            1.0
+        } else {
+            self.frame.scale
+        };
         let ends = self.tables.iter().filter_map(Following::open_ends);
         ends.flatten().map(move |end| end * unit)
     }
@@ -371,7 +395,7 @@ impl Engine {
     /// step reads it.
     #[inline(always)]
     pub(super) fn coordinate<T: Number>(&self, at: T) -> (T, Vec2<T>) {
-        if self.turns {
+        if self.is_rotary {
             let q = if self.reads_angle { at } else { T::default() };
             (q, T::unit(at))
         } else {
@@ -401,9 +425,9 @@ impl Engine {
 
     /// Computes the measures of the coupled groups at a solved state, positive on the side of the
     /// motion. Solving itself does not need them.
-    pub(super) fn measure_coupled(&self, at: f64, work: &mut Workspace) {
+    pub(super) fn measure_coupled(&self, at: f64, workspace: &mut Workspace) {
         let (q, _) = self.coordinate(at);
-        let Workspace { state, scratch, .. } = work;
+        let Workspace { state, scratch, .. } = workspace;
         for group in &self.program.coupled {
             let measure = group.measure(q, state, scratch);
             state.measures[group.group] = measure * group.side * state.signs[group.group];
@@ -484,7 +508,7 @@ fn run_step<const ORDER: u8>(
     state: &mut State,
 ) -> StepOutcome {
     match step.run_frequent::<f64, ORDER>(q, direction, state) {
-        Some(StepOutcome::Unclear) => look_closer(step, q, state),
+        Some(StepOutcome::Unclear) => place_closely(step, q, state),
         Some(outcome) => outcome,
         None => run_seldom::<ORDER>(step, q, direction, state),
     }
@@ -498,14 +522,14 @@ fn run_seldom<const ORDER: u8>(
     state: &mut State,
 ) -> StepOutcome {
     match step.run::<f64, ORDER>(q, direction, state) {
-        StepOutcome::Unclear => look_closer(step, q, state),
+        StepOutcome::Unclear => place_closely(step, q, state),
         outcome => outcome,
     }
 }
 
 /// Places a dyad with a closer evaluation where rounding decides.
 #[cold]
-fn look_closer(step: &Step, q: f64, state: &mut State) -> StepOutcome {
+fn place_closely(step: &Step, q: f64, state: &mut State) -> StepOutcome {
     let dyad = step.dyad();
     dyad.map_or(StepOutcome::Open, |dyad| dyad.stretch(q, state))
 }
@@ -543,7 +567,7 @@ impl Gauge {
         let turned = |link: LinkId, along: Vec2<Constant>| {
             Vec2::of(along).turned(state.links[link.index()].d)
         };
-        let (miss, place) = match *self {
+        let (miss, position) = match *self {
             Gauge::Distance { from, to, length } => {
                 ((at(to) - at(from)).norm() - T::of(length), at(to))
             }
@@ -581,7 +605,7 @@ impl Gauge {
                 (wanted.cross(d(link)), Vec2::default())
             }
         };
-        (miss, place.nearest().norm().max(1.0))
+        (miss, position.nearest().norm().max(1.0))
     }
 }
 

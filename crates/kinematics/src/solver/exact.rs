@@ -35,7 +35,7 @@ impl Exact {
         ordering: &Ordering,
     ) -> Option<Exact> {
         let mechanism = network.mechanism;
-        let frame = engine.frame.meant(mechanism);
+        let frame = engine.frame.with_typed_decimals(mechanism);
         let network = Network::new(mechanism, frame);
         let (_, program) = chain::build(&network, ordering, chain::Dyads::Closed).ok()?;
         let rounding = frame.rounding(mechanism);
@@ -72,7 +72,7 @@ impl Exact {
 
     /// Returns `true` if double-double decides more about the first steps than doubles do. If
     /// lengths count as equal within the rounding of coordinates, more digits do not help.
-    pub(super) fn tells(&self, steps: usize) -> bool {
+    pub(super) fn decides_more(&self, steps: usize) -> bool {
         steps <= self.closed && self.rounding == 0.0
     }
 

@@ -115,11 +115,11 @@ pub struct OpenChoice {
 impl Fault {
     /// Creates the fault of a group with an open choice, without the groups after it.
     pub(super) fn vague(point: PointId, choices: Vec<Vec2>) -> Fault {
-        let behind = Vec::new();
+        let after = Vec::new();
         Fault::Vague {
             point,
             choices,
-            behind,
+            behind: after,
         }
     }
 }

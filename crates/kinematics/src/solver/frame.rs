@@ -27,7 +27,7 @@ enum NumberReading {
     /// Numbers are doubles, known to half an ulp of the intended value. The difference of two
     /// places on the ground is rounded from the decimals, if they are decimals.
     Given { decimals: bool },
-    /// Numbers are the typed decimals, see [`Constant::meant`].
+    /// Numbers are the typed decimals, see [`Constant::intended`].
     Meant { decimals: bool },
 }
 
@@ -60,12 +60,12 @@ impl Frame {
         let scale = power_of_two_below(longest);
         Frame {
             origin: if mechanism.is_typed() {
-                Constant::meant(origin, true)
+                Constant::intended_position(origin, true)
             } else {
                 origin.map(Constant::given)
             },
             scale,
-            far: furthest(mechanism) / scale,
+            far: max_coordinate(mechanism) / scale,
             longest: longest / scale,
             reading: NumberReading::Given {
                 decimals: mechanism.has_decimals(),
@@ -74,7 +74,7 @@ impl Frame {
     }
 
     /// Returns the same frame for the typed decimals.
-    pub(super) fn meant(self, mechanism: &Mechanism) -> Frame {
+    pub(super) fn with_typed_decimals(self, mechanism: &Mechanism) -> Frame {
         let decimals = mechanism.has_decimals();
         Frame {
             reading: NumberReading::Meant { decimals },
@@ -87,10 +87,11 @@ impl Frame {
     /// or not.
     pub(super) fn rounding(&self, mechanism: &Mechanism) -> f64 {
         let decimals = mechanism.has_decimals();
-        let off = |place: Vec2| Constant::compared(place, decimals).map(|v| v.radius / self.scale);
+        let off =
+            |position: Vec2| Constant::compared(position, decimals).map(|v| v.radius / self.scale);
         let sizes =
-            grounded(mechanism).map(|place| (off(place) + off(self.origin.nearest())).norm());
-        let is_turned = |place: Vec2| place.x != 0.0 && place.y != 0.0;
+            grounded(mechanism).map(|position| (off(position) + off(self.origin.nearest())).norm());
+        let is_turned = |position: Vec2| position.x != 0.0 && position.y != 0.0;
         let members = mechanism.links().iter().flat_map(|link| &link.members);
         let members = members.filter(|member| is_turned(member.local));
         let members = members.map(|member| member.rounding(decimals) / self.scale);
@@ -100,7 +101,7 @@ impl Frame {
     /// Returns the maximum rounding of any number on a link, or of a guide.
     pub(super) fn typed_rounding(&self, mechanism: &Mechanism) -> f64 {
         let decimals = mechanism.has_decimals();
-        let off = |place: Vec2| Constant::compared(place, decimals).map(|v| v.radius);
+        let off = |position: Vec2| Constant::compared(position, decimals).map(|v| v.radius);
         let members = mechanism.links().iter().flat_map(|link| &link.members);
         let members = members.map(|member| member.rounding(decimals));
         let guides = mechanism.slides().iter().filter_map(|slide| {
@@ -117,10 +118,10 @@ impl Frame {
     }
 
     /// Interprets a place of the scene.
-    fn read(&self, place: Vec2) -> Vec2<Constant> {
+    fn read(&self, position: Vec2) -> Vec2<Constant> {
         match self.reading {
-            NumberReading::Given { .. } => place.map(Constant::given),
-            NumberReading::Meant { decimals } => Constant::meant(place, decimals),
+            NumberReading::Given { .. } => position.map(Constant::given),
+            NumberReading::Meant { decimals } => Constant::intended_position(position, decimals),
         }
     }
 
@@ -147,7 +148,7 @@ impl Frame {
     pub(super) fn unit(&self, degrees: f64) -> Vec2<Constant> {
         match self.reading {
             NumberReading::Given { .. } => Constant::given_unit(degrees),
-            NumberReading::Meant { decimals } => Constant::meant_unit(degrees, decimals),
+            NumberReading::Meant { decimals } => Constant::intended_unit_vector(degrees, decimals),
         }
     }
 
@@ -170,23 +171,24 @@ impl Frame {
         if member.polar.is_none() {
             return self.local(member.local);
         }
-        let place = match self.reading {
+        let position = match self.reading {
             NumberReading::Given { .. } => member.given(),
-            NumberReading::Meant { decimals } => member.meant(decimals),
+            NumberReading::Meant { decimals } => member.intended_coordinates(decimals),
         };
-        place.map(|v| self.inwards(v))
+        position.map(|v| self.inwards(v))
     }
 
     /// Converts a place of the scene to the solver's frame; exact.
-    pub(super) fn inner(&self, place: Vec2) -> Vec2<Constant> {
+    pub(super) fn inner(&self, position: Vec2) -> Vec2<Constant> {
         let origin = self.origin.nearest();
-        let read = self.read(place) - self.read(origin);
+        let read = self.read(position) - self.read(origin);
         let away = match self.reading {
             NumberReading::Given { decimals: true } => {
-                let meant = Constant::meant(place, true) - Constant::meant(origin, true);
+                let intended = Constant::intended_position(position, true)
+                    - Constant::intended_position(origin, true);
                 // The typed value is as near to a double as the decimal is.
-                let off = |meant: Constant, read: Constant| meant.widened(2.0 * read.radius);
-                Vec2::new(off(meant.x, read.x), off(meant.y, read.y))
+                let off = |intended: Constant, read: Constant| intended.widened(2.0 * read.radius);
+                Vec2::new(off(intended.x, read.x), off(intended.y, read.y))
             }
             NumberReading::Given { decimals: false } | NumberReading::Meant { .. } => read,
         };
@@ -212,7 +214,7 @@ impl Frame {
 }
 
 /// Returns the largest absolute coordinate of a place on the ground.
-fn furthest(mechanism: &Mechanism) -> f64 {
+fn max_coordinate(mechanism: &Mechanism) -> f64 {
     let sizes = grounded(mechanism).map(|p| p.x.abs().max(p.y.abs()));
     sizes.fold(0.0, f64::max)
 }

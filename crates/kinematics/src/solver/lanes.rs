@@ -13,7 +13,7 @@ impl Solver {
     /// Creates a workspace for the states at several coordinates.
     #[must_use]
     pub fn lanes(&self) -> Workspace<Lanes> {
-        self.room()
+        self.workspace()
     }
 
     /// Solves for several of the driver's coordinates at once. Returns `true` if each of them is an
@@ -23,8 +23,13 @@ impl Solver {
     /// Each lane has the same bits as [`Solver::solve`] at its coordinate, and is
     /// [`Condition::Ok`]. Allocates nothing.
     #[must_use]
-    pub fn solve_lanes(&self, at: [f64; LANES], order: Order, work: &mut Workspace<Lanes>) -> bool {
-        let state = &mut work.state;
+    pub fn solve_lanes(
+        &self,
+        at: [f64; LANES],
+        order: Order,
+        workspace: &mut Workspace<Lanes>,
+    ) -> bool {
+        let state = &mut workspace.state;
         state.condition = Condition::NoAssembly;
         let is_smooth = order < Order::Force || self.balance.as_ref().is_none_or(|b| b.is_smooth());
         let solved = self.engine.program.coupled.is_empty()
@@ -38,17 +43,17 @@ impl Solver {
         if solved {
             state.condition = Condition::Ok;
         }
-        if self.follows_forces(work) {
-            self.balance_lanes(order, work);
+        if self.follows_forces(workspace) {
+            self.balance_lanes(order, workspace);
         }
-        solved && !work.state.withholds()
+        solved && !workspace.state.withholds()
     }
 
     /// Computes the forces with the vector instructions that run the steps.
-    fn balance_lanes(&self, order: Order, work: &mut Workspace<Lanes>) {
+    fn balance_lanes(&self, order: Order, workspace: &mut Workspace<Lanes>) {
         vectorized(
             #[inline(always)]
-            || self.balance(order, work),
+            || self.balance(order, workspace),
         );
     }
 
@@ -59,15 +64,15 @@ impl Solver {
 
     /// Sets the signs of all groups in all lanes. Change points may lie between the lanes.
     pub(super) fn choose_in_lanes(&self, at: [f64; LANES], state: &mut State<Lanes>) {
-        let passages = &self.motion.passages;
-        if passages.is_empty() {
+        let crossings = &self.motion.crossings;
+        if crossings.is_empty() {
             return;
         }
         for (signs, &start) in state.signs.iter_mut().zip(&self.engine.signs) {
             *signs = Lanes([start; LANES]);
         }
         for (lane, at) in at.into_iter().enumerate() {
-            for group in passages.changed(at) {
+            for group in crossings.changed(at) {
                 let sign = &mut state.signs[group].0[lane];
                 *sign = -*sign;
             }
@@ -89,7 +94,7 @@ impl Engine {
     /// Runs all steps with the instructions for which the surrounding code is compiled.
     #[inline(always)]
     fn run_lanes_here(&self, at: Lanes, order: Order, state: &mut State<Lanes>) -> bool {
-        state.begin(at, order);
+        state.start(at, order);
         match order {
             Order::Position => self.run_lanes_to::<POSITION>(at, state),
             Order::Velocity => self.run_lanes_to::<VELOCITY>(at, state),

@@ -76,11 +76,11 @@ pub(super) fn solve_transposed<T: Number>(
 /// limit` is `false`.
 pub(super) fn largest<T: Number>(v: &[T]) -> f64 {
     let sizes = v.iter().map(|v| v.nearest().abs());
-    sizes.fold(0.0, |most, size| {
-        if size > most || size.is_nan() {
+    sizes.fold(0.0, |maximum, size| {
+        if size > maximum || size.is_nan() {
             size
         } else {
-            most
+            maximum
         }
     })
 }
@@ -132,9 +132,9 @@ mod tests {
     #[test]
     fn largest_returns_nan_if_present() {
         assert_eq!(largest(&[1.0, -3.0, 2.0]), 3.0);
-        for place in 0..3 {
+        for index in 0..3 {
             let mut v = [1.0, -3.0, 2.0];
-            v[place] = f64::NAN;
+            v[index] = f64::NAN;
             assert!(largest(&v).is_nan(), "{v:?}");
         }
     }

@@ -9,11 +9,11 @@ impl Solver {
     /// determinant, comparable only along one motion. It is 1 for a group without singularities.
     /// `None` if the state is not an ordinary one.
     #[must_use]
-    pub fn margins(&self, at: f64, work: &mut Workspace) -> Option<Vec<f64>> {
-        if self.solve(at, Order::Position, work) != Condition::Ok {
+    pub fn margins(&self, at: f64, workspace: &mut Workspace) -> Option<Vec<f64>> {
+        if self.solve(at, Order::Position, workspace) != Condition::Ok {
             return None;
         }
-        self.engine.measure_coupled(at, work);
-        Some(work.measures.clone())
+        self.engine.measure_coupled(at, workspace);
+        Some(workspace.measures.clone())
     }
 }

@@ -70,12 +70,14 @@ pub use conditioning::Conditioning;
 pub use coupled::{Newton, NewtonRow, NewtonUnknown};
 pub use dead_centres::DeadCentre;
 pub use fault::{Fault, OpenChoice};
-pub use forces::{Acted, ForceCheck, Indeterminate, LeastNorm, PressStroke, Residual, Withheld};
+pub use forces::{
+    ForceCheck, Indeterminate, LeastNorm, LoadAction, PressStroke, Residual, WithheldReason,
+};
 pub use known::Known;
 pub use methods::{Deviation, DriftMethod, Methods, Runner};
-pub use methods::{Method, Start, Unfit};
-pub use motion::{EndStop, LinedUp, Motion, NearMiss, Range};
-pub use plan::{Group, GroupId, GroupKind, Pick, Plan};
+pub use methods::{Method, Start, Unsuitable};
+pub use motion::{EndStop, MeetingAssemblies, Motion, NearMiss, Range};
+pub use plan::{AssemblyChoice, Group, GroupId, GroupKind, Plan};
 pub use rank::{Rank, Redundancy};
 pub use state::Sliding;
 pub use state::{Condition, State, Travel};
@@ -184,10 +186,10 @@ impl Solver {
     /// See [`Fault`]. In particular, a pick that its group does not have is an error.
     pub fn with_assembly(
         mechanism: &Mechanism,
-        picks: &[(ElementId, Pick)],
+        choices: &[(ElementId, AssemblyChoice)],
     ) -> Result<Solver, Fault> {
         let start = mechanism.driver().start;
-        Solver::open(mechanism, start, mechanism.start(), picks)
+        Solver::open(mechanism, start, mechanism.start(), choices)
     }
 
     /// Assembles the mechanism at the coordinate `at`, near approximate positions, and follows its
@@ -196,13 +198,13 @@ impl Solver {
         mechanism: &Mechanism,
         at: f64,
         near: &[(PointId, Vec2)],
-        picks: &[(ElementId, Pick)],
+        choices: &[(ElementId, AssemblyChoice)],
     ) -> Result<Solver, Fault> {
         let frame = Frame::of(mechanism);
         let network = Network::new(mechanism, frame);
-        if let Some(clash) = network.clash {
-            let element = ElementId::Slide(clash.slide);
-            let misfit = clash.misfit.abs() * frame.longest * frame.scale;
+        if let Some(conflict) = network.conflict {
+            let element = ElementId::Slide(conflict.slide);
+            let misfit = conflict.misfit.abs() * frame.longest * frame.scale;
             return Err(Fault::OverConstrained {
                 element,
                 others: Vec::new(),
@@ -227,12 +229,12 @@ impl Solver {
             });
         }
         let with = |ordering: &Ordering, at: f64, near: &[(PointId, Vec2)]| {
-            let solver = Solver::with(&network, ordering, at, near, picks)?;
-            rank::judged(&network, solver)
+            let solver = Solver::with(&network, ordering, at, near, choices)?;
+            rank::with_rank(&network, solver)
         };
         let first = order::ordering(&network, &[]).and_then(|ordering| with(&ordering, at, near));
-        let whole = first.or_else(|fault| rank::reopened(&network, fault, at, near, with));
-        whole.and_then(Solver::between_stops)
+        let complete = first.or_else(|fault| rank::reopened(&network, fault, at, near, with));
+        complete.and_then(Solver::between_stops)
     }
 
     fn with(
@@ -240,7 +242,7 @@ impl Solver {
         ordering: &Ordering,
         at: f64,
         near: &[(PointId, Vec2)],
-        picks: &[(ElementId, Pick)],
+        choices: &[(ElementId, AssemblyChoice)],
     ) -> Result<Solver, Fault> {
         let mechanism = network.mechanism;
         let (plan, program) = chain::build(network, ordering, chain::Dyads::Closed)?;
@@ -248,8 +250,8 @@ impl Solver {
         let mut engine = Engine::new(mechanism, network.frame, program);
         let exact = Exact::new(&engine, network, ordering);
         let mut state = engine.state(slides);
-        let request = Request::new(&plan, at, near, picks)?;
-        let begun = assemble::assemble(
+        let request = Request::new(&plan, at, near, choices)?;
+        let started = assemble::assemble(
             &mut engine,
             network,
             &plan,
@@ -257,8 +259,8 @@ impl Solver {
             exact.as_ref(),
             &mut state,
         )?;
-        let motion = motion::explore(&engine, exact.as_ref(), begun.at, &state)?;
-        if let Some(stuck) = begun.stuck.filter(|_| !motion.covers(at)) {
+        let motion = motion::explore(&engine, exact.as_ref(), started.at, &state)?;
+        if let Some(stuck) = started.stuck.filter(|_| !motion.covers(at)) {
             return Err(stuck);
         }
         let first_loop = classify::classify(&engine, mechanism);
@@ -271,7 +273,7 @@ impl Solver {
             plan,
             motion,
             slides,
-            opening: begun.at,
+            opening: started.at,
             rank: Rank::default(),
             balance: None,
         };
@@ -329,28 +331,28 @@ impl Solver {
     /// Creates a workspace with a state and all scratch memory for solving.
     #[must_use]
     pub fn state(&self) -> Workspace {
-        let mut work = self.room();
-        work.close = self.close_state().map(Box::new);
-        work
+        let mut workspace = self.workspace();
+        workspace.close = self.close_state().map(Box::new);
+        workspace
     }
 
     /// Creates a workspace in any arithmetic.
-    fn room<T: Number>(&self) -> Workspace<T> {
-        self.room_of(&self.engine)
+    fn workspace<T: Number>(&self) -> Workspace<T> {
+        self.workspace_for(&self.engine)
     }
 
     /// Creates a workspace with the constants of `engine`, at the driver speed of this solver.
-    fn room_of<T: Number>(&self, engine: &Engine) -> Workspace<T> {
-        let mut work = engine.state(self.slides);
-        work.state.pass(self.engine.driver_rates());
-        self.with_forces(work)
+    fn workspace_for<T: Number>(&self, engine: &Engine) -> Workspace<T> {
+        let mut workspace = engine.state(self.slides);
+        workspace.state.pass(self.engine.driver_rates());
+        self.with_forces(workspace)
     }
 
     /// Allocates the force values of a workspace if the mechanism has loads.
-    fn with_forces<T: Number>(&self, mut work: Workspace<T>) -> Workspace<T> {
+    fn with_forces<T: Number>(&self, mut workspace: Workspace<T>) -> Workspace<T> {
         let balance = self.balance.as_ref();
-        work.state.forces = balance.map(|b| b.room(&self.engine));
-        work
+        workspace.state.forces = balance.map(|b| b.force_state(&self.engine));
+        workspace
     }
 
     /// Creates a state for double-double evaluation with typed decimals; `None` without an exact
@@ -376,88 +378,88 @@ impl Solver {
     ///
     /// The result depends only on `at`, never on earlier contents of the workspace. Allocates
     /// nothing.
-    pub fn solve(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
+    pub fn solve(&self, at: f64, order: Order, workspace: &mut Workspace) -> Condition {
         let is_solved = self.motion.is_clear(at)
             && matches!(
-                self.run_between(at, order, work),
+                self.run_between(at, order, workspace),
                 Condition::Ok | Condition::ChangePoint
             );
         if !is_solved {
-            self.solve_closely(at, order, work);
-        } else if work.state.is_thin() {
-            self.refine(at, order, work);
+            self.solve_closely(at, order, workspace);
+        } else if workspace.state.is_thin() {
+            self.refine(at, order, workspace);
         }
-        if self.follows_forces(work) {
-            self.find_forces(order, work);
+        if self.follows_forces(workspace) {
+            self.find_forces(order, workspace);
         }
-        work.condition
+        workspace.condition
     }
 
     /// Returns `true` if there are forces to compute, or old ones to clear.
     #[inline(always)]
-    fn follows_forces<T>(&self, work: &Workspace<T>) -> bool {
-        self.has_forces() || work.state.forces.is_some()
+    fn follows_forces<T>(&self, workspace: &Workspace<T>) -> bool {
+        self.has_forces() || workspace.state.forces.is_some()
     }
 
     /// Computes the forces. Kept out of line, so that mechanisms without loads do not pay for it.
     #[inline(never)]
-    fn find_forces(&self, order: Order, work: &mut Workspace) {
-        self.balance(order, work);
+    fn find_forces(&self, order: Order, workspace: &mut Workspace) {
+        self.balance(order, workspace);
     }
 
     /// Computes the forces of a solved state, or clears them if `order` does not include forces.
     #[inline(always)]
-    fn balance<T: Number>(&self, order: Order, work: &mut Workspace<T>) {
-        Balance::follow(self.balance.as_deref(), &self.engine, order, work);
+    fn balance<T: Number>(&self, order: Order, workspace: &mut Workspace<T>) {
+        Balance::follow(self.balance.as_deref(), &self.engine, order, workspace);
     }
 
     /// Solves at a coordinate of the range, starting from the data that the motion keeps there.
-    fn run(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
+    fn run(&self, at: f64, order: Order, workspace: &mut Workspace) -> Condition {
         if let Some(fold) = self.motion.fold_at(at) {
-            self.aim(at, work);
-            return self.engine.run_folded(fold, work);
+            self.aim(at, workspace);
+            return self.engine.run_folded(fold, workspace);
         }
-        self.run_between(at, order, work)
+        self.run_between(at, order, workspace)
     }
 
     /// Solves between the ends of the range, where no group folds.
     #[inline(always)]
-    fn run_between(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
-        self.motion.anchors.aim(&self.engine, at, work);
-        if self.motion.passages.is_empty() {
-            self.engine.run(at, order, work)
+    fn run_between(&self, at: f64, order: Order, workspace: &mut Workspace) -> Condition {
+        self.motion.anchors.predict(&self.engine, at, workspace);
+        if self.motion.crossings.is_empty() {
+            self.engine.run(at, order, workspace)
         } else {
-            self.run_past(at, order, work)
+            self.run_past(at, order, workspace)
         }
     }
 
     /// Solves in a motion with change points.
     #[inline(never)]
-    fn run_past(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
-        let passages = &self.motion.passages;
-        passages.choose(&self.engine, at, &mut work.state.signs);
-        if passages.is_near(&self.engine, at) {
+    fn run_past(&self, at: f64, order: Order, workspace: &mut Workspace) -> Condition {
+        let crossings = &self.motion.crossings;
+        crossings.choose(&self.engine, at, &mut workspace.state.signs);
+        if crossings.is_near(&self.engine, at) {
             let steps = 0..self.engine.program.steps.len();
-            self.engine.run_near(steps, at, order, passages, work)
+            self.engine.run_near(steps, at, order, crossings, workspace)
         } else {
-            self.engine.run(at, order, work)
+            self.engine.run(at, order, workspace)
         }
     }
 
     /// Writes the motion's data for a coordinate to the workspace: the signs of all groups, and the
     /// starting values of the coupled groups.
-    fn aim(&self, at: f64, work: &mut Workspace) {
-        self.motion.anchors.aim(&self.engine, at, work);
-        let passages = &self.motion.passages;
-        if !passages.is_empty() {
-            passages.choose(&self.engine, at, &mut work.state.signs);
+    fn aim(&self, at: f64, workspace: &mut Workspace) {
+        self.motion.anchors.predict(&self.engine, at, workspace);
+        let crossings = &self.motion.crossings;
+        if !crossings.is_empty() {
+            crossings.choose(&self.engine, at, &mut workspace.state.signs);
         }
     }
 
     /// Returns `true` if a series replaces a group at a coordinate.
     fn is_passing(&self, at: f64) -> bool {
-        let passages = &self.motion.passages;
-        !passages.is_empty() && passages.is_near(&self.engine, at)
+        let crossings = &self.motion.crossings;
+        !crossings.is_empty() && crossings.is_near(&self.engine, at)
     }
 }
 

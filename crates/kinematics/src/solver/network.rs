@@ -57,7 +57,7 @@ pub(super) enum ScalarUnknown {
 
 /// Two locks that fix one link at two different angles.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct LockClash {
+pub(super) struct LockConflict {
     pub slide: SlideId,
     /// The sine of the angle between the two.
     pub misfit: f64,
@@ -70,7 +70,7 @@ pub(super) struct Network<'m> {
     /// The frame in which the mechanism's numbers are read.
     pub frame: Frame,
     /// How each further input follows the driver, in input order.
-    followings: Vec<Following>,
+    input_laws: Vec<Following>,
     /// For derivatives by a length: the mechanism with each coordinate replaced by its derivative.
     slopes: Option<Mechanism>,
     /// The class of every link, followed by that of the ground.
@@ -85,8 +85,8 @@ pub(super) struct Network<'m> {
     /// Redundant locks that agree with the others within the tolerance.
     pub repeated_locks: Vec<SlideId>,
     /// The largest sine by which these locks disagree.
-    pub locks_apart: f64,
-    pub clash: Option<LockClash>,
+    pub lock_disagreement: f64,
+    pub conflict: Option<LockConflict>,
     /// The maximum sine by which two locks of one link may disagree.
     slack: f64,
     /// Whether lengths change later, so that coincident points may separate.
@@ -99,7 +99,7 @@ impl<'m> Network<'m> {
         let mut network = Network {
             mechanism,
             frame,
-            followings: Following::all(mechanism, &frame),
+            input_laws: Following::all(mechanism, &frame),
             slopes: None,
             class_of: vec![GROUND; bodies],
             turn: vec![Vec2::X.exactly(); bodies],
@@ -108,8 +108,8 @@ impl<'m> Network<'m> {
             joint: Vec::new(),
             rows: Vec::new(),
             repeated_locks: Vec::new(),
-            locks_apart: 0.0,
-            clash: None,
+            lock_disagreement: 0.0,
+            conflict: None,
             slack: slack(mechanism, &frame),
             is_varied: false,
         };
@@ -138,8 +138,8 @@ impl<'m> Network<'m> {
     /// Returns the position of a point on a link, in the solver's unit; `None` if the link does not
     /// have it.
     pub(super) fn local(&self, link: LinkId, point: PointId) -> Option<Vec2<Constant>> {
-        let place = self.frame.member(self.link(link)?.member(point)?);
-        Some(self.sloped(place, |m| m.links().get(link.index())?.local(point)))
+        let position = self.frame.member(self.link(link)?.member(point)?);
+        Some(self.sloped(position, |m| m.links().get(link.index())?.local(point)))
     }
 
     /// Returns all points of a link with their positions on it, without a search for each.
@@ -150,8 +150,8 @@ impl<'m> Network<'m> {
         let members = self.link(link).map_or(&[][..], |l| &l.members);
         members.iter().enumerate().map(move |(i, member)| {
             let slope = |m: &Mechanism| Some(m.links().get(link.index())?.members.get(i)?.local);
-            let place = self.frame.member(member);
-            (member.point, self.sloped(place, slope))
+            let position = self.frame.member(member);
+            (member.point, self.sloped(position, slope))
         })
     }
 
@@ -168,34 +168,34 @@ impl<'m> Network<'m> {
     /// Returns the position of a ground point in the solver's frame; `None` for a moving point.
     pub(super) fn fixed(&self, point: PointId) -> Option<Vec2<Constant>> {
         let fixed = |mechanism: &Mechanism| mechanism.point(point).ground;
-        let place = self.frame.inner(fixed(self.mechanism)?);
-        Some(self.sloped(place, fixed))
+        let position = self.frame.inner(fixed(self.mechanism)?);
+        Some(self.sloped(position, fixed))
     }
 
     /// Returns the point through which a guide runs, in the frame of the guide's body.
     pub(super) fn through(&self, slide: SlideId) -> Vec2<Constant> {
         let given = self.mechanism.slide(slide);
-        let place = match (given.on, self.mechanism.polar_through(given)) {
+        let position = match (given.on, self.mechanism.polar_through(given)) {
             (Body::Ground, _) => self.frame.inner(given.through),
             // It is as accurate as the point after which it is named.
             (Body::Link(_), Some(member)) => self.frame.member(member),
             (Body::Link(_), None) => self.frame.local(given.through),
         };
-        self.sloped(place, |m| Some(m.slide(slide).through))
+        self.sloped(position, |m| Some(m.slide(slide).through))
     }
 
     /// Adds the derivative by the selected length, if any, to a position: per unit of the scene's
     /// length.
     fn sloped(
         &self,
-        place: Vec2<Constant>,
+        position: Vec2<Constant>,
         of: impl Fn(&Mechanism) -> Option<Vec2>,
     ) -> Vec2<Constant> {
         let Some(slope) = self.slopes.as_ref().and_then(of) else {
-            return place;
+            return position;
         };
         let by = slope / self.frame.scale;
-        Vec2::new(place.x.with_slope(by.x), place.y.with_slope(by.y))
+        Vec2::new(position.x.with_slope(by.x), position.y.with_slope(by.y))
     }
 
     /// Returns the ground as a body: its index follows that of the last link.
@@ -296,9 +296,9 @@ impl<'m> Network<'m> {
     /// Records a lock between two bodies whose angle is already determined.
     fn note_repeated_lock(&mut self, slide: SlideId, misfit: f64) {
         if misfit.abs() > self.slack {
-            self.clash = Some(LockClash { slide, misfit });
+            self.conflict = Some(LockConflict { slide, misfit });
         } else {
-            self.locks_apart = self.locks_apart.max(misfit.abs());
+            self.lock_disagreement = self.lock_disagreement.max(misfit.abs());
             self.repeated_locks.push(slide);
         }
     }
@@ -414,14 +414,14 @@ impl<'m> Network<'m> {
     /// Returns how an input follows the driver; `None` for the driver itself.
     pub(super) fn following(&self, input: Input) -> Option<&Following> {
         let mut timed = self.mechanism.timed().iter();
-        self.followings
+        self.input_laws
             .get(timed.position(|timed| timed.input == input)?)
     }
 
     /// Returns the links that further inputs turn relative to the ground, with the way they follow
     /// the driver.
     pub(super) fn timed_links(&self) -> impl Iterator<Item = (LinkId, &Following)> + '_ {
-        let timed = self.mechanism.timed().iter().zip(&self.followings);
+        let timed = self.mechanism.timed().iter().zip(&self.input_laws);
         timed.filter_map(|(timed, following)| match timed.input {
             Input::Turn(link) if self.mechanism.is_directed(link) => Some((link, following)),
             Input::Turn(_) | Input::Push(_) => None,
@@ -440,8 +440,8 @@ impl<'m> Network<'m> {
             }
             ScalarEquation::Elbow(link) => {
                 let classes = self.elbow(link).map(|body| self.class(body));
-                let sought = classes.into_iter().filter(|&class| !self.is_given(class));
-                return sought.map(ScalarUnknown::Class).collect();
+                let wanted_unknowns = classes.into_iter().filter(|&class| !self.is_given(class));
+                return wanted_unknowns.map(ScalarUnknown::Class).collect();
             }
         };
         let points = [Some(point), self.centre(body)].into_iter().flatten();

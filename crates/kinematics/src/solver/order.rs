@@ -97,7 +97,7 @@ struct Matching {
 impl Matching {
     /// Shifts the matching along the alternating path to `gone`: each equation takes the scalar of
     /// the next one. The free equation at the start becomes matched, and `gone` becomes free.
-    fn shift_matching(&mut self, part: &[Reached], gone: usize) {
+    fn shift_matching(&mut self, part: &[ReachedEquation], gone: usize) {
         self.scalar_of[part[gone].row] = None;
         let mut taken = part[gone];
         while let Some((from, scalar)) = taken.by {
@@ -111,7 +111,7 @@ impl Matching {
 
 /// An equation on an alternating path from a free one.
 #[derive(Clone, Copy, Debug)]
-struct Reached {
+struct ReachedEquation {
     row: usize,
     /// The index of the preceding equation in the list, and the scalar between the two.
     by: Option<(usize, usize)>,
@@ -191,9 +191,9 @@ pub(super) fn ordering(
 }
 
 /// Returns the equations that compete with a free one: all on alternating paths from it.
-fn over_determined(scalars: &Scalars, matched: &Matching, free: usize) -> Vec<Reached> {
+fn over_determined(scalars: &Scalars, matched: &Matching, free: usize) -> Vec<ReachedEquation> {
     let mut seen = HashSet::from([free]);
-    let mut part = vec![Reached {
+    let mut part = vec![ReachedEquation {
         row: free,
         by: None,
     }];
@@ -202,7 +202,7 @@ fn over_determined(scalars: &Scalars, matched: &Matching, free: usize) -> Vec<Re
         for &s in &scalars.of_row[part[next].row] {
             if let Some(row) = matched.row_of[s].filter(|&r| seen.insert(r)) {
                 let by = Some((next, s));
-                part.push(Reached { row, by });
+                part.push(ReachedEquation { row, by });
             }
         }
         next += 1;

@@ -58,7 +58,7 @@ impl GroupKind {
 
 /// The assembly that a group is to take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Pick {
+pub enum AssemblyChoice {
     /// The positive side of a dyad. For two links: the joint lies on the left of the line from the
     /// pivot of the first link to that of the second, in the mechanism's order. For a link and a
     /// guide: the joint lies further along the guide than the foot of the link's pivot. For an arm:
@@ -204,7 +204,7 @@ pub(super) enum Gauge {
 
 /// A slide that constrains a joint to a known line.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Hold {
+pub(super) struct GuideConstraint {
     pub slide: SlideId,
     /// The link between the joint and the slide, if the joint is not the sliding point itself.
     pub carrier: Option<LinkId>,
@@ -246,7 +246,7 @@ pub(super) struct Program {
     pub links: Vec<Vec2<Constant>>,
     pub watches: Vec<WatchedConstraint>,
     /// The guide constraints of steps with a guide, by step index in increasing order.
-    pub holds: Vec<(usize, Hold)>,
+    pub holds: Vec<(usize, GuideConstraint)>,
     /// The legs of arms that span several links, by step index in increasing order. The last leg of
     /// each arm comes first.
     pub legs: Vec<(usize, Leg)>,

@@ -26,7 +26,7 @@ impl Solver {
     /// Sets the driver's speed and acceleration to those of a moment of its motion over time,
     /// starting with the next solution. An enclosure needs the same call for its own workspace.
     /// Allocates nothing.
-    pub fn drive<T: Number>(&self, work: &mut Workspace<T>, moment: &DriverMoment) {
+    pub fn drive<T: Number>(&self, workspace: &mut Workspace<T>, moment: &DriverMoment) {
         let given = [moment.speed, moment.acceleration];
         let [at, off @ ..] = moment.off;
         let (rates, off) = match self.mechanism.driver().input {
@@ -40,16 +40,16 @@ impl Solver {
             }
         };
         let rates = [rates[0].widened(off[0]), rates[1].widened(off[1])];
-        work.errors.driven = at;
-        work.state.pass(rates);
+        workspace.errors.driven = at;
+        workspace.state.pass(rates);
         // The states that the bounds are computed from need the same rates.
-        if let Some(sharp) = &mut work.errors.sharp {
+        if let Some(sharp) = &mut workspace.errors.sharp {
             sharp.state.pass(rates);
         }
-        if let Some(edge) = &mut work.errors.edge {
+        if let Some(edge) = &mut workspace.errors.edge {
             edge.pass(rates);
         }
-        if let Some(close) = &mut work.close {
+        if let Some(close) = &mut workspace.close {
             close.pass(rates);
         }
     }

@@ -126,7 +126,7 @@ pub struct State<T = f64> {
 impl<T: Number> State<T> {
     /// Starts a solve: sets its coordinate and order.
     #[inline(always)]
-    pub(super) fn begin(&mut self, at: T, order: Order) {
+    pub(super) fn start(&mut self, at: T, order: Order) {
         (self.at, self.order) = (at, order);
     }
 
@@ -334,7 +334,7 @@ impl Rates {
         let square = speed * speed;
         Rates {
             speed,
-            square: square.beside(speed.hi * speed.hi),
+            square: square.relative_to(speed.hi * speed.hi),
             acceleration,
         }
     }

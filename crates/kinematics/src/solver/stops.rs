@@ -24,16 +24,16 @@ use std::f64::consts::TAU;
 
 /// The amount by which a coordinate may pass its stop and count as touching it: rounding error,
 /// relative to its size, in radians or scaled lengths.
-const TOUCHED: f64 = 1e-13;
+const STOP_OVERSHOOT: f64 = 1e-13;
 /// Factor by which the second derivative inside an interval may exceed its values at both ends.
-const STEEPER: f64 = 2.0;
+const SECOND_DERIVATIVE_FACTOR: f64 = 2.0;
 /// Number of halvings from a degree down to neighbouring doubles, with a margin.
 const MAX_HALVINGS: u32 = 80;
 /// Number of doublings of an ulp within which double-double searches for a stop found in doubles.
 const DOUBLINGS: i32 = 40;
 /// Maximum distance of a stop from an end of the motion, in roundings of the coordinate, at which
 /// the two count as the same end.
-const SAME_END: f64 = 4.0;
+const STOP_TOLERANCE: f64 = 4.0;
 
 /// The stops that end the motion: downwards, and upwards.
 pub(super) type EndStops = [Option<EndStop>; 2];
@@ -86,7 +86,7 @@ impl Solver {
         let at = self.opening;
         // A table's limits are not moved by whole turns.
         let is_table = matches!(limit.of, LimitOf::Table(_));
-        let by = match self.engine.turns && !is_table {
+        let by = match self.engine.is_rotary && !is_table {
             true => angle::TURN * turns_between(at, [limit.low, limit.high], angle::TURN),
             false => 0.0,
         };
@@ -112,8 +112,8 @@ impl Solver {
             })
         };
         Ok([
-            stop(low, limit.low, StrokeEnd::Least),
-            stop(high, limit.high, StrokeEnd::Greatest),
+            stop(low, limit.low, StrokeEnd::Minimum),
+            stop(high, limit.high, StrokeEnd::Maximum),
         ])
     }
 
@@ -137,10 +137,10 @@ impl Solver {
 /// Returns the smallest number of whole turns by which to move both ends, so that a value lies
 /// between them. If that is impossible, returns the number that brings the ends nearest.
 fn turns_between(value: f64, [low, high]: [f64; 2], turn: f64) -> f64 {
-    let least = ((value - high) / turn).ceil();
-    let most = ((value - low) / turn).floor();
-    if least <= most {
-        0.0_f64.max(least).min(most)
+    let minimum = ((value - high) / turn).ceil();
+    let maximum = ((value - low) / turn).floor();
+    if minimum <= maximum {
+        0.0_f64.max(minimum).min(maximum)
     } else {
         ((value - 0.5 * (low + high)) / turn).round()
     }
@@ -149,7 +149,7 @@ fn turns_between(value: f64, [low, high]: [f64; 2], turn: f64) -> f64 {
 /// A coordinate at one place, in radians or scaled lengths, and its derivatives by the driver's
 /// coordinate if they exist.
 #[derive(Clone, Copy, Debug)]
-struct Sighting {
+struct CoordinateSample {
     at: f64,
     value: f64,
     rates: Option<[f64; 2]>,
@@ -169,22 +169,22 @@ struct LimitWatch<'s> {
     solver: Solver,
     id: LimitId,
     of: LimitOf,
-    work: Workspace,
+    workspace: Workspace,
     /// The ends, in radians or scaled lengths.
     ends: [f64; 2],
     touched: f64,
 }
 
 impl<'s> LimitWatch<'s> {
-    fn new(whole: &'s Solver, id: LimitId, of: LimitOf) -> LimitWatch<'s> {
+    fn new(complete: &'s Solver, id: LimitId, of: LimitOf) -> LimitWatch<'s> {
         let mut demand = Demand::default();
-        let limit = whole.mechanism.limit(id);
+        let limit = complete.mechanism.limit(id);
         let mut ends = [limit.low, limit.high];
         match of {
             LimitOf::Driver | LimitOf::Table(_) => {}
             LimitOf::Slide(slide) => {
                 demand.slides.push(slide);
-                ends = ends.map(|end| whole.engine.frame.length(end));
+                ends = ends.map(|end| complete.engine.frame.length(end));
             }
             LimitOf::Angle { link, from } => {
                 demand.links.push(link);
@@ -195,12 +195,12 @@ impl<'s> LimitWatch<'s> {
                 ends = ends.map(angle::radians);
             }
         }
-        let solver = whole.only(&demand);
+        let solver = complete.only(&demand);
         let size = ends.iter().fold(1.0_f64, |size, end| size.max(end.abs()));
         LimitWatch {
-            work: solver.state(),
-            touched: TOUCHED * size,
-            whole,
+            workspace: solver.state(),
+            touched: STOP_OVERSHOOT * size,
+            whole: complete,
             solver,
             id,
             of,
@@ -211,14 +211,14 @@ impl<'s> LimitWatch<'s> {
     /// Returns the stops at which the coordinate ends the motion in both directions.
     fn stops(&mut self) -> Result<EndStops, Fault> {
         let opening = self.whole.opening;
-        let Some(mut start) = self.look(opening, 0.0) else {
+        let Some(mut start) = self.coordinate_at(opening, 0.0) else {
             return Ok([None, None]);
         };
         if let LimitOf::Angle { .. } = self.of {
             start.value -= TAU * turns_between(start.value, self.ends, TAU);
         }
         let is_beyond = |end| self.clearance(end, start.value) < -self.touched;
-        if [StrokeEnd::Least, StrokeEnd::Greatest]
+        if [StrokeEnd::Minimum, StrokeEnd::Maximum]
             .into_iter()
             .any(is_beyond)
         {
@@ -234,8 +234,8 @@ impl<'s> LimitWatch<'s> {
             });
         }
         let up = self.first_stop(start, 1.0);
-        let goes_round = matches!(self.whole.motion.range, Range::Full { .. });
-        let down = match up.is_none() && goes_round {
+        let is_periodic = matches!(self.whole.motion.range, Range::Full { .. });
+        let down = match up.is_none() && is_periodic {
             true => None,
             false => self.first_stop(start, -1.0),
         };
@@ -243,18 +243,18 @@ impl<'s> LimitWatch<'s> {
     }
 
     /// Returns the first stop upwards or downwards.
-    fn first_stop(&mut self, start: Sighting, sense: f64) -> Option<EndStop> {
+    fn first_stop(&mut self, start: CoordinateSample, sense: f64) -> Option<EndStop> {
         let mut from = start;
         for at in self.whole.way(sense) {
-            let to = self.look(at, from.value)?;
-            let ends = [StrokeEnd::Least, StrokeEnd::Greatest];
+            let to = self.coordinate_at(at, from.value)?;
+            let ends = [StrokeEnd::Minimum, StrokeEnd::Maximum];
             let found = ends.map(|end| Some((end, self.passed(end, from, to, MAX_HALVINGS)?)));
             let found = found.into_iter().flatten();
             let first =
                 found.min_by(|(_, a), (_, b)| (a[0].at * sense).total_cmp(&(b[0].at * sense)));
             if let Some((end, [inside, outside])) = first {
                 let at = self.end_between(end, inside, outside);
-                let own = self.whole.motion.own_end(at, SAME_END);
+                let own = self.whole.motion.own_end(at, STOP_TOLERANCE);
                 let (at, bound) = own.unwrap_or_else(|| (at, self.bound(end, at)));
                 let limit = self.id;
                 return Some(EndStop {
@@ -273,15 +273,15 @@ impl<'s> LimitWatch<'s> {
     fn passed(
         &mut self,
         end: StrokeEnd,
-        from: Sighting,
-        to: Sighting,
+        from: CoordinateSample,
+        to: CoordinateSample,
         halvings: u32,
-    ) -> Option<[Sighting; 2]> {
+    ) -> Option<[CoordinateSample; 2]> {
         let [a, b] = [from, to].map(|s| self.clearance(end, s.value));
         let h = self.solver.engine.difference(from.at, to.at).abs();
         if let (Some(first), Some(last)) = (from.rates, to.rates) {
             let bend = (last[0] - first[0]).abs() / h;
-            let bend = STEEPER * bend.max(first[1].abs()).max(last[1].abs());
+            let bend = SECOND_DERIVATIVE_FACTOR * bend.max(first[1].abs()).max(last[1].abs());
             if a.min(b) - bend * h * h / 8.0 >= -self.touched {
                 return None;
             }
@@ -299,7 +299,7 @@ impl<'s> LimitWatch<'s> {
         if halvings == 0 || at == from.at || at == to.at {
             return (b < -self.touched).then_some([from, to]);
         }
-        let middle = self.look(at, from.value)?;
+        let middle = self.coordinate_at(at, from.value)?;
         let first = self.passed(end, from, middle, halvings - 1);
         first.or_else(|| self.passed(end, middle, to, halvings - 1))
     }
@@ -307,44 +307,51 @@ impl<'s> LimitWatch<'s> {
     /// Returns how far inside an end a coordinate is.
     fn clearance(&self, end: StrokeEnd, value: f64) -> f64 {
         match end {
-            StrokeEnd::Least => value - self.ends[0],
-            StrokeEnd::Greatest => self.ends[1] - value,
+            StrokeEnd::Minimum => value - self.ends[0],
+            StrokeEnd::Maximum => self.ends[1] - value,
         }
     }
 
     /// Evaluates the coordinate at a place. An angle is taken on the turn nearest to `near`.
-    fn look(&mut self, at: f64, near: f64) -> Option<Sighting> {
-        let condition = self.solver.solve(at, Order::Acceleration, &mut self.work);
+    fn coordinate_at(&mut self, at: f64, near: f64) -> Option<CoordinateSample> {
+        let condition = self
+            .solver
+            .solve(at, Order::Acceleration, &mut self.workspace);
         if condition == Condition::NoAssembly {
             return None;
         }
         let (value, rates) = match self.of {
             LimitOf::Driver | LimitOf::Table(_) => return None,
             LimitOf::Slide(slide) => {
-                let travel = &self.work.travels[slide.index()];
+                let travel = &self.workspace.travels[slide.index()];
                 (travel.s, [travel.v, travel.a])
             }
             LimitOf::Angle { link, from } => {
-                let (direction, rates) = seen(&self.work, link, from);
+                let (direction, rates) = relative_direction(&self.workspace, link, from);
                 let value = direction.y.atan2(direction.x);
                 (value + TAU * ((near - value) / TAU).round(), rates)
             }
         };
         let has_rates = condition != Condition::DeadPoint && rates.iter().all(|r| r.is_finite());
         let rates = has_rates.then_some(rates);
-        Some(Sighting { at, value, rates })
+        Some(CoordinateSample { at, value, rates })
     }
 
     /// Returns the driver's coordinate at which an end is met, between two places close to each
     /// other.
-    fn end_between(&mut self, end: StrokeEnd, inside: Sighting, outside: Sighting) -> f64 {
+    fn end_between(
+        &mut self,
+        end: StrokeEnd,
+        inside: CoordinateSample,
+        outside: CoordinateSample,
+    ) -> f64 {
         let [a, b] = [inside, outside].map(|s| self.clearance(end, s.value));
         if a <= 0.0 {
             return inside.at;
         }
         let finest = self.solver.engine.finest();
         let found = root((inside.at, a), (outside.at, b), finest, |at| {
-            let sighting = self.look(at, inside.value)?;
+            let sighting = self.coordinate_at(at, inside.value)?;
             Some(self.clearance(end, sighting.value))
         });
         let found = found.unwrap_or(inside.at);
@@ -372,14 +379,14 @@ impl<'s> LimitWatch<'s> {
         let sense = (outside - inside).signum();
         let (low, high) = (inside.min(outside), inside.max(outside));
         let mut clearance = |at: f64| self.exactly(&exact, end, at, &mut close);
-        let mut apart = |sense: f64, wanted: fn(Double) -> bool| {
+        let mut distance = |sense: f64, wanted: fn(Double) -> bool| {
             let places = (0..DOUBLINGS).map(|k| found + sense * ulp * (f64::from(k).exp2() - 1.0));
             let places = places.map(|at| at.clamp(low, high));
-            let mut told = places.map(|at| Some((at, clearance(at)?)));
-            told.find_map(|told| told.filter(|(_, c)| wanted(*c)))
+            let mut text = places.map(|at| Some((at, clearance(at)?)));
+            text.find_map(|text| text.filter(|(_, c)| wanted(*c)))
         };
-        let mut good = apart(-sense, |c| c.hi >= 0.0)?;
-        let mut bad = apart(sense, |c| c.hi < 0.0)?;
+        let mut good = distance(-sense, |c| c.hi >= 0.0)?;
+        let mut bad = distance(sense, |c| c.hi < 0.0)?;
         loop {
             let at = good.0 + 0.5 * (bad.0 - good.0);
             if at == good.0 || at == bad.0 || (bad.0 - good.0).abs() < f64::EPSILON * ulp {
@@ -412,18 +419,18 @@ impl<'s> LimitWatch<'s> {
         let order = Order::Position;
         let close: &State<Double> = match close {
             CloseState::Dyads(close) => {
-                self.solver.aim(at, &mut self.work);
+                self.solver.aim(at, &mut self.workspace);
                 let how = (
-                    &self.work.state.signs[..],
+                    &self.workspace.state.signs[..],
                     self.solver.motion.stretched_at(at),
                 );
-                let asked = Double::exactly(at);
-                let condition = exact.run(exact.closed, asked, order, how, close);
+                let requested = Double::exactly(at);
+                let condition = exact.run(exact.closed, requested, order, how, close);
                 (condition != Condition::NoAssembly).then_some(&**close)
             }
             CloseState::Coupled(close) => {
-                let _ = self.solver.solve(at, order, &mut self.work);
-                let is_solved = self.solver.solve_twice(&self.work.state, order, close);
+                let _ = self.solver.solve(at, order, &mut self.workspace);
+                let is_solved = self.solver.solve_twice(&self.workspace.state, order, close);
                 is_solved.then_some(&close.state)
             }
         }?;
@@ -434,8 +441,8 @@ impl<'s> LimitWatch<'s> {
     fn inside<T: Number>(&self, exact: &Exact, end: StrokeEnd, state: &State<T>) -> Option<T> {
         let limit = self.whole.mechanism.limit(self.id);
         let (value, sign) = match end {
-            StrokeEnd::Least => (limit.low, 1.0),
-            StrokeEnd::Greatest => (limit.high, -1.0),
+            StrokeEnd::Minimum => (limit.low, 1.0),
+            StrokeEnd::Maximum => (limit.high, -1.0),
         };
         let frame = &exact.engine.frame;
         let inside = match self.of {
@@ -446,7 +453,7 @@ impl<'s> LimitWatch<'s> {
             }
             LimitOf::Angle { link, from } => {
                 let end = Vec2::<T>::of(frame.unit(value));
-                end.cross(seen(state, link, from).0)
+                end.cross(relative_direction(state, link, from).0)
             }
         };
         Some(T::exactly(sign) * inside)
@@ -458,23 +465,29 @@ impl<'s> LimitWatch<'s> {
         if self.solver.is_passing(at) {
             return None;
         }
-        let _ = self.solver.solve(at, Order::Position, &mut self.work);
-        self.solver.aim(at, &mut self.work);
+        let _ = self.solver.solve(at, Order::Position, &mut self.workspace);
+        self.solver.aim(at, &mut self.workspace);
         let steps = exact.engine.program.steps.len();
         // Far from the origin, typed decimals and the doubles next to them have different
         // solutions.
         let order = Order::Position;
-        let _ = exact.engine.run_steps(0..steps, at, order, &mut self.work);
+        let _ = exact
+            .engine
+            .run_steps(0..steps, at, order, &mut self.workspace);
         let mut run = ProvedRun::new(&exact, self.solver.slides);
         sign_change(&self.solver.engine, at, |place| {
-            let is_proved = run.run(steps, place, false, &self.work.state);
+            let is_proved = run.run(steps, place, false, &self.workspace.state);
             is_proved.then(|| self.inside(&exact, end, &run.sharp.state))?
         })
     }
 }
 
 /// Returns the direction of a link relative to a body, and the derivatives of its angle.
-fn seen<T: Number>(state: &State<T>, link: crate::LinkId, from: Body) -> (Vec2<T>, [T; 2]) {
+fn relative_direction<T: Number>(
+    state: &State<T>,
+    link: crate::LinkId,
+    from: Body,
+) -> (Vec2<T>, [T; 2]) {
     let link = &state.links[link.index()];
     match from {
         Body::Ground => (link.d, [link.w, link.a]),

@@ -24,14 +24,14 @@ const DEGREES: u16 = 360;
 /// between if it were below some thousandths.
 const MIN_MEASURE: f64 = 0.04;
 /// The maximum change of the squared sine from one place to the next.
-const STEEPEST_MEASURE: f64 = 0.1;
+const MAX_MEASURE_CHANGE: f64 = 0.1;
 
 /// A mechanism whose lengths are changed in place, created by [`Solver::varied`].
 #[derive(Clone, Debug)]
 pub struct Varied {
     nominal: Solver,
     engine: Engine,
-    work: Workspace,
+    workspace: Workspace,
     lanes: Workspace<Lanes>,
     /// Every place of the program, with its given value.
     places: Vec<VariedPlace>,
@@ -113,14 +113,14 @@ impl Solver {
             built.ok().map(|(_, program)| program)
         };
         let network = || Network::new(&self.mechanism, self.engine.frame).varied();
-        let whole = program(network())?;
-        if !whole.watches.is_empty() {
+        let complete = program(network())?;
+        if !complete.watches.is_empty() {
             return None;
         }
         let ready = |program: Program| {
             Engine::new(&self.mechanism, self.engine.frame, program).only(demand, self.slides)
         };
-        let mut engine = ready(whole);
+        let mut engine = ready(complete);
         engine.signs.clone_from(&self.engine.signs);
         let mut places = places(&mut engine);
         for (i, &length) in lengths.iter().enumerate() {
@@ -142,7 +142,7 @@ impl Solver {
             same.for_each(|coupled| coupled.side = side);
         }
         Some(Varied {
-            work: engine.state(self.slides),
+            workspace: engine.state(self.slides),
             lanes: engine.state(self.slides),
             nominal: self.clone(),
             parts: parts(&mut engine.program, &places),
@@ -240,17 +240,17 @@ impl Varied {
             match part.kind {
                 VariedKind::Point(point) => {
                     for known in places {
-                        let place = known.with(by);
-                        program.points[point] = place;
-                        self.work.state.points[point] = PointState::fixed(Vec2::of(place));
-                        self.lanes.state.points[point] = PointState::fixed(Vec2::of(place));
+                        let position = known.with(by);
+                        program.points[point] = position;
+                        self.workspace.state.points[point] = PointState::fixed(Vec2::of(position));
+                        self.lanes.state.points[point] = PointState::fixed(Vec2::of(position));
                     }
                 }
                 VariedKind::Step(step) => {
-                    program.steps[step].vary(&mut program.coupled, &mut |place| {
+                    program.steps[step].vary(&mut program.coupled, &mut |position| {
                         if let Some(known) = places.next().filter(|known| !known.follows.is_empty())
                         {
-                            *place = known.with(by);
+                            *position = known.with(by);
                         }
                     });
                 }
@@ -264,9 +264,10 @@ impl Varied {
     /// [`Condition::NoAssembly`] if a group does not close. Change points and their series belong
     /// to the given lengths, not to the changed ones. Allocates nothing.
     pub fn solve(&mut self, at: f64, order: Order) -> Condition {
-        self.nominal.aim_varied(&self.engine, at, &mut self.work);
-        self.work.state.measures.fill(1.0);
-        self.engine.run(at, order, &mut self.work)
+        self.nominal
+            .predict_varied(&self.engine, at, &mut self.workspace);
+        self.workspace.state.measures.fill(1.0);
+        self.engine.run(at, order, &mut self.workspace)
     }
 
     /// Creates a solver for the current lengths, where `mechanism` has these lengths. This is
@@ -280,7 +281,7 @@ impl Varied {
         // Other lengths may meet stops that the given lengths do not reach.
         let is_plain = motion.range == Range::Full { period: TURN }
             && mechanism.limits().is_empty()
-            && motion.passages.is_empty()
+            && motion.crossings.is_empty()
             && motion.near_misses.is_empty()
             && self.engine.program.coupled.is_empty();
         if !is_plain || !self.keeps_clear() {
@@ -309,7 +310,7 @@ impl Varied {
                 for measure in measures.0 {
                     let last = before.replace(measure).unwrap_or(measure);
                     // Written so that NaN is not clear.
-                    if !(measure > MIN_MEASURE && (measure - last).abs() < STEEPEST_MEASURE) {
+                    if !(measure > MIN_MEASURE && (measure - last).abs() < MAX_MEASURE_CHANGE) {
                         return false;
                     }
                 }
@@ -340,19 +341,23 @@ impl Varied {
                 *place = known.within(limits);
             }
         });
-        let mut work = engine.state::<Ball>(self.nominal.slides);
-        self.nominal.choose_exactly(at, &mut work.state);
+        let mut workspace = engine.state::<Ball>(self.nominal.slides);
+        self.nominal.choose_exactly(at, &mut workspace.state);
         let at = Ball::exactly(at);
-        work.state.begin(at, order);
+        workspace.state.start(at, order);
         let placed = match order {
-            Order::Position => engine.run_in::<Ball, POSITION>(at, &mut work, |_, _, _, _| false),
-            Order::Velocity => engine.run_in::<Ball, VELOCITY>(at, &mut work, |_, _, _, _| false),
+            Order::Position => {
+                engine.run_in::<Ball, POSITION>(at, &mut workspace, |_, _, _, _| false)
+            }
+            Order::Velocity => {
+                engine.run_in::<Ball, VELOCITY>(at, &mut workspace, |_, _, _, _| false)
+            }
             Order::Acceleration | Order::Force => {
-                engine.run_in::<Ball, ACCELERATION>(at, &mut work, |_, _, _, _| false)
+                engine.run_in::<Ball, ACCELERATION>(at, &mut workspace, |_, _, _, _| false)
             }
         };
-        work.state.condition = Condition::Ok;
-        placed.then(|| work.into_state())
+        workspace.state.condition = Condition::Ok;
+        placed.then(|| workspace.into_state())
     }
 
     /// Returns the class of the loop that the driver closes, with the current lengths; `None` if
@@ -368,17 +373,17 @@ impl Varied {
     /// does not close. It is 1 for the groups after that dyad, and for a coupled group that does
     /// not close.
     pub fn measures(&mut self, at: f64) -> &[f64] {
-        let is_closed = self.work.state.condition != Condition::NoAssembly;
+        let is_closed = self.workspace.state.condition != Condition::NoAssembly;
         if is_closed && !self.engine.program.coupled.is_empty() {
-            self.engine.measure_coupled(at, &mut self.work);
+            self.engine.measure_coupled(at, &mut self.workspace);
         }
-        &self.work.state.measures
+        &self.workspace.state.measures
     }
 
     /// Returns the result of the last [`Varied::solve`].
     #[must_use]
     pub fn state(&self) -> &Workspace {
-        &self.work
+        &self.workspace
     }
 
     /// Solves at several coordinates at once. `None` if one of them is not an ordinary one, and for
@@ -406,17 +411,17 @@ impl Solver {
         for (sign, &start) in state.signs.iter_mut().zip(&self.engine.signs) {
             *sign = Ball::exactly(start);
         }
-        for group in self.motion.passages.changed(at) {
+        for group in self.motion.crossings.changed(at) {
             state.signs[group] = -state.signs[group];
         }
     }
 
     /// Writes the motion's data for a coordinate to a workspace for other lengths.
-    fn aim_varied(&self, engine: &Engine, at: f64, work: &mut Workspace) {
-        self.motion.anchors.aim(engine, at, work);
-        let passages = &self.motion.passages;
-        if !passages.is_empty() {
-            passages.choose(engine, at, &mut work.state.signs);
+    fn predict_varied(&self, engine: &Engine, at: f64, workspace: &mut Workspace) {
+        self.motion.anchors.predict(engine, at, workspace);
+        let crossings = &self.motion.crossings;
+        if !crossings.is_empty() {
+            crossings.choose(engine, at, &mut workspace.state.signs);
         }
     }
 }

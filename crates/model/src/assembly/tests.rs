@@ -5,12 +5,12 @@ fn preset(name: &str) -> Scene {
     Scene::parse(presets::find(name).unwrap().text, name).unwrap()
 }
 
-fn told(scene: &str, wishes: &[&str]) -> Result<Vec<Pick>, String> {
+fn picks_or_message(scene: &str, requests: &[&str]) -> Result<Vec<AssemblyChoice>, String> {
     let scene = preset(scene);
     let plan = Plan::of(&scene.mechanism).unwrap();
-    let wishes: Vec<AssemblyRequest> = wishes.iter().map(|w| w.parse().unwrap()).collect();
-    let picks = scene.picks(&plan, &wishes).map_err(|e| e.to_string())?;
-    Ok(picks.iter().map(|p| p.1).collect())
+    let requests: Vec<AssemblyRequest> = requests.iter().map(|w| w.parse().unwrap()).collect();
+    let choices = scene.picks(&plan, &requests).map_err(|e| e.to_string())?;
+    Ok(choices.iter().map(|p| p.1).collect())
 }
 
 #[test]
@@ -29,21 +29,27 @@ fn assembly_request_round_trips_through_text() {
 
 #[test]
 fn picks_find_groups_by_name() {
-    assert_eq!(told("four-bar", &["C=-"]), Ok(vec![Pick::Minus]));
     assert_eq!(
-        told("press", &["F=+", "C=-"]),
-        Ok(vec![Pick::Plus, Pick::Minus])
+        picks_or_message("four-bar", &["C=-"]),
+        Ok(vec![AssemblyChoice::Minus])
     );
-    assert_eq!(told("slotted-lever", &["r4=-"]), Ok(vec![Pick::Minus]));
     assert_eq!(
-        told("stephenson-six-bar", &["E=2"]),
-        Ok(vec![Pick::Number(2)])
+        picks_or_message("press", &["F=+", "C=-"]),
+        Ok(vec![AssemblyChoice::Plus, AssemblyChoice::Minus])
+    );
+    assert_eq!(
+        picks_or_message("slotted-lever", &["r4=-"]),
+        Ok(vec![AssemblyChoice::Minus])
+    );
+    assert_eq!(
+        picks_or_message("stephenson-six-bar", &["E=2"]),
+        Ok(vec![AssemblyChoice::Number(2)])
     );
 }
 
 #[test]
 fn invalid_picks_are_rejected_with_alternatives() {
-    for (scene, wishes, says) in [
+    for (scene, requests, expected) in [
         (
             "four-bar",
             &["X=+"][..],
@@ -76,7 +82,7 @@ fn invalid_picks_are_rejected_with_alternatives() {
         ),
         ("four-bar", &["C=+", "C=-"], "`C` is given twice"),
     ] {
-        assert_eq!(told(scene, wishes), Err(says.to_owned()));
+        assert_eq!(picks_or_message(scene, requests), Err(expected.to_owned()));
     }
 }
 
@@ -89,8 +95,8 @@ fn saved_assembly_reopens_with_its_change_points() {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
         let start = scene.mechanism.driver().start;
         let solver = Solver::new(&scene.mechanism).unwrap();
-        for picks in solver.assemblies(start).list.iter().take(8) {
-            let named = picks
+        for choices in solver.assemblies(start).list.iter().take(8) {
+            let named = choices
                 .iter()
                 .filter_map(|&(g, p)| Some((solver.plan().group(g)?.name()?, p)));
             let named: Vec<_> = named.collect();
@@ -123,9 +129,9 @@ fn saved_assembly_moves_driver_start_when_needed() {
         c = { from = \"D\", to = \"C\", length = 1 }\n";
     let scene = Scene::parse(text, "flat").unwrap();
     let point = scene.mechanism.point_ids().nth(3).unwrap();
-    for (pick, y) in [(Pick::Plus, 1.0), (Pick::Minus, -1.0)] {
-        let picks = [(ElementId::Point(point), pick)];
-        let solver = Solver::with_assembly(&scene.mechanism, &picks).unwrap();
+    for (choice, y) in [(AssemblyChoice::Plus, 1.0), (AssemblyChoice::Minus, -1.0)] {
+        let choices = [(ElementId::Point(point), choice)];
+        let solver = Solver::with_assembly(&scene.mechanism, &choices).unwrap();
         // At the change point itself, no position distinguishes the two branches.
         assert_eq!(scene.with_start_of(&solver, 0.0), None);
         let moved = scene.with_start_of(&solver, 90.0).unwrap();

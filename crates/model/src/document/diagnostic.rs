@@ -34,7 +34,7 @@ pub struct Diagnostic {
     /// Further facts.
     pub notes: Vec<String>,
     /// Suggested fixes.
-    pub helps: Vec<String>,
+    pub suggestions: Vec<String>,
 }
 
 impl Diagnostic {
@@ -78,13 +78,13 @@ impl Diagnostic {
 
     /// Adds a suggested fix.
     pub fn help(mut self, help: impl Into<String>) -> Self {
-        self.helps.push(help.into());
+        self.suggestions.push(help.into());
         self
     }
 
     /// Adds a suggested fix, if any.
     pub fn maybe_help(mut self, help: Option<String>) -> Self {
-        self.helps.extend(help);
+        self.suggestions.extend(help);
         self
     }
 }
@@ -114,8 +114,8 @@ impl Diagnostics {
         let start = item.primary.as_ref()?.span.start;
         let before = self.text.get(..start)?;
         let line = before.matches('\n').count() + 1;
-        let begin = before.rfind('\n').map_or(0, |i| i + 1);
-        Some((line, before[begin..].chars().count() + 1))
+        let first = before.rfind('\n').map_or(0, |i| i + 1);
+        Some((line, before[first..].chars().count() + 1))
     }
 
     /// Renders the messages for a terminal. Harmful characters of the file are replaced; `ascii`
@@ -224,7 +224,7 @@ impl ShownText {
             let level = Level::NOTE.with_name(words().level_note());
             group = group.element(level.message(lines(note, ascii)));
         }
-        for help in &item.helps {
+        for help in &item.suggestions {
             let level = Level::HELP.with_name(escaped(words().level_help(), ascii));
             group = group.element(level.message(lines(help, ascii)));
         }

@@ -53,6 +53,6 @@ pub(crate) fn number_of(text: &str, value: &WrittenValue<'_>) -> Option<f64> {
 
 #[expect(clippy::cast_precision_loss, reason = "the nearest double is meant")]
 fn nearest(integer: &DeInteger<'_>) -> f64 {
-    let whole = u128::from_str_radix(integer.as_str(), integer.radix());
-    whole.map_or(f64::INFINITY, |whole| whole as f64)
+    let complete = u128::from_str_radix(integer.as_str(), integer.radix());
+    complete.map_or(f64::INFINITY, |complete| complete as f64)
 }

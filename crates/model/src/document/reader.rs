@@ -110,7 +110,7 @@ impl<'t> Reader<'t> {
     /// Adds a suggested fix to the last diagnostic.
     pub(crate) fn help(&mut self, help: &str) {
         if let Some(last) = self.found.last_mut() {
-            last.helps.push(help.to_owned());
+            last.suggestions.push(help.to_owned());
         }
     }
 
@@ -244,7 +244,11 @@ fn word_of_others(key: &str) -> Option<&'static str> {
 }
 
 /// Returns `true` if an unknown key of the table is probably a misspelling of this one.
-pub fn meant<'n>(keys: impl Iterator<Item = &'n str>, known: &[&str], key: &str) -> bool {
+pub fn is_probable_misspelling<'n>(
+    keys: impl Iterator<Item = &'n str>,
+    known: &[&str],
+    key: &str,
+) -> bool {
     // Bounded, because the comparison is expensive.
     keys.take(FULL)
         .any(|text| !known.contains(&text) && nearest(text, known.iter().copied()) == Some(key))
@@ -252,10 +256,10 @@ pub fn meant<'n>(keys: impl Iterator<Item = &'n str>, known: &[&str], key: &str)
 
 /// Returns the hint for a boolean written as text; `None` for other texts.
 fn bare_boolean(text: &str) -> Option<String> {
-    let meant = match text {
+    let intended = match text {
         "true" | "yes" | "on" => true,
         "false" | "no" | "off" => false,
         _ => return None,
     };
-    Some(words().write_without_quotes(&meant.to_string()))
+    Some(words().write_without_quotes(&intended.to_string()))
 }

@@ -69,7 +69,7 @@ pub fn sanitized(text: &str, ascii: bool) -> String {
 /// backticks, which quote the file.
 pub(crate) fn escaped(text: &str, ascii: bool) -> String {
     let mut out = String::with_capacity(text.len());
-    let is_turkish = Language::spoken() == Language::Turkish;
+    let is_turkish = Language::current_language() == Language::Turkish;
     let mut is_quoted = false;
     for c in text.chars() {
         is_quoted ^= c == '`';

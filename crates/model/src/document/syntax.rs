@@ -9,13 +9,13 @@ use toml::de::{DeTable, DeValue, Error};
 pub(crate) type SyntaxHint = fn(&str, &str, &ByteSpan) -> Option<String>;
 
 /// Parses the text; returns `None` if the syntax errors leave nothing usable.
-pub fn parse<'t>(reader: &mut Reader<'t>, mend: SyntaxHint) -> Option<DeTable<'t>> {
+pub fn parse<'t>(reader: &mut Reader<'t>, fix: SyntaxHint) -> Option<DeTable<'t>> {
     if let Some(message) = foreign(reader.text()) {
         reader.report(Diagnostic::new(message).help(words().krank_reads_toml()));
         return None;
     }
     let (root, errors) = DeTable::parse_recoverable(reader.text());
-    let is_whole = is_whole(reader, mend, root.get_ref(), &errors);
+    let is_whole = is_usable(reader, fix, root.get_ref(), &errors);
     is_whole.then(|| root.into_inner())
 }
 
@@ -26,15 +26,15 @@ pub fn has_key(text: &str, key: &str) -> bool {
 }
 
 /// Reports syntax errors; returns `false` if they leave nothing usable.
-fn is_whole(
+fn is_usable(
     reader: &mut Reader<'_>,
-    mend: SyntaxHint,
+    fix: SyntaxHint,
     root: &DeTable<'_>,
     errors: &[Error],
 ) -> bool {
     let text = reader.text();
     let mut last_line = None;
-    let mut whole = true;
+    let mut is_whole = true;
     for error in errors {
         let span = error.span().unwrap_or(text.len()..text.len());
         let line = text.as_bytes()[..span.start.min(text.len())]
@@ -50,27 +50,27 @@ fn is_whole(
         }
         let twice = error.message().starts_with("duplicate key");
         // After a duplicate section, the names of its second half are lost.
-        whole &= twice && !text[line.map_or(0, |l| l + 1)..].starts_with('[');
+        is_whole &= twice && !text[line.map_or(0, |l| l + 1)..].starts_with('[');
         let too_deep = error.message().starts_with("cannot recurse");
         reader.report(if twice {
             duplicate(text, root, span)
         } else {
-            fault(text, error, span, mend)
+            fault(text, error, span, fix)
         });
         // Every unclosed bracket would be another error.
         if too_deep {
             return false;
         }
     }
-    whole
+    is_whole
 }
 
-fn fault(text: &str, error: &Error, span: ByteSpan, mend: SyntaxHint) -> Diagnostic {
+fn fault(text: &str, error: &Error, span: ByteSpan, fix: SyntaxHint) -> Diagnostic {
     if let Some(fault) = decimal_comma(text, span.start) {
         return fault;
     }
     let message = error.message();
-    let help = mend(text, message, &span);
+    let help = fix(text, message, &span);
     Diagnostic::new(words().not_valid_toml(message))
         .at(span, "")
         .maybe_help(help)
@@ -96,20 +96,20 @@ pub fn foreign(text: &str) -> Option<&'static str> {
 /// Returns the diagnostic of a line with a decimal comma, such as `length = 86,6`; `None` for other
 /// lines.
 fn decimal_comma(text: &str, at: usize) -> Option<Diagnostic> {
-    let begin = text.get(..at)?.rfind('\n').map_or(0, |newline| newline + 1);
-    let line = text.get(begin..)?.lines().next()?;
+    let start = text.get(..at)?.rfind('\n').map_or(0, |newline| newline + 1);
+    let line = text.get(start..)?.lines().next()?;
     let mut marks = line.match_indices('=').map(|(mark, _)| mark + 1);
-    let typed = marks.find_map(|behind| {
-        let rest = line[behind..].trim_start();
+    let typed = marks.find_map(|after| {
+        let rest = line[after..].trim_start();
         let from = line.len() - rest.len();
-        let is_quoted = line[..behind].matches('"').count() % 2 == 1;
+        let is_quoted = line[..after].matches('"').count() % 2 == 1;
         let typed = number_with_comma(rest).filter(|_| !is_quoted)?;
         Some(from..from + typed.len())
     })?;
     let (whole, fraction) = line[typed.clone()].rsplit_once(',')?;
     let point = format!("{}.{fraction}", whole.replace(['.', ','], ""));
     let message = words().has_decimal_comma(&line[typed.clone()]);
-    let fault = Diagnostic::new(message).at(begin + typed.start..begin + typed.end, "");
+    let fault = Diagnostic::new(message).at(start + typed.start..start + typed.end, "");
     Some(fault.help(words().decimals_have_a_point(&point)))
 }
 
@@ -134,17 +134,17 @@ fn duplicate(text: &str, root: &DeTable<'_>, span: ByteSpan) -> Diagnostic {
     let key = key.trim_matches(['"', '\'']);
     let mut first: Option<ByteSpan> = None;
     // The recovered table keeps the first key; the nearest one before is in the same table.
-    each_key(root, &mut |other: &str, place| {
-        let nearer = first.as_ref().is_none_or(|f| f.start < place.start);
-        if other == key && place.start < span.start && nearer {
-            first = Some(place);
+    each_key(root, &mut |other: &str, text_span| {
+        let nearer = first.as_ref().is_none_or(|f| f.start < text_span.start);
+        if other == key && text_span.start < span.start && nearer {
+            first = Some(text_span);
         }
     });
     let fault = Diagnostic::new(words().given_twice(&quoted(key)))
         .at(span, words().the_second_time())
         .help(words().take_one_out());
     match first {
-        Some(place) => fault.and(place, words().the_first_time()),
+        Some(text_span) => fault.and(text_span, words().the_first_time()),
         None => fault,
     }
 }

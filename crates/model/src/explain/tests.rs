@@ -18,7 +18,7 @@ fn point(scene: &Scene, name: &str) -> PointId {
 }
 
 #[track_caller]
-fn says(scene: &Scene, fault: &Fault, phrases: &[&str]) {
+fn assert_message(scene: &Scene, fault: &Fault, phrases: &[&str]) {
     let shown = scene.explain(fault).to_string();
     for phrase in phrases {
         assert!(shown.contains(phrase), "{phrase:?} is not in:\n{shown}");
@@ -43,7 +43,7 @@ fn mobility_fault_names_floating_and_redundant_parts() {
         "1 constraint is redundant",
         "1 constraint is missing",
     ];
-    says(&scene, &fault, &phrases);
+    assert_message(&scene, &fault, &phrases);
     let fault = Fault::Mobility {
         mobility: 0,
         redundant: 2,
@@ -57,7 +57,7 @@ fn mobility_fault_names_floating_and_redundant_parts() {
         "this is not certain",
         "remove a link or a joint",
     ];
-    says(&scene, &fault, &phrases);
+    assert_message(&scene, &fault, &phrases);
 }
 
 #[test]
@@ -74,7 +74,7 @@ fn open_loop_fault_reports_gap_and_links() {
         "`r4` must reach it",
         "the driver is at 60 deg",
     ];
-    says(&scene, &fault, &phrases);
+    assert_message(&scene, &fault, &phrases);
 }
 
 #[test]
@@ -94,7 +94,7 @@ fn vague_start_lists_choices_as_toml_lines() {
         "\"C'\" = [311.417, 233.78]   # or",
         "\"C'\" = [-1e-7, 0.666667]",
     ];
-    says(&scene, &fault, &phrases);
+    assert_message(&scene, &fault, &phrases);
     // The shown lines can be copied to the file unchanged.
     let mended = text.replace("[start]\n", "[start]\n\"C'\" = [-1e-7, 0.666667]\n");
     assert!(Scene::parse(&mended, "x").is_ok());
@@ -108,7 +108,7 @@ fn vague_start_quotes_the_given_position() {
         choices: vec![Vec2::ZERO, Vec2::X],
         behind: Vec::new(),
     };
-    says(&scene, &fault, &["[start] has `C` at (310, 230)"]);
+    assert_message(&scene, &fault, &["[start] has `C` at (310, 230)"]);
 }
 
 #[test]
@@ -129,7 +129,7 @@ fn unassembled_group_asks_for_missing_start_positions() {
         gap: 3.0,
     };
     let line = format!("{name} = [x, y]");
-    says(
+    assert_message(
         &scene,
         &fault,
         &["no assembly was found near the start", &line],
@@ -138,12 +138,12 @@ fn unassembled_group_asks_for_missing_start_positions() {
         points: vec![given],
         gap: 3.0,
     };
-    says(&scene, &fault, &["move the positions in [start] closer"]);
+    assert_message(&scene, &fault, &["move the positions in [start] closer"]);
     let fault = Fault::NotAssembled {
         points: Vec::new(),
         gap: 3.0,
     };
-    says(&scene, &fault, &["at this position of the driver"]);
+    assert_message(&scene, &fault, &["at this position of the driver"]);
 }
 
 #[test]
@@ -160,7 +160,7 @@ fn over_constrained_fault_names_element_and_misfit() {
     let place = format!("the driver at 1.25 {unit}");
     let others = format!("the others are link `{}`", scene.link_name(LinkId::new(0)));
     let accepted = "[redundant]\n           misfit = 1e-8";
-    says(
+    assert_message(
         &scene,
         &fault,
         &["over-constrained", &size, &place, &others, accepted],
@@ -180,7 +180,7 @@ fn hidden_point_is_named_by_its_link() {
         links: vec![link(&scene, "ram")],
         gap: 1.0,
     };
-    says(
+    assert_message(
         &scene,
         &fault,
         &["the origin of `ram` is out of reach by 1 mm"],
@@ -196,7 +196,7 @@ fn singular_group_fault_names_its_elements() {
         elements: vec![ElementId::Point(point), ElementId::Driver],
         is_here_only: false,
     };
-    says(
+    assert_message(
         &scene,
         &fault,
         &["do not determine a position", "the driver"],
@@ -205,7 +205,7 @@ fn singular_group_fault_names_its_elements() {
         elements: vec![ElementId::Point(point)],
         is_here_only: true,
     };
-    says(
+    assert_message(
         &scene,
         &fault,
         &[

@@ -89,19 +89,19 @@ impl Code {
         }
         let mut rates = vec![0_u8; ops.len()];
         // The index where the steps of each value on the stack begin.
-        let mut begins: Vec<usize> = Vec::new();
+        let mut starts: Vec<usize> = Vec::new();
         for (i, op) in ops.iter().enumerate() {
-            let taken = begins.len().saturating_sub(op.takes());
-            let begin = begins.get(taken).copied().unwrap_or(i);
+            let taken = starts.len().saturating_sub(op.takes());
+            let start = starts.get(taken).copied().unwrap_or(i);
             if *op == Op::Rate {
-                rates[begin..i].iter_mut().for_each(|r| *r += 1);
-                if rates[begin..i].iter().any(|r| *r > MAX_RATE) {
+                rates[start..i].iter_mut().for_each(|r| *r += 1);
+                if rates[start..i].iter().any(|r| *r > MAX_RATE) {
                     return Err(Excess::Rates);
                 }
             }
-            begins.truncate(taken);
-            begins.push(begin);
-            if begins.len() > STACK {
+            starts.truncate(taken);
+            starts.push(start);
+            if starts.len() > STACK {
                 return Err(Excess::Steps);
             }
         }
@@ -116,7 +116,7 @@ impl Code {
     }
 
     /// Returns the input values, each with its highest required rate.
-    pub(crate) fn leaves(&self) -> impl Iterator<Item = (u16, u8)> {
+    pub(crate) fn inputs_with_rates(&self) -> impl Iterator<Item = (u16, u8)> {
         let steps = self.ops.iter().zip(&self.rates);
         steps.filter_map(|(op, rates)| match op {
             Op::Leaf(leaf) => Some((*leaf, *rates)),
@@ -163,7 +163,7 @@ impl Code {
                     }
                     Jet::of_rates(known)
                 }
-                op => kept(op, step(op, a, b), a),
+                op => or_nan_on_underflow(op, step(op, a, b), a),
             };
             let taken = [a.coefficients(), b.coefficients()];
             turn(number, op, taken, made.coefficients_mut());
@@ -175,7 +175,11 @@ impl Code {
 }
 
 /// Returns the result of a step, or NaN if it underflows, because no bound covers that.
-fn kept<T: Number, const N: usize>(op: Op, made: Jet<T, N>, of: Jet<T, N>) -> Jet<T, N> {
+fn or_nan_on_underflow<T: Number, const N: usize>(
+    op: Op,
+    made: Jet<T, N>,
+    of: Jet<T, N>,
+) -> Jet<T, N> {
     let is_lost = match op {
         Op::Number(_) => made.is_lost(made),
         Op::Scale(..) | Op::Radians | Op::Degrees => made.is_lost(of),

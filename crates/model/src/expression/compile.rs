@@ -194,7 +194,7 @@ impl Compiler<'_> {
             Node::Power(of, exponent) => {
                 let part = self.part(of)?.radians();
                 let dimension = part.kind.dimension.power(*exponent);
-                let dimension = dimension.ok_or_else(|| beyond_use(&tree.span))?;
+                let dimension = dimension.ok_or_else(|| unsupported_power(&tree.span))?;
                 Ok(part.then(Op::Power(*exponent)).of(dimension))
             }
             Node::Call(function, given) => self.call(*function, given, tree),
@@ -221,7 +221,7 @@ impl Compiler<'_> {
         let times = usize::from(unit.degrees.unsigned_abs());
         part.ops.extend(std::iter::repeat_n(converted, times));
         if part.ops.len() > 64 {
-            return Err(beyond_use(span));
+            return Err(unsupported_power(span));
         }
         Ok(part.of(unit.dimension))
     }
@@ -317,7 +317,7 @@ impl Compiler<'_> {
         }
         let (a, b) = (a.radians(), b.radians());
         let dimension = a.kind.dimension.times(b.kind.dimension);
-        let dimension = dimension.ok_or_else(|| beyond_use(&tree.span))?;
+        let dimension = dimension.ok_or_else(|| unsupported_power(&tree.span))?;
         Ok(a.with(b, Op::Multiply, dimension))
     }
 
@@ -327,7 +327,7 @@ impl Compiler<'_> {
         }
         let (a, b) = (a.radians(), b.radians());
         let dimension = a.kind.dimension.over(b.kind.dimension);
-        let dimension = dimension.ok_or_else(|| beyond_use(&tree.span))?;
+        let dimension = dimension.ok_or_else(|| unsupported_power(&tree.span))?;
         Ok(a.with(b, Op::Divide, dimension))
     }
 
@@ -344,14 +344,14 @@ impl Compiler<'_> {
         let several = |op: Op, prepare: fn(Part) -> Part| {
             let mut parts = parts.clone().into_iter().map(prepare).zip(given);
             let first = parts.next();
-            let (first, of) = first.ok_or_else(|| beyond_use(&tree.span))?;
+            let (first, of) = first.ok_or_else(|| unsupported_power(&tree.span))?;
             parts.try_fold(first, |all, (part, tree)| {
                 self.alike(all, part, op, [of, tree])
             })
         };
         let one = || {
             let first = parts.first().cloned();
-            first.ok_or_else(|| beyond_use(&tree.span))
+            first.ok_or_else(|| unsupported_power(&tree.span))
         };
         match function {
             MathFunction::Min => several(Op::Min, Part::number),
@@ -426,7 +426,7 @@ fn turned(part: Part, revolution: Revolution) -> Part {
     part
 }
 
-fn beyond_use(span: &Range<usize>) -> FormulaError {
+fn unsupported_power(span: &Range<usize>) -> FormulaError {
     FormulaError::new(span.clone(), words().unit_beyond_use())
 }
 

@@ -37,7 +37,7 @@ impl Code {
 
 fn traced(op: Op, taken: &[Traced], is_direction: impl Fn(u16) -> bool) -> Traced {
     let cuts = taken.iter().map(|of| of.cut);
-    let most = cuts.max().unwrap_or(DirectionCut::Nowhere);
+    let maximum = cuts.max().unwrap_or(DirectionCut::Nowhere);
     let numbers = [0, 1].map(|i| taken.get(i).and_then(|of| of.number));
     let number = match (op, numbers) {
         (Op::Number(number), _) => Some(number),
@@ -49,24 +49,24 @@ fn traced(op: Op, taken: &[Traced], is_direction: impl Fn(u16) -> bool) -> Trace
         _ => None,
     };
     // The step is continuous, so that only its arguments can jump.
-    let otherwise = match most {
+    let otherwise = match maximum {
         DirectionCut::Nowhere => DirectionCut::Nowhere,
         DirectionCut::ByTurns | DirectionCut::Otherwise => DirectionCut::Otherwise,
     };
     let times = |factor: f64| match factor.fract() == 0.0 {
-        true => most,
+        true => maximum,
         false => otherwise,
     };
     let cut = match (op, numbers) {
         (Op::Leaf(leaf), _) if is_direction(leaf) => DirectionCut::ByTurns,
         (Op::Number(_) | Op::Pi | Op::Leaf(_), _) => DirectionCut::Nowhere,
-        (Op::Add | Op::Subtract | Op::Negate | Op::Uncut, _) => most,
-        (Op::ShortWay | Op::Wrap, _) => most.max(DirectionCut::ByTurns),
+        (Op::Add | Op::Subtract | Op::Negate | Op::Uncut, _) => maximum,
+        (Op::ShortWay | Op::Wrap, _) => maximum.max(DirectionCut::ByTurns),
         (Op::Multiply, [Some(factor), None] | [None, Some(factor)]) => times(factor),
         (Op::Divide, [None, Some(by)]) => times(1.0 / by),
         (Op::Atan2, _) => otherwise.max(DirectionCut::ByTurns),
         // A full turn changes neither these functions nor a slope.
-        (Op::Sin | Op::Cos | Op::Tan | Op::Rate, _) if most == DirectionCut::ByTurns => {
+        (Op::Sin | Op::Cos | Op::Tan | Op::Rate, _) if maximum == DirectionCut::ByTurns => {
             DirectionCut::Nowhere
         }
         (

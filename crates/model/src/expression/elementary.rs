@@ -18,26 +18,27 @@ const LOGARITHM_STEPS: [u64; 4] = [160, 320, 896, BITS];
 
 /// pi, by Machin's formula.
 pub(super) static PI: LazyLock<Wide> = LazyLock::new(|| {
-    let far = arctangent_of_inverse(5).times(&Wide::whole(16));
-    far.minus(&arctangent_of_inverse(239).times(&Wide::whole(4)))
+    let far = arctangent_of_inverse(5).times(&Wide::integer(16));
+    far.minus(&arctangent_of_inverse(239).times(&Wide::integer(4)))
 });
 
 /// The number of degrees in a radian.
 pub(super) static DEGREES: LazyLock<Wide> =
-    LazyLock::new(|| Wide::whole(180).over_to(&PI, BITS + GUARD));
+    LazyLock::new(|| Wide::integer(180).over_to(&PI, BITS + GUARD));
 
-static LN_10: LazyLock<Wide> = LazyLock::new(|| logarithm(&Wide::whole(10)).unwrap_or(Wide::ZERO));
+static LN_10: LazyLock<Wide> =
+    LazyLock::new(|| logarithm(&Wide::integer(10)).unwrap_or(Wide::ZERO));
 
 /// Computes arctan(1 / n) = 1 / n - 1 / (3 n^3) + ..., whose remainder is less than its last term.
 fn arctangent_of_inverse(n: i32) -> Wide {
-    let (bits, square) = (BITS + GUARD, Wide::whole(n * n));
-    let mut power = Wide::whole(1).over_to(&Wide::whole(n), bits);
+    let (bits, square) = (BITS + GUARD, Wide::integer(n * n));
+    let mut power = Wide::integer(1).over_to(&Wide::integer(n), bits);
     let mut sum = power.clone();
     let mut k = 1;
     while power.largest_top() > -bits.cast_signed() {
         power = power.over_to(&square, bits).negative();
         k += 2;
-        sum = sum.plus(&power.over_to(&Wide::whole(k), bits));
+        sum = sum.plus(&power.over_to(&Wide::integer(k), bits));
     }
     sum.widened(power.largest_top())
 }
@@ -45,14 +46,14 @@ fn arctangent_of_inverse(n: i32) -> Wide {
 /// Sums x^n / n! for |x| < 1/2 into two series, over even and odd n. `turn` is -1 for cosine and
 /// sine, 1 for the exponential.
 fn series(x: &Wide, turn: i32, bits: u64) -> [Wide; 2] {
-    let mut sums = [Wide::whole(1), Wide::ZERO];
-    let mut term = Wide::whole(1);
+    let mut sums = [Wide::integer(1), Wide::ZERO];
+    let mut term = Wide::integer(1);
     let mut n = 0;
     while term.largest_top() > -bits.cast_signed() && n < 1000 {
         n += 1;
-        term = term.times(x).over_to(&Wide::whole(n), bits);
+        term = term.times(x).over_to(&Wide::integer(n), bits);
         if n % 2 == 0 {
-            term = term.times(&Wide::whole(turn));
+            term = term.times(&Wide::integer(turn));
         }
         let odd = usize::from(n % 2 == 1);
         sums[odd] = sums[odd].plus(&term);
@@ -72,15 +73,15 @@ fn unit_to(degrees: &Wide, bits: u64) -> Option<[Wide; 2]> {
     if degrees.largest_top() > MAX_TOP {
         return None;
     }
-    let right = Wide::whole(90);
-    let quarters = degrees.over(&right).nearest_whole();
-    let rest = degrees.minus(&right.times(&Wide::whole(quarters.clone())));
+    let right = Wide::integer(90);
+    let quarters = degrees.over(&right).nearest_integer();
+    let rest = degrees.minus(&right.times(&Wide::integer(quarters.clone())));
     // 45 degrees, plus the bound.
     if rest.largest_top() > 8 {
         return None;
     }
     let [cosine, sine] = match rest.is_zero() {
-        true => [Wide::whole(1), Wide::ZERO],
+        true => [Wide::integer(1), Wide::ZERO],
         false => unit_of_rest(&rest, bits + GUARD),
     };
     Some(match u8::try_from(quarters & num_bigint::BigInt::from(3)) {
@@ -110,10 +111,10 @@ fn unit_of_rest(degrees: &Wide, bits: u64) -> [Wide; 2] {
 /// may be zero.
 pub(super) fn direction(x: &Wide, y: &Wide) -> Option<Wide> {
     if y.is_zero() {
-        return Some(Wide::whole(if x.is_negative() { 180 } else { 0 }));
+        return Some(Wide::integer(if x.is_negative() { 180 } else { 0 }));
     }
     if x.is_zero() {
-        return Some(Wide::whole(if y.is_negative() { -90 } else { 90 }));
+        return Some(Wide::integer(if y.is_negative() { -90 } else { 90 }));
     }
     let top = x.top().max(y.top());
     let [x, y] = [x, y].map(|part| part.clone().scaled(-top));
@@ -148,7 +149,7 @@ pub(super) fn exponential(power: &Wide) -> Option<Wide> {
 
 fn exponential_to(power: &Wide, bits: u64) -> Option<Wide> {
     if power.is_zero() {
-        return Some(Wide::whole(1));
+        return Some(Wide::integer(1));
     }
     if power.largest_top() > MAX_EXPONENT_TOP {
         return None;
@@ -167,7 +168,7 @@ pub(super) fn logarithm(of: &Wide) -> Option<Wide> {
     let part = of.clone().scaled(-top).nearest();
     let near = part.ln() + top as f64 * std::f64::consts::LN_2;
     let mut found = Wide::exactly(near);
-    let one = Wide::whole(1);
+    let one = Wide::integer(1);
     for bits in LOGARITHM_STEPS {
         let over = of.times(&exponential_to(&found.negative(), bits)?);
         let off = over.minus(&one);

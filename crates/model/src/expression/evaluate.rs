@@ -37,7 +37,7 @@ impl MeasuredNumber {
 }
 
 /// A function that returns the value of a name, or a hint for an unknown name.
-pub(crate) type NamedWorth<'e> = &'e dyn Fn(&str) -> Result<MeasuredNumber, Option<String>>;
+pub(crate) type NameLookupFn<'e> = &'e dyn Fn(&str) -> Result<MeasuredNumber, Option<String>>;
 
 /// Evaluates a formula. Units are converted: lengths to `length`, angles to degrees, everything
 /// else to units based on metres.
@@ -49,14 +49,14 @@ pub(crate) fn evaluate(
     text: &str,
     tree: &ExpressionTree,
     length: LengthScale,
-    names: NamedWorth<'_>,
+    names: NameLookupFn<'_>,
 ) -> Result<MeasuredNumber, FormulaError> {
     let evaluator = Evaluator {
         text,
         length,
         names,
     };
-    let found = evaluator.worth(tree)?;
+    let found = evaluator.evaluate_part(tree)?;
     let message = match found.nearest() {
         _ if !found.value.is_known() => words().has_no_worth(evaluator.quoted(tree)),
         nearest if nearest.is_infinite() => {
@@ -74,18 +74,18 @@ pub(crate) fn evaluate(
 struct Evaluator<'e> {
     text: &'e str,
     length: LengthScale,
-    names: NamedWorth<'e>,
+    names: NameLookupFn<'e>,
 }
 
 impl Evaluator<'_> {
     /// Evaluates a part.
-    fn worth(&self, tree: &ExpressionTree) -> Result<MeasuredNumber, FormulaError> {
+    fn evaluate_part(&self, tree: &ExpressionTree) -> Result<MeasuredNumber, FormulaError> {
         let MeasuredNumber { value, dimension } = match &tree.node {
             Node::Number(number, unit) => self.number(number, unit.as_ref(), tree)?,
             Node::Name(name) if name == "pi" => MeasuredNumber::plain(PI.clone()),
             Node::Name(name) => self.named(name, tree)?,
             Node::Negative(of) => {
-                let MeasuredNumber { value, dimension } = self.worth(of)?;
+                let MeasuredNumber { value, dimension } = self.evaluate_part(of)?;
                 MeasuredNumber::plain(value.negative()).measuring(dimension)
             }
             Node::Pair(operation, sides) => self.pair(*operation, sides)?,
@@ -95,7 +95,7 @@ impl Evaluator<'_> {
         let value = value.settled();
         match value.is_in_range() {
             true => Ok(MeasuredNumber { value, dimension }),
-            false => Err(self.nothing(tree)),
+            false => Err(self.no_value_fault(tree)),
         }
     }
 
@@ -104,7 +104,7 @@ impl Evaluator<'_> {
     }
 
     /// Returns the fault of a part without a numeric value.
-    fn nothing(&self, tree: &ExpressionTree) -> FormulaError {
+    fn no_value_fault(&self, tree: &ExpressionTree) -> FormulaError {
         let message = words().has_no_worth(self.quoted(tree));
         FormulaError::new(tree.span.clone(), message)
     }
@@ -115,7 +115,7 @@ impl Evaluator<'_> {
         unit: Option<&WrittenUnit>,
         tree: &ExpressionTree,
     ) -> Result<MeasuredNumber, FormulaError> {
-        let mut found = Wide::decimal(&number.digits).ok_or_else(|| self.nothing(tree))?;
+        let mut found = Wide::decimal(&number.digits).ok_or_else(|| self.no_value_fault(tree))?;
         let Some(unit) = unit else {
             return Ok(MeasuredNumber::plain(found));
         };
@@ -164,7 +164,7 @@ impl Evaluator<'_> {
         sides: &[ExpressionTree; 2],
     ) -> Result<MeasuredNumber, FormulaError> {
         let [left, right] = sides;
-        let (a, b) = (self.worth(left)?, self.worth(right)?);
+        let (a, b) = (self.evaluate_part(left)?, self.evaluate_part(right)?);
         let (value, dimension) = match operation {
             Operation::Add => {
                 let dimension = self.alike((&a, left), (&b, right))?;
@@ -184,7 +184,7 @@ impl Evaluator<'_> {
             },
             Operation::Divide => {
                 if b.value.is_zero() {
-                    return Err(self.by_nothing(right));
+                    return Err(self.division_by_zero(right));
                 }
                 let dimension = match (a.dimension, b.dimension) {
                     (_, None) => a.dimension,
@@ -202,7 +202,7 @@ impl Evaluator<'_> {
     }
 
     /// Returns the fault of a division by zero.
-    fn by_nothing(&self, tree: &ExpressionTree) -> FormulaError {
+    fn division_by_zero(&self, tree: &ExpressionTree) -> FormulaError {
         let message = words().divided_by_nothing(self.quoted(tree));
         FormulaError::new(tree.span.clone(), message)
     }
@@ -214,35 +214,35 @@ impl Evaluator<'_> {
         other: (&MeasuredNumber, &ExpressionTree),
     ) -> Result<Option<Dimension>, FormulaError> {
         match (one.0.dimension, other.0.dimension) {
-            (Some(a), Some(b)) if !are_alike(a, b) => Err(self.apart(one, other)),
+            (Some(a), Some(b)) if !are_alike(a, b) => Err(self.incompatible(one, other)),
             (a, b) => Ok(a.or(b)),
         }
     }
 
     /// Returns the fault of incompatible dimensions.
-    fn apart(
+    fn incompatible(
         &self,
         one: (&MeasuredNumber, &ExpressionTree),
         other: (&MeasuredNumber, &ExpressionTree),
     ) -> FormulaError {
         let span = one.1.span.start..other.1.span.end;
-        let told = |(found, tree): (&MeasuredNumber, &ExpressionTree)| {
+        let text = |(found, tree): (&MeasuredNumber, &ExpressionTree)| {
             let dimension = found.dimension.unwrap_or(Dimension::NUMBER);
             words().measured_in(self.quoted(tree), &dimension.symbol(self.length.symbol))
         };
-        let message = words().do_not_go_together(&told(one), &told(other));
+        let message = words().do_not_go_together(&text(one), &text(other));
         FormulaError::new(span, message).help(words().units_stand_alone())
     }
 
     /// Returns the fault of multiplied or divided units.
-    fn of_units(&self, span: &Range<usize>, told: impl Fn(&str) -> String) -> FormulaError {
-        let message = told(self.text.get(span.clone()).unwrap_or(""));
+    fn of_units(&self, span: &Range<usize>, text: impl Fn(&str) -> String) -> FormulaError {
+        let message = text(self.text.get(span.clone()).unwrap_or(""));
         FormulaError::new(span.clone(), message).help(words().units_divide_their_like())
     }
 
     /// Evaluates a part that must be a plain number.
     fn plain(&self, tree: &ExpressionTree, function: &str) -> Result<Wide, FormulaError> {
-        let found = self.worth(tree)?;
+        let found = self.evaluate_part(tree)?;
         match found.dimension {
             None => Ok(found.value),
             Some(dimension) => {
@@ -259,16 +259,16 @@ impl Evaluator<'_> {
         exponent: i8,
         tree: &ExpressionTree,
     ) -> Result<MeasuredNumber, FormulaError> {
-        let base = self.worth(of)?;
+        let base = self.evaluate_part(of)?;
         if base.dimension.is_some() {
             return Err(self.of_units(&tree.span, |power| words().units_multiplied(power)));
         }
-        let one = Wide::whole(1);
+        let one = Wide::integer(1);
         let power = (0..exponent.unsigned_abs()).fold(one, |power, _| power.times(&base.value));
         let value = match exponent < 0 {
             false => power,
-            true if base.value.is_zero() => return Err(self.by_nothing(of)),
-            true => Wide::whole(1).over(&power),
+            true if base.value.is_zero() => return Err(self.division_by_zero(of)),
+            true => Wide::integer(1).over(&power),
         };
         Ok(MeasuredNumber::plain(value))
     }
@@ -281,7 +281,7 @@ impl Evaluator<'_> {
     ) -> Result<MeasuredNumber, FormulaError> {
         let name = function.name();
         let Some(first) = given.first() else {
-            return Err(self.nothing(tree));
+            return Err(self.no_value_fault(tree));
         };
         let value = match function {
             MathFunction::Sqrt => match self.plain(first, name)? {
@@ -289,13 +289,15 @@ impl Evaluator<'_> {
                 found => Some(found.root()),
             },
             MathFunction::Abs => {
-                let found = self.worth(first)?;
+                let found = self.evaluate_part(first)?;
                 let value = found.value.size();
                 return Ok(MeasuredNumber { value, ..found });
             }
-            MathFunction::Min => return self.fold(given, least),
+            MathFunction::Min => return self.fold(given, lower_of),
             MathFunction::Max => {
-                return self.fold(given, |a, b| least(a.negative(), b.negative()).negative());
+                return self.fold(given, |a, b| {
+                    lower_of(a.negative(), b.negative()).negative()
+                });
             }
             MathFunction::Hypot => {
                 return self.fold(given, |a, b| a.times(&a).plus(&b.times(&b)).root());
@@ -307,9 +309,9 @@ impl Evaluator<'_> {
             MathFunction::Tan => tangent(&self.angle(first, name)?),
             MathFunction::Asin | MathFunction::Acos => {
                 let part = self.plain(first, name)?;
-                let square = Wide::whole(1).minus(&part.times(&part)).settled();
+                let square = Wide::integer(1).minus(&part.times(&part)).settled();
                 if square.is_negative() {
-                    return Err(self.nothing(tree));
+                    return Err(self.no_value_fault(tree));
                 }
                 let other = square.root();
                 match function {
@@ -328,9 +330,9 @@ impl Evaluator<'_> {
             },
             MathFunction::Atan2 => {
                 let [y, x] = given else {
-                    return Err(self.nothing(tree));
+                    return Err(self.no_value_fault(tree));
                 };
-                let (across, along) = (self.worth(y)?, self.worth(x)?);
+                let (across, along) = (self.evaluate_part(y)?, self.evaluate_part(x)?);
                 self.alike((&across, y), (&along, x))?;
                 let is_zero = across.value.is_zero() && along.value.is_zero();
                 match is_zero {
@@ -339,13 +341,13 @@ impl Evaluator<'_> {
                 }
             }
         };
-        let value = value.ok_or_else(|| self.nothing(tree))?;
+        let value = value.ok_or_else(|| self.no_value_fault(tree))?;
         Ok(MeasuredNumber::plain(value))
     }
 
     /// Evaluates an angle in degrees, with or without a unit.
     fn angle(&self, tree: &ExpressionTree, function: &str) -> Result<Wide, FormulaError> {
-        let found = self.worth(tree)?;
+        let found = self.evaluate_part(tree)?;
         match found.dimension {
             Some(dimension) if !dimension.is_angle() => {
                 let unit = dimension.symbol(self.length.symbol);
@@ -364,7 +366,7 @@ impl Evaluator<'_> {
     ) -> Result<MeasuredNumber, FormulaError> {
         let mut all: Option<(MeasuredNumber, &ExpressionTree)> = None;
         for tree in given {
-            let found = self.worth(tree)?;
+            let found = self.evaluate_part(tree)?;
             all = Some(match all {
                 None => (found, tree),
                 Some((before, of)) => {
@@ -378,7 +380,7 @@ impl Evaluator<'_> {
     }
 }
 
-fn least(a: Wide, b: Wide) -> Wide {
+fn lower_of(a: Wide, b: Wide) -> Wide {
     match b.minus(&a).settled().is_negative() {
         true => b,
         false => a,
@@ -416,16 +418,16 @@ mod tests {
 
     fn names(name: &str) -> Result<MeasuredNumber, Option<String>> {
         let (value, dimension) = match name {
-            "a" => (Wide::whole(100), None),
-            "third" => (Wide::whole(1).over(&Wide::whole(3)), None),
-            "rod" => (Wide::whole(10), Some(Dimension::LENGTH)),
-            "lean" => (Wide::whole(30), Some(Dimension::DEGREES)),
+            "a" => (Wide::integer(100), None),
+            "third" => (Wide::integer(1).over(&Wide::integer(3)), None),
+            "rod" => (Wide::integer(10), Some(Dimension::LENGTH)),
+            "lean" => (Wide::integer(30), Some(Dimension::DEGREES)),
             _ => return Err(None),
         };
         Ok(MeasuredNumber { value, dimension })
     }
 
-    fn worth(text: &str) -> Result<f64, String> {
+    fn evaluate_text(text: &str) -> Result<f64, String> {
         let tree = parse(text).unwrap();
         let found = evaluate(text, &tree, INCH, &names);
         found
@@ -506,7 +508,7 @@ mod tests {
             ("5 N/mm + 1 N/m", 5001.0),
             ("1 N m/deg * pi - 180 N m", 0.0),
         ] {
-            assert_eq!(worth(text), Ok(decimal), "{text}");
+            assert_eq!(evaluate_text(text), Ok(decimal), "{text}");
         }
     }
 
@@ -525,7 +527,7 @@ mod tests {
             ("1 cm + 2.54", 2.933_700_787_401_574_6),
             ("pi * a", 314.159_265_358_979_3),
         ] {
-            assert_eq!(worth(text), Ok(nearest), "{text}");
+            assert_eq!(evaluate_text(text), Ok(nearest), "{text}");
         }
     }
 
@@ -564,7 +566,7 @@ mod tests {
             ),
             ("sin(4 mm)", "sin() takes an angle, but this is in inch"),
         ] {
-            assert_eq!(worth(text), Err(message.to_owned()), "{text}");
+            assert_eq!(evaluate_text(text), Err(message.to_owned()), "{text}");
         }
     }
 
@@ -627,19 +629,19 @@ mod tests {
             (0_u64..=99_999_999_999_999_999, -323_i32..=290).prop_map(|(digits, power)| {
                 let ten = BigInt::from(10).pow(power.unsigned_abs());
                 let digits_of = BigInt::from(digits);
-                let worth = match power < 0 {
+                let value = match power < 0 {
                     true => Fraction::new(digits_of, ten),
                     false => Fraction::new(digits_of * ten, 1.into()),
                 };
-                (format!("{digits}e{power}"), worth)
+                (format!("{digits}e{power}"), value)
             });
         let short = (1_u64..=999, -3_i32..=3).prop_map(|(digits, power)| {
             let ten = BigInt::from(10).pow(power.unsigned_abs());
-            let worth = match power < 0 {
+            let value = match power < 0 {
                 true => Fraction::new(digits.into(), ten),
                 false => Fraction::new(BigInt::from(digits) * ten, 1.into()),
             };
-            (format!("{digits}e{power}"), worth)
+            (format!("{digits}e{power}"), value)
         });
         prop_oneof![decimal, short].prop_recursive(4, 12, 2, |inner| {
             (inner.clone(), inner, 0_u8..5).prop_filter_map("divides by 0", |(a, b, kind)| {
@@ -654,17 +656,17 @@ mod tests {
                     }
                     1 => (format!("({a} - {b})"), x.apart(&y)),
                     2 => {
-                        let worth = Fraction::new(x.above * y.above, x.below * y.below);
-                        (format!("({a} * {b})"), worth)
+                        let value = Fraction::new(x.above * y.above, x.below * y.below);
+                        (format!("({a} * {b})"), value)
                     }
                     3 if y.is_zero() => return None,
                     3 => {
-                        let worth = Fraction::new(x.above * &y.below, x.below * &y.above);
-                        (format!("({a} / {b})"), worth)
+                        let value = Fraction::new(x.above * &y.below, x.below * &y.above);
+                        (format!("({a} / {b})"), value)
                     }
                     _ => {
-                        let worth = Fraction::new(x.above.pow(3), x.below.pow(3));
-                        (format!("({a})^3"), worth)
+                        let value = Fraction::new(x.above.pow(3), x.below.pow(3));
+                        (format!("({a})^3"), value)
                     }
                 })
             })
@@ -679,8 +681,8 @@ mod tests {
         #[test]
         fn results_are_nearest_doubles_to_exact_fractions((text, exact) in formulas()) {
             let largest = Fraction::of(f64::MAX);
-            let least = Fraction::power_of_two(-1074);
-            match worth(&text) {
+            let minimum = Fraction::power_of_two(-1074);
+            match evaluate_text(&text) {
                 Ok(found) => {
                     let off = Fraction::of(found).apart(&exact);
                     let ulp = (found.abs().next_up() - found.abs()).max(f64::from_bits(1));
@@ -690,7 +692,7 @@ mod tests {
                 }
                 Err(message) => {
                     let is_beyond = exact.exceeds(&largest);
-                    let is_lost = !exact.is_zero() && least.exceeds(&exact);
+                    let is_lost = !exact.is_zero() && minimum.exceeds(&exact);
                     // A literal may be too small itself.
                     let is_refused = message.contains("too small") || message.contains("too large");
                     prop_assert!(is_beyond || is_lost || is_refused, "{text}: {message}");

@@ -220,15 +220,15 @@ impl<T: Number, const N: usize> Jet<T, N> {
     /// cover that.
     pub(super) fn is_lost(self, of: Self) -> bool {
         let was_something = of.0[0].abs().exceeds(T::default());
-        was_something && !self.0[0].abs().exceeds(T::exactly(HELD))
+        was_something && !self.0[0].abs().exceeds(T::exactly(MIN_CONVERTED))
     }
 
     /// Returns the absolute value. If the value may be 0, the rates are NaN.
     pub(super) fn size(self) -> Self {
-        let nought = T::default();
-        if self.0[0].exceeds(nought) {
+        let zero = T::default();
+        if self.0[0].exceeds(zero) {
             self
-        } else if nought.exceeds(self.0[0]) {
+        } else if zero.exceeds(self.0[0]) {
             self.negative()
         } else {
             let value = self.0[0];
@@ -259,7 +259,7 @@ impl<T: Number, const N: usize> Jet<T, N> {
 const MIN_VALUE: f64 = 1e-280;
 
 /// Minimum magnitude of converted values: below about 2.2e-308, doubles lose digits.
-const HELD: f64 = 1e-300;
+const MIN_CONVERTED: f64 = 1e-300;
 
 /// Returns the sum of a\[i\] b\[n - i\] for i in `range`, which may be empty.
 fn convolved<T: Number>(a: &[T], b: &[T], n: usize, range: std::ops::Range<usize>) -> T {

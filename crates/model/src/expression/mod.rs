@@ -86,18 +86,18 @@ impl FormulaError {
 pub(crate) fn is_difference(name: &str, is_known: impl Fn(&str) -> bool) -> bool {
     let is_part = |part: &str| lexer::number(part).is_some() || is_known(part);
     // The positions where a part may begin, because everything before them is known.
-    let mut begins = vec![0];
+    let mut starts = vec![0];
     let mut next = 0;
-    while let Some(&from) = begins.get(next) {
+    while let Some(&from) = starts.get(next) {
         next += 1;
         for (length, _) in name[from..].match_indices('-') {
-            let behind = from + length + 1;
-            if is_part(&name[from..behind - 1]) && !begins.contains(&behind) {
-                begins.push(behind);
+            let after = from + length + 1;
+            if is_part(&name[from..after - 1]) && !starts.contains(&after) {
+                starts.push(after);
             }
         }
     }
-    begins.iter().skip(1).any(|&from| is_part(&name[from..]))
+    starts.iter().skip(1).any(|&from| is_part(&name[from..]))
 }
 
 /// Returns `true` if a character can occur in a name: those of the names in a scene, and the dots

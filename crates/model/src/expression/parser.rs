@@ -63,10 +63,10 @@ impl Parser<'_> {
 
     /// Returns a hint for a comma between digits.
     fn point_for_comma(&self, span: &Range<usize>) -> Option<String> {
-        let (before, behind) = self.lexer.text.split_at_checked(span.start)?;
+        let (before, after) = self.lexer.text.split_at_checked(span.start)?;
         let is_digit = |c: char| c.is_ascii_digit();
         let head = before.rsplit(|c| !is_digit(c)).next()?;
-        let tail = behind.strip_prefix(',')?.split(|c| !is_digit(c)).next()?;
+        let tail = after.strip_prefix(',')?.split(|c| !is_digit(c)).next()?;
         let is_cut = !head.is_empty() && !tail.is_empty();
         is_cut.then(|| words().number_with_comma(head, tail))
     }
@@ -219,9 +219,9 @@ impl Parser<'_> {
         }
         let end = self.close()?;
         let span = span.start..end;
-        let (least, most) = function.takes();
-        if !(least..=most).contains(&given.len()) {
-            let fault = words().function_takes(name, least, most, given.len());
+        let (minimum, maximum) = function.takes();
+        if !(minimum..=maximum).contains(&given.len()) {
+            let fault = words().function_takes(name, minimum, maximum, given.len());
             return Err(FormulaError::new(span, fault));
         }
         let node = Node::Call(function, given);
@@ -265,13 +265,13 @@ impl Parser<'_> {
 /// the square root, which exists at 0, too. Any other one becomes an exponential of a logarithm.
 /// Returns `None` for an invalid exponent.
 fn power_of(base: ExpressionTree, sign: i8, exponent: WrittenNumber) -> Option<Node> {
-    let whole = |exponent: f64, most: u8| {
-        let mut all = 1..=most as i8;
-        all.find(|&whole| f64::from(whole) == exponent)
+    let integer = |exponent: f64, maximum: u8| {
+        let mut all = 1..=maximum as i8;
+        all.find(|&integer| f64::from(integer) == exponent)
     };
     let size = exponent.value;
-    if let Some(whole) = whole(size, MAX_EXPONENT) {
-        return Some(Node::Power(Box::new(base), sign * whole));
+    if let Some(integer) = integer(size, MAX_EXPONENT) {
+        return Some(Node::Power(Box::new(base), sign * integer));
     }
     if !(size > 0.0 && size < f64::from(MAX_EXPONENT)) {
         return None;
@@ -281,7 +281,7 @@ fn power_of(base: ExpressionTree, sign: i8, exponent: WrittenNumber) -> Option<N
         span: span.clone(),
         node,
     };
-    if let Some(halves) = whole(2.0 * size, 2 * MAX_EXPONENT) {
+    if let Some(halves) = integer(2.0 * size, 2 * MAX_EXPONENT) {
         let root = node(Node::Call(MathFunction::Sqrt, vec![base]));
         return Some(Node::Power(Box::new(root), sign * halves));
     }
@@ -313,8 +313,8 @@ fn unit_part(text: &str, from: usize, sign: i8) -> Option<(WrittenUnit, usize)> 
     let mut power = 1;
     if let Some(digit) = text[end..].strip_prefix('^') {
         let digit = digit.get(..1).and_then(number);
-        let whole = (1..=4).find(|&whole| digit == Some(f64::from(whole)))?;
-        power = whole;
+        let integer = (1..=4).find(|&integer| digit == Some(f64::from(integer)))?;
+        power = integer;
         end += 2;
     }
     // A function, or a name that begins like a unit.

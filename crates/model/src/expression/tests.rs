@@ -103,7 +103,7 @@ fn direction_difference_of_half_turn_is_positive() {
 
 #[test]
 fn malformed_formulas_report_reason_and_span() {
-    for (text, place, phrase) in [
+    for (text, span, phrase) in [
         ("", 0..0, "the formula ends, but a number"),
         ("C.x +", 5..5, "the formula ends"),
         ("(C.x", 4..4, "`)`"),
@@ -138,7 +138,7 @@ fn malformed_formulas_report_reason_and_span() {
         ),
     ] {
         let fault = compiled(text).map(|_| ()).unwrap_err();
-        assert_eq!(fault.span, place, "{text}: {}", fault.words());
+        assert_eq!(fault.span, span, "{text}: {}", fault.words());
         let words = fault.words();
         assert!(words.contains(phrase), "{text}: {words}");
     }
@@ -218,9 +218,9 @@ fn rates_match_finite_differences() {
 /// magnitude itself has one.
 #[test]
 fn zero_magnitude_has_error_bound_but_no_rate() {
-    let nought = [[0.0, 1.0, 2.0]; 7];
+    let zero = [[0.0, 1.0, 2.0]; 7];
     for text in ["hypot(C.x, b-c)", "abs(C.x)", "max(C.x, b-c)"] {
-        let [value, first, _] = rates(text, nought);
+        let [value, first, _] = rates(text, zero);
         assert_eq!(value, 0.0, "{text}");
         assert!(!first.is_finite(), "{text}: {first}");
         let (code, _) = compiled(text).unwrap();

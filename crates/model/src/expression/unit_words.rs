@@ -67,13 +67,13 @@ pub fn plain_unit(text: &str) -> Cow<'_, str> {
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
         let length = rest.find(|c| !is_of_unit(c)).unwrap_or(rest.len());
-        let (word, behind) = rest.split_at(length.max(first.len_utf8()));
+        let (word, after) = rest.split_at(length.max(first.len_utf8()));
         match (length, first) {
             (1.., _) => {
                 let is_divisor = plain.trim_end().ends_with('/');
                 plain.push_str(any_case(word, is_divisor));
                 // `s2` means `s^2`.
-                if behind.starts_with(|c: char| c.is_ascii_digit()) {
+                if after.starts_with(|c: char| c.is_ascii_digit()) {
                     plain.push('^');
                 }
             }
@@ -82,7 +82,7 @@ pub fn plain_unit(text: &str) -> Cow<'_, str> {
             (_, '·') if !plain.is_empty() => plain.push(' '),
             _ => plain.push_str(word),
         }
-        rest = behind;
+        rest = after;
     }
     let parts: Vec<&str> = plain.split('/').map(str::trim).collect();
     parts.join("/").into()

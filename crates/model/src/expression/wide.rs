@@ -32,7 +32,7 @@ impl Wide {
         exponent: 0,
     };
 
-    pub(super) fn whole(value: impl Into<BigInt>) -> Wide {
+    pub(super) fn integer(value: impl Into<BigInt>) -> Wide {
         Wide {
             mid: value.into(),
             ..Wide::ZERO
@@ -68,7 +68,7 @@ impl Wide {
         }
         let digits: BigInt = format!("{whole}{fraction}").parse().ok()?;
         let ten = BigInt::from(10).pow(u32::try_from(power.abs()).ok()?);
-        let (digits, ten) = (Wide::whole(digits), Wide::whole(ten));
+        let (digits, ten) = (Wide::integer(digits), Wide::integer(ten));
         Some(match power < 0 {
             true => digits.over(&ten),
             false => digits.times(&ten),
@@ -196,8 +196,8 @@ impl Wide {
             return sum.clone();
         }
         let top = self.largest_top().max(other.largest_top());
-        let least = self.exponent.min(other.exponent);
-        let exponent = least.max(top - PRECISION.cast_signed() - 64);
+        let minimum = self.exponent.min(other.exponent);
+        let exponent = minimum.max(top - PRECISION.cast_signed() - 64);
         let (a, b) = (self.aligned(exponent), other.aligned(exponent));
         let sum = Wide {
             mid: a.0 + b.0,
@@ -276,7 +276,7 @@ impl Wide {
     }
 
     /// Returns the nearest whole number.
-    pub(super) fn nearest_whole(&self) -> BigInt {
+    pub(super) fn nearest_integer(&self) -> BigInt {
         let by = self.exponent.unsigned_abs();
         match self.exponent < 0 {
             false => &self.mid << by,

@@ -27,7 +27,7 @@ pub struct Catalogue {
 
 /// A column pattern that matches nothing in the scene.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
-#[error("{}", words().no_quantity(pattern, &self.mend()))]
+#[error("{}", words().no_quantity(pattern, &self.fix()))]
 pub struct UnknownColumn {
     /// The pattern.
     pub pattern: String,
@@ -40,13 +40,13 @@ pub struct UnknownColumn {
 }
 
 impl UnknownColumn {
-    fn mend(&self) -> String {
+    fn fix(&self) -> String {
         if self.nothing_acts {
             return words().nothing_acts_on_scene().into();
         }
-        let beside = ["bound", "sensitivity"];
-        let beside = beside.map(|kind| (kind, self.pattern.strip_suffix(kind)));
-        for (kind, name) in beside {
+        let nearby = ["bound", "sensitivity"];
+        let nearby = nearby.map(|kind| (kind, self.pattern.strip_suffix(kind)));
+        for (kind, name) in nearby {
             if let Some(name) = name.and_then(|name| name.strip_suffix('.')) {
                 let option = if kind == "bound" {
                     "--bounds"
@@ -60,8 +60,8 @@ impl UnknownColumn {
             return format!("; {why}");
         }
         let nearest = self.nearest.as_ref();
-        let meant = |near: &String| words().or_meant(&words().did_you_mean(near));
-        nearest.map_or_else(String::new, meant)
+        let intended = |near: &String| words().or_meant(&words().did_you_mean(near));
+        nearest.map_or_else(String::new, intended)
     }
 }
 
@@ -242,8 +242,8 @@ impl Catalogue {
     /// Returns all listed quantities but those of the driver.
     #[must_use]
     pub fn figures(&self) -> Vec<Quantity> {
-        let figures = self.quantities.iter();
-        figures.filter(|q| !q.is_driver()).cloned().collect()
+        let quantities = self.quantities.iter();
+        quantities.filter(|q| !q.is_driver()).cloned().collect()
     }
 
     /// Returns the quantities available by name only, except derivatives of formulas. Those defined
@@ -258,7 +258,7 @@ impl Catalogue {
     #[must_use]
     pub fn find(&self, name: &str) -> Option<Quantity> {
         let listed = self.quantities.iter().find(|q| q.name == name);
-        listed.cloned().or_else(|| self.made(name).ok())
+        listed.cloned().or_else(|| self.build_quantity(name).ok())
     }
 
     /// Returns the quantities that match the patterns, in the order of the patterns, without
@@ -284,7 +284,7 @@ impl Catalogue {
                 continue;
             }
             let made = self
-                .made(pattern)
+                .build_quantity(pattern)
                 .map_err(|why| self.unknown(pattern, why))?;
             if !selected.contains(&made) {
                 selected.push(made);
@@ -297,11 +297,11 @@ impl Catalogue {
     fn has_no(&self, pattern: &str) -> bool {
         let is_force = |aspect: &Aspect| aspect.order() == Order::Force;
         let mut own = self.quantities.iter().filter_map(Quantity::aspect);
-        let asked = [Aspect::Torque, Aspect::Force, Aspect::Power, Aspect::Normal];
-        let asked = asked.into_iter().chain(Aspect::FRAME);
-        let mut asked = asked.map(|aspect| format!(".{}", aspect.name()));
+        let requested = [Aspect::Torque, Aspect::Force, Aspect::Power, Aspect::Normal];
+        let requested = requested.into_iter().chain(Aspect::FRAME);
+        let mut requested = requested.map(|aspect| format!(".{}", aspect.name()));
         let is_size = [".f", ".f.angle"].iter().any(|end| pattern.ends_with(end));
-        let is_asked = is_size || asked.any(|name| pattern.contains(&name));
+        let is_asked = is_size || requested.any(|name| pattern.contains(&name));
         is_asked && !own.any(|aspect| is_force(&aspect))
     }
 
@@ -331,10 +331,10 @@ fn matches(pattern: &str, name: &str) -> bool {
     };
     let (pieces, tail) = rest.rsplit_once('*').unwrap_or(("", rest));
     for piece in pieces.split('*') {
-        let Some((_, behind)) = left.split_once(piece) else {
+        let Some((_, after)) = left.split_once(piece) else {
             return false;
         };
-        left = behind;
+        left = after;
     }
     left.ends_with(tail)
 }

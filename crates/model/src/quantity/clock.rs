@@ -29,11 +29,11 @@ pub struct Clock {
 /// Relative tolerance for the ends of an interval of time, because of rounding.
 const ROUNDING: f64 = 1e-12;
 /// Tolerance for a coordinate computed from a time, as a fraction of the range.
-const BESIDE: f64 = 1e-12;
+const COORDINATE_TOLERANCE: f64 = 1e-12;
 
 /// The driver's rates at a time, relative to the scene's speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Pace {
+pub(super) struct MotionRates {
     /// Its speed, divided by the scene's speed.
     ratio: f64,
     /// Its acceleration, and the scene's acceleration, both divided by the scene's speed, per
@@ -83,7 +83,7 @@ impl Clock {
         // Next to a dead point rates are unbounded; exactly there they do not exist.
         let at = moment.at;
         let limit = if at - low < high - at { low } else { high };
-        let is_there = (at - limit).abs() <= BESIDE * (high - low);
+        let is_there = (at - limit).abs() <= COORDINATE_TOLERANCE * (high - low);
         let at = match (is_there, &self.law) {
             (true, _) => limit,
             (false, Some(_)) => at,
@@ -109,10 +109,10 @@ impl Clock {
             Sharp::of(rate.widened(rate.radius))
         };
         let [speed, acceleration] = [self.speed, self.acceleration].map(given);
-        let [start, asked] = [self.start, time].map(|v| Sharp::of(Constant::given(v)));
+        let [start, requested] = [self.start, time].map(|v| Sharp::of(Constant::given(v)));
         let exact = [
-            start + asked * (speed + asked * acceleration.scaled(0.5)),
-            speed + acceleration * asked,
+            start + requested * (speed + requested * acceleration.scaled(0.5)),
+            speed + acceleration * requested,
             acceleration,
         ];
         let found = [
@@ -207,17 +207,17 @@ impl Clock {
     }
 
     /// Returns the driver's rates at a time; `None` if they are constantly the scene's.
-    pub(super) fn pace(&self, time: f64) -> Option<Pace> {
+    pub(super) fn pace(&self, time: f64) -> Option<MotionRates> {
         let own = self.acceleration / self.speed;
         if let Some(law) = &self.law {
             let moment = law.at(time);
-            return Some(Pace {
+            return Some(MotionRates {
                 ratio: moment.speed / self.speed,
                 drift: moment.acceleration / self.speed,
                 own,
             });
         }
-        (!self.is_even()).then_some(Pace {
+        (!self.is_even()).then_some(MotionRates {
             ratio: 1.0 + own * time,
             drift: own,
             own,
@@ -270,7 +270,7 @@ impl Clock {
 
 /// Returns the value of a quantity when the driver runs at another pace than the scene's. Rates are
 /// K q' and K q'' + K' q'^2, and the state has those for the scene's own q' and q''.
-pub(super) fn paced(quantity: &Quantity, state: &State, pace: Option<Pace>) -> Option<f64> {
+pub(super) fn paced(quantity: &Quantity, state: &State, pace: Option<MotionRates>) -> Option<f64> {
     let Some(pace) = pace else {
         return quantity.value(state);
     };
@@ -284,7 +284,7 @@ pub(super) fn paced(quantity: &Quantity, state: &State, pace: Option<Pace>) -> O
 }
 
 /// Returns the value of a solver quantity at another pace.
-fn solved(subject: Subject, aspect: Aspect, state: &State, pace: Pace) -> Option<f64> {
+fn solved(subject: Subject, aspect: Aspect, state: &State, pace: MotionRates) -> Option<f64> {
     let plain = value(subject, aspect, state)?;
     if subject == Subject::Driver {
         // The driver's own rates are given by the pace.

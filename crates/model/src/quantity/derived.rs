@@ -39,7 +39,7 @@ impl Derived {
     /// # Errors
     /// The name of a quantity without a rate that the steps need.
     pub(super) fn new(leaves: Vec<Leaf>, code: Code, kind: Kind) -> Result<Derived, String> {
-        let missing = code.leaves().find_map(|(leaf, rates)| {
+        let missing = code.inputs_with_rates().find_map(|(leaf, rates)| {
             let leaf = &leaves[usize::from(leaf)];
             leaf.degree(rates).is_none().then(|| leaf.name.clone())
         });
@@ -56,7 +56,7 @@ impl Derived {
 
     /// Returns the solver's values, and those of their rates, that the formula reads.
     pub(super) fn parts(&self) -> impl Iterator<Item = (Subject, Aspect)> {
-        self.code.leaves().flat_map(|(leaf, rates)| {
+        self.code.inputs_with_rates().flat_map(|(leaf, rates)| {
             let leaf = &self.leaves[usize::from(leaf)];
             (0..=rates).filter_map(|degree| Some((leaf.subject, leaf.degree(degree)?)))
         })

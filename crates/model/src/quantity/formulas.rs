@@ -59,8 +59,8 @@ impl Catalogue {
     /// Returns `true` if a quantity or a parameter has this name, or if it is the first part of a
     /// name.
     fn is_taken(&self, name: &str) -> bool {
-        let is_of = |figure: &Quantity| {
-            let rest = figure.name.strip_prefix(name);
+        let is_of = |quantity: &Quantity| {
+            let rest = quantity.name.strip_prefix(name);
             rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
         };
         let is_parameter = self
@@ -129,7 +129,7 @@ impl Catalogue {
             let solved = index.get(name).and_then(|&i| self.all().get(i));
             let found = match solved {
                 Some(quantity) => quantity.clone(),
-                None => self.made(name).map_err(|why| {
+                None => self.build_quantity(name).map_err(|why| {
                     let unlisted = self.unlisted();
                     let names = self.all().iter().chain(&unlisted);
                     let near = || did_you_mean(name, names.map(|q| q.name.as_str()));
@@ -160,7 +160,7 @@ impl Catalogue {
     ///
     /// # Errors
     /// The reason, if known.
-    pub(super) fn made(&self, name: &str) -> Result<Quantity, Option<String>> {
+    pub(super) fn build_quantity(&self, name: &str) -> Result<Quantity, Option<String>> {
         if let Some(defined) = self.defined.iter().find(|q| q.name == name) {
             return Ok(defined.clone());
         }

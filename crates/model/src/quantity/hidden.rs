@@ -2,7 +2,7 @@
 //! for a double.
 
 use super::{Aspect, Quantity, QuantitySource, Share, Subject};
-use crate::solver::{ForceCheck, Order, State, Withheld};
+use crate::solver::{ForceCheck, Order, State, WithheldReason};
 use crate::wording::words;
 
 /// The reason why some values of a state are not shown.
@@ -59,11 +59,14 @@ impl Hidden {
     #[must_use]
     pub fn of_forces(state: &State) -> Option<Hidden> {
         let why = match state.withheld()? {
-            Withheld::Overflow => Reason::Forces,
-            Withheld::Unbalanced { check, most } => Reason::Unbalanced {
+            WithheldReason::Overflow => Reason::Forces,
+            WithheldReason::Unbalanced {
+                check,
+                most: maximum,
+            } => Reason::Unbalanced {
                 residual: residual(check, state),
                 missed: state.residual().map_or(f64::NAN, |of| of.of(check).abs()),
-                most,
+                most: maximum,
             },
         };
         Some(Hidden {
@@ -81,10 +84,10 @@ impl Hidden {
             Reason::Unbalanced {
                 residual: [name, unit],
                 missed,
-                most,
+                most: maximum,
             } => {
-                let [missed, most] = [missed, most].map(|size| format!("{size:.1e}"));
-                words().forces_disagree(&at, name, &format!("{missed} {unit}"), &most)
+                let [missed, maximum] = [missed, maximum].map(|size| format!("{size:.1e}"));
+                words().forces_disagree(&at, name, &format!("{missed} {unit}"), &maximum)
             }
             Reason::Forces => words().forces_too_large(&at),
             Reason::Figure(name) => words().figure_too_large(name, &at),

@@ -22,7 +22,7 @@ impl MotionOutOfRange {
         let Range::Limited { low, high } = motion.range else {
             return None;
         };
-        let [time, at] = law.leaves([low, high])?;
+        let [time, at] = law.exit_interval([low, high])?;
         let stop = motion.stops.iter().find(|stop| stop.at == at);
         Some(MotionOutOfRange {
             time,

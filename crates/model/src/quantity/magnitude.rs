@@ -66,22 +66,22 @@ const fn magnitude(
 
 impl Magnitude {
     /// Creates the quantity from the components at the beginning of the list, if they are there.
-    fn at(&self, figures: &[Quantity]) -> Option<Quantity> {
-        let first = figures.first()?;
+    fn at(&self, quantities: &[Quantity]) -> Option<Quantity> {
+        let first = quantities.first()?;
         let QuantitySource::Solved(subject, first_aspect) = first.source else {
             return None;
         };
         let base = first.name.strip_suffix(first_aspect.name())?;
-        let components = figures.get(..self.of.len())?;
-        let fits = |(figure, aspect): (&Quantity, &Aspect)| {
-            figure.source == QuantitySource::Solved(subject, *aspect)
+        let components = quantities.get(..self.of.len())?;
+        let fits = |(quantity, aspect): (&Quantity, &Aspect)| {
+            quantity.source == QuantitySource::Solved(subject, *aspect)
         };
         if !components.iter().zip(self.of).all(fits) {
             return None;
         }
         let mut leaves: Vec<Leaf> = Vec::new();
-        for (figure, &aspect) in components.iter().zip(self.of) {
-            let name = figure.name.clone();
+        for (quantity, &aspect) in components.iter().zip(self.of) {
+            let name = quantity.name.clone();
             number(
                 &mut leaves,
                 &Leaf {
@@ -110,17 +110,20 @@ impl Magnitude {
 }
 
 /// Returns all quantities whose components are consecutive in the list.
-pub(super) fn all(figures: &[Quantity]) -> impl Iterator<Item = Quantity> {
-    (0..figures.len()).flat_map(move |from| ALL.iter().filter_map(move |m| m.at(&figures[from..])))
+pub(super) fn all(quantities: &[Quantity]) -> impl Iterator<Item = Quantity> {
+    (0..quantities.len())
+        .flat_map(move |from| ALL.iter().filter_map(move |m| m.at(&quantities[from..])))
 }
 
 /// Returns the quantity with this name.
-pub(super) fn find(figures: &[Quantity], name: &str) -> Option<Quantity> {
+pub(super) fn find(quantities: &[Quantity], name: &str) -> Option<Quantity> {
     ALL.iter().find_map(|magnitude| {
         let base = name.strip_suffix(magnitude.name)?;
         let first = format!("{base}{}", magnitude.of.first()?.name());
-        let from = figures.iter().position(|figure| figure.name == first)?;
-        magnitude.at(&figures[from..])
+        let from = quantities
+            .iter()
+            .position(|quantity| quantity.name == first)?;
+        magnitude.at(&quantities[from..])
     })
 }
 

@@ -57,39 +57,39 @@ impl Derivatives {
     /// Returns the derivatives of a quantity by every length, in its unit per unit of length.
     /// Returns `None` if they do not exist, as for a statically indeterminate reaction.
     #[must_use]
-    pub fn of(&self, figure: usize) -> Option<&[f64]> {
-        let exists = *self.exists.get(figure)?;
-        exists.then(|| &self.numbers[figure * self.lengths..(figure + 1) * self.lengths])
+    pub fn of(&self, index: usize) -> Option<&[f64]> {
+        let exists = *self.exists.get(index)?;
+        exists.then(|| &self.numbers[index * self.lengths..(index + 1) * self.lengths])
     }
 
     /// Returns `true` if a quantity has a value but no derivatives: its formula has a kink here.
     #[must_use]
-    pub fn lacks(&self, figure: usize) -> bool {
+    pub fn has_kink(&self, index: usize) -> bool {
         let [exists, valued] =
-            [&self.exists, &self.valued].map(|all| all.get(figure).copied().unwrap_or_default());
+            [&self.exists, &self.valued].map(|all| all.get(index).copied().unwrap_or_default());
         valued && !exists
     }
 
     /// Returns the worst-case deviation of a quantity if every length is off by one unit: the sum
     /// of the derivatives' magnitudes.
     #[must_use]
-    pub fn worst(&self, figure: usize) -> Option<f64> {
-        let all = self.of(figure)?.iter();
+    pub fn worst(&self, index: usize) -> Option<f64> {
+        let all = self.of(index)?.iter();
         Some(all.map(|d| d.abs()).sum())
     }
 
     /// Returns the index of the length with the largest effect on a quantity, and the derivative by
     /// it; `None` if no length has an effect.
     #[must_use]
-    pub fn most(&self, figure: usize) -> Option<(usize, f64)> {
-        let all = self.of(figure)?.iter().copied().enumerate();
+    pub fn largest_effect(&self, index: usize) -> Option<(usize, f64)> {
+        let all = self.of(index)?.iter().copied().enumerate();
         let matters = all.filter(|(_, d)| *d != 0.0);
         // The first of several equal ones wins.
-        matters.reduce(|most, other| {
-            if other.1.abs() > most.1.abs() {
+        matters.reduce(|maximum, other| {
+            if other.1.abs() > maximum.1.abs() {
                 other
             } else {
-                most
+                maximum
             }
         })
     }
@@ -99,30 +99,30 @@ impl Sensitivity {
     /// Prepares the derivatives of quantities by all lengths of the scene. `solver` must be a
     /// complete solver for the scene's mechanism.
     #[must_use]
-    pub fn new(scene: &Scene, solver: &Solver, figures: &[Quantity]) -> Self {
-        Sensitivity::by(scene, solver, figures, scene.mechanism.lengths())
+    pub fn new(scene: &Scene, solver: &Solver, quantities: &[Quantity]) -> Self {
+        Sensitivity::by(scene, solver, quantities, scene.mechanism.lengths())
     }
 
     /// Prepares the derivatives of quantities by the given lengths.
     pub(crate) fn by(
         scene: &Scene,
         solver: &Solver,
-        figures: &[Quantity],
+        quantities: &[Quantity],
         lengths: Vec<Length>,
     ) -> Self {
         let names = lengths.iter().map(|&l| length_name(scene, l)).collect();
-        let (demand, order) = super::demand(figures);
+        let (demand, order) = super::demand(quantities);
         Sensitivity {
             solver: solver.clone(),
-            figures: figures.to_vec(),
-            alike: of_one_unit(figures),
+            figures: quantities.to_vec(),
+            alike: of_one_unit(quantities),
             ready: vec![None; lengths.len()],
             lengths,
             names,
             demand,
             order,
             base: solver.state(),
-            enclosure: figures
+            enclosure: quantities
                 .iter()
                 .any(Quantity::has_sides)
                 .then(|| solver.enclosure()),
@@ -154,20 +154,20 @@ impl Sensitivity {
         let mut numbers = vec![0.0; self.figures.len() * count];
         let mut exists = vec![true; self.figures.len()];
         for number in 0..count {
-            let (by_length, mut work) = match self.ready[number].take() {
+            let (by_length, mut workspace) = match self.ready[number].take() {
                 Some(ready) => ready,
                 None => self.made(number)?,
             };
-            let solved = by_length.solve(&self.base, self.order, &mut work);
-            for (i, figure) in self.figures.iter().enumerate().filter(|_| solved) {
-                let slope = slope(figure, &work);
+            let solved = by_length.solve(&self.base, self.order, &mut workspace);
+            for (i, quantity) in self.figures.iter().enumerate().filter(|_| solved) {
+                let slope = slope(quantity, &workspace);
                 exists[i] &= slope.is_some();
                 numbers[i * count + number] = slope.unwrap_or_default();
                 if let Some(slope) = slope {
-                    bends[i] = bends[i].max(bend(figure, slope, &kinks[i], &work));
+                    bends[i] = bends[i].max(bend(quantity, slope, &kinks[i], &workspace));
                 }
             }
-            self.keep(number, (by_length, work));
+            self.keep(number, (by_length, workspace));
             if !solved {
                 return None;
             }
@@ -188,8 +188,8 @@ impl Sensitivity {
 
     fn made(&self, number: usize) -> Option<Ready> {
         let made = self.solver.by_length(self.lengths[number], &self.demand)?;
-        let work = made.state();
-        Some((made, work))
+        let workspace = made.state();
+        Some((made, workspace))
     }
 
     fn keep(&mut self, number: usize, ready: Ready) {
@@ -206,8 +206,10 @@ impl Sensitivity {
             return vec![Vec::new(); self.figures.len()];
         };
         self.solver.enclose(&mut self.base, self.order, enclosure);
-        let figures = self.figures.iter();
-        figures.map(|figure| figure.kinks(enclosure)).collect()
+        let quantities = self.figures.iter();
+        quantities
+            .map(|quantity| quantity.kinks(enclosure))
+            .collect()
     }
 
     /// Sets derivatives that are only rounding errors to zero. Returns the threshold for each
@@ -236,30 +238,30 @@ impl Sensitivity {
 /// Returns, for each quantity, the index of the first one with its unit; their derivatives are
 /// compared with the largest of them. A formula's value can have any size and is compared only with
 /// itself.
-fn of_one_unit(figures: &[Quantity]) -> Vec<usize> {
+fn of_one_unit(quantities: &[Quantity]) -> Vec<usize> {
     let mut first: HashMap<&str, usize> = HashMap::new();
-    let numbers = figures.iter().enumerate();
-    let alike = numbers.map(|(i, figure)| match figure.aspect() {
-        Some(_) => *first.entry(&figure.unit).or_insert(i),
+    let numbers = quantities.iter().enumerate();
+    let alike = numbers.map(|(i, quantity)| match quantity.aspect() {
+        Some(_) => *first.entry(&quantity.unit).or_insert(i),
         None => i,
     });
     alike.collect()
 }
 
 /// Returns the derivative of a quantity.
-fn slope(figure: &Quantity, state: &State<Dual>) -> Option<f64> {
-    figure.value(state).map(|dual| dual.slope)
+fn slope(quantity: &Quantity, state: &State<Dual>) -> Option<f64> {
+    quantity.value(state).map(|dual| dual.slope)
 }
 
 /// Returns the maximum deviation of the derivatives on both sides of kinks from their mean. Each
 /// step is switched to its other side separately, and then all of them at once.
-fn bend(figure: &Quantity, slope: f64, kinks: &[usize], state: &State<Dual>) -> f64 {
-    let apart = |kinks: &[usize]| match figure.slope_beyond(kinks, state) {
+fn bend(quantity: &Quantity, slope: f64, kinks: &[usize], state: &State<Dual>) -> f64 {
+    let distance = |kinks: &[usize]| match quantity.slope_beyond(kinks, state) {
         Some(beyond) if beyond.is_finite() => (beyond - slope).abs() / 2.0,
         _ => f64::INFINITY,
     };
     let each = kinks.chunks(1).chain((kinks.len() > 1).then_some(kinks));
-    each.map(apart).fold(0.0, f64::max)
+    each.map(distance).fold(0.0, f64::max)
 }
 
 /// Returns the name of a length in the scene: `r3.length`, `A.x`.

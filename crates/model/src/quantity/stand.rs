@@ -20,15 +20,15 @@ impl DriverState {
     }
 
     /// Sets the driver's rates for the next solutions in this workspace, see [`Solver::drive`].
-    pub fn drive<T: Number>(&self, solver: &Solver, work: &mut Workspace<T>) {
+    pub fn drive<T: Number>(&self, solver: &Solver, workspace: &mut Workspace<T>) {
         if let Some(moment) = &self.pace {
-            solver.drive(work, moment);
+            solver.drive(workspace, moment);
         }
     }
 
     /// Solves the mechanism in this state of the driver.
-    pub fn solve(&self, solver: &Solver, order: Order, work: &mut Workspace) -> Condition {
-        self.drive(solver, work);
-        solver.solve(self.at, order, work)
+    pub fn solve(&self, solver: &Solver, order: Order, workspace: &mut Workspace) -> Condition {
+        self.drive(solver, workspace);
+        solver.solve(self.at, order, workspace)
     }
 }

@@ -32,8 +32,8 @@ pub fn unit_factor(from: &str, to: &str) -> Option<f64> {
     if from == to {
         return Some(1.0);
     }
-    let ((measure, size), (other, whole)) = (size(from)?, size(to)?);
-    (measure == other).then_some(size / whole)
+    let ((measure, size), (other, complete)) = (size(from)?, size(to)?);
+    (measure == other).then_some(size / complete)
 }
 
 /// Returns the units in which a quantity may be written instead of its own, with the factors that

@@ -46,11 +46,11 @@ pub fn bound(
 ) -> Option<f64> {
     let value = value(subject, aspect, state)?;
     let ball = self::value(subject, aspect, enclosure)?;
-    apart(value, ball, aspect == Aspect::Angle)
+    distance_bound(value, ball, aspect == Aspect::Angle)
 }
 
 /// Returns a bound on the distance of a value from the true one, enclosed in a ball.
-pub(super) fn apart(value: f64, ball: Ball, is_direction: bool) -> Option<f64> {
+pub(super) fn distance_bound(value: f64, ball: Ball, is_direction: bool) -> Option<f64> {
     // Directions just below and just above a full turn are close. The larger one is at least half a
     // turn, so that subtracting a turn is exact.
     let beyond = value - ball.mid;

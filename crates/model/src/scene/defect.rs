@@ -10,14 +10,14 @@ use crate::wording::words;
 use crate::{Defect, LinkId, PointId, SlideId};
 
 /// The draft and names by which the ids of a builder are resolved.
-pub(crate) struct Drafted<'r, 't> {
+pub(crate) struct ResolvedDraft<'r, 't> {
     pub(crate) draft: &'r SceneDraft<'t>,
     /// The slides added to the builder, by id.
     pub(crate) slides: &'r [&'r DraftSlide<'t>],
     pub(crate) point_names: &'r [Option<String>],
 }
 
-impl<'t> Drafted<'_, 't> {
+impl<'t> ResolvedDraft<'_, 't> {
     /// Reports defects, except those that follow from an earlier diagnostic.
     pub(crate) fn report(&self, reader: &mut Reader<'_>, defects: &[Defect]) {
         for defect in defects {
@@ -38,16 +38,16 @@ impl<'t> Drafted<'_, 't> {
 
     fn diagnostic(&self, defect: &Defect) -> Option<Diagnostic> {
         match *defect {
-            Defect::Twice { link, point } => Some(self.twice(self.sound(link)?, point)),
+            Defect::Twice { link, point } => Some(self.twice(self.sound_link(link)?, point)),
             Defect::OnItself { slide } => Some(self.on_itself(slide)),
-            Defect::NoPivot { link } => self.no_pivot(self.sound(link)?),
+            Defect::NoPivot { link } => self.no_pivot(self.sound_link(link)?),
             Defect::Proportion {
                 link,
                 length,
                 longest,
-            } => Some(proportion(self.sound(link)?, length, longest)),
+            } => Some(proportion(self.sound_link(link)?, length, longest)),
             Defect::NoDriver => self.no_driver(),
-            Defect::NoCentre { link } => Some(no_centre(self.sound(link)?)),
+            Defect::NoCentre { link } => Some(no_centre(self.sound_link(link)?)),
             // The reader rejects these earlier and quotes the literal. An element without points or
             // a point without an element cannot come from a file whose names were all read.
             Defect::Length { .. }
@@ -58,7 +58,7 @@ impl<'t> Drafted<'_, 't> {
             | Defect::TurnedFromItself { .. }
             | Defect::Mass { .. }
             | Defect::Load
-            | Defect::Misfit
+            | Defect::RateError
             | Defect::Limit { .. }
             | Defect::Empty { .. }
             | Defect::Stray { .. } => None,
@@ -66,7 +66,7 @@ impl<'t> Drafted<'_, 't> {
     }
 
     /// Returns the link unless a diagnostic was already reported for it.
-    fn sound(&self, link: LinkId) -> Option<&DraftLink<'t>> {
+    fn sound_link(&self, link: LinkId) -> Option<&DraftLink<'t>> {
         let link = &self.draft.links[link.index()];
         (!link.broken).then_some(link)
     }

@@ -82,7 +82,9 @@ pub(crate) fn read<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>) -> SceneD
     }
     let file = &KeyTable::root(words().the_scene_itself(), keys::SCENE, root);
     reader.only_known(file);
-    draft.unreadable = keys::SCENE.iter().any(|key| file.meant(key.name));
+    draft.unreadable = keys::SCENE
+        .iter()
+        .any(|key| file.is_probable_misspelling(key.name));
     draft.name = line(reader, "name", file.get("name"));
     draft.source = line(reader, "source", file.get("source"));
     draft.note = line(reader, "note", file.get("note"));

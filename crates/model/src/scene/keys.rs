@@ -106,8 +106,8 @@ pub enum NumberMeasure {
 impl NumberMeasure {
     /// Resolves the measure. `turns` is `true` if the input whose coordinate is meant drives a
     /// link, and `false` if it drives a slide; torsion springs have torques instead of forces.
-    pub(crate) fn measure(self, turns: bool, is_torsion: bool) -> Measure {
-        let measure = match (self, turns) {
+    pub(crate) fn measure(self, is_rotary: bool, is_torsion: bool) -> Measure {
+        let measure = match (self, is_rotary) {
             (NumberMeasure::Of(measure) | NumberMeasure::In(measure), _) => measure,
             (NumberMeasure::Driver | NumberMeasure::DriverItself, true) => Measure::Angle,
             (NumberMeasure::Driver | NumberMeasure::DriverItself, false) => Measure::Coordinate,
@@ -430,7 +430,7 @@ mod tests {
             ("redundant", REDUNDANT, ["{ ", " }"]),
             ("view", VIEW, ["{ ", " }"]),
         ];
-        for (table, keys, [begin, end]) in tables {
+        for (table, keys, [start, end]) in tables {
             for key in keys {
                 let kinds: &[&str] = if key.of.is_empty() { &[""] } else { key.of };
                 for kind in kinds {
@@ -440,7 +440,7 @@ mod tests {
                     let pairs = pairs
                         .iter()
                         .map(|(name, value)| format!("{name} = {value}"));
-                    let value = format!("{begin}{}{end}", pairs.collect::<Vec<_>>().join(", "));
+                    let value = format!("{start}{}{end}", pairs.collect::<Vec<_>>().join(", "));
                     let section = match table {
                         "" => (key.name, "true"),
                         "motion" => ("driver", &*value),
@@ -473,17 +473,17 @@ mod tests {
     /// The reference describes every key, and has the same rows in both languages.
     #[test]
     fn reference_lists_every_key_in_both_languages() {
-        let told = Language::ALL.map(|language| {
+        let text = Language::ALL.map(|language| {
             language.speak();
-            let told = reference();
-            has_every_key(&told);
-            told
+            let text = reference();
+            has_every_key(&text);
+            text
         });
-        let typed = |told: &str| -> Vec<String> {
-            let cells = told.lines().map(|row| row.split(" | ").next().unwrap());
+        let typed = |text: &str| -> Vec<String> {
+            let cells = text.lines().map(|row| row.split(" | ").next().unwrap());
             cells.skip(1).map(str::to_owned).collect()
         };
-        let [english, turkish] = told;
+        let [english, turkish] = text;
         assert_eq!(typed(&english), typed(&turkish));
         for (english, turkish) in english.lines().zip(turkish.lines()) {
             let is_rule = english.starts_with("|---");
@@ -497,15 +497,15 @@ mod tests {
         }
     }
 
-    fn has_every_key(told: &str) {
+    fn has_every_key(text: &str) {
         let sections = SCENE.iter().filter_map(SceneKey::heading);
         for (heading, keys) in sections {
-            let (_, section) = told.split_once(&format!("| **`{heading}`** | ")).unwrap();
+            let (_, section) = text.split_once(&format!("| **`{heading}`** | ")).unwrap();
             let section = section.split("| **").next().unwrap();
             for key in keys {
                 assert!(section.contains(&format!("`{}`", key.name)), "{}", key.name);
             }
         }
-        assert!(!told.contains("|  |"), "{told}");
+        assert!(!text.contains("|  |"), "{text}");
     }
 }

@@ -86,7 +86,7 @@ pub use rewrite::Precision;
 #[doc(hidden)]
 pub use rewrite::{figure, key, toml_string};
 #[doc(hidden)]
-pub use syntax::mend;
+pub use syntax::fix;
 #[doc(hidden)]
 pub use table::{KeyTable, NumberRule};
 pub use values::{Value, ValueOwner};
@@ -200,7 +200,7 @@ impl Scene {
         }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = Reader::new(text);
-        let root = document::parse(&mut reader, syntax::mend);
+        let root = document::parse(&mut reader, syntax::fix);
         let scene = root.as_ref().and_then(|root| {
             let draft = draft::read(&mut reader, root);
             let resolved = resolve::resolve(&mut reader, &draft)?;
@@ -216,7 +216,7 @@ impl Scene {
                 figures: figures.filter_map(|figure| figure.formula).collect(),
                 motion: draft.driver.and_then(|driver| driver.motion),
                 motor: draft.motor,
-                parameters: numbers::parameters::told(&reader.named, draft.parameters),
+                parameters: numbers::parameters::with_values(&reader.named, draft.parameters),
                 named: Arc::new(std::mem::take(&mut reader.named)),
                 point_names: resolved.point_names,
                 link_names: resolved.link_names,
@@ -245,7 +245,7 @@ impl Scene {
 
     /// Parses another text with the same file name; returns `None` if it is not a scene.
     #[must_use]
-    pub fn again(&self, text: &str) -> Option<Scene> {
+    pub fn reparse(&self, text: &str) -> Option<Scene> {
         Scene::parse(text, &self.origin).ok()
     }
 

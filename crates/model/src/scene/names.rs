@@ -18,11 +18,11 @@ const RESERVED_IN_FORMULAS: [&str; 2] = ["time", "pi"];
 /// become column headers.
 const MAX_LEN: usize = 64;
 /// Maximum number of names in a hint.
-const LISTED: usize = 12;
+const MAX_LISTED: usize = 12;
 
 /// The kinds of named elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Sort {
+pub(crate) enum NameKind {
     Point,
     Link,
     Slide,
@@ -32,27 +32,27 @@ pub(crate) enum Sort {
     Limit,
 }
 
-impl Sort {
-    const ALL: [Sort; Sort::COUNT] = [
-        Sort::Point,
-        Sort::Link,
-        Sort::Slide,
-        Sort::Vector,
-        Sort::Figure,
-        Sort::Parameter,
-        Sort::Limit,
+impl NameKind {
+    const ALL: [NameKind; NameKind::COUNT] = [
+        NameKind::Point,
+        NameKind::Link,
+        NameKind::Slide,
+        NameKind::Vector,
+        NameKind::Figure,
+        NameKind::Parameter,
+        NameKind::Limit,
     ];
     const COUNT: usize = 7;
 
     fn noun(self) -> &'static str {
         match self {
-            Sort::Point => words().noun_point(),
-            Sort::Link => words().noun_link(),
-            Sort::Slide => words().noun_slide(),
-            Sort::Vector => words().noun_vector(),
-            Sort::Figure => words().noun_figure(),
-            Sort::Parameter => words().noun_parameter(),
-            Sort::Limit => words().noun_limit(),
+            NameKind::Point => words().noun_point(),
+            NameKind::Link => words().noun_link(),
+            NameKind::Slide => words().noun_slide(),
+            NameKind::Vector => words().noun_vector(),
+            NameKind::Figure => words().noun_figure(),
+            NameKind::Parameter => words().noun_parameter(),
+            NameKind::Limit => words().noun_limit(),
         }
     }
 }
@@ -66,9 +66,9 @@ struct Symbol {
 
 /// All names of a scene.
 pub(crate) struct Names<'t> {
-    /// The elements of each name, indexed by [`Sort`]. A name with two meanings keeps both after
+    /// The elements of each name, indexed by [`NameKind`]. A name with two meanings keeps both after
     /// the clash has been reported.
-    symbols: HashMap<&'t str, [Option<Symbol>; Sort::COUNT]>,
+    symbols: HashMap<&'t str, [Option<Symbol>; NameKind::COUNT]>,
     points: Vec<(&'t str, ByteSpan)>,
     lost_points: bool,
 }
@@ -97,13 +97,13 @@ impl<'t> Names<'t> {
         names
     }
 
-    fn define(&mut self, name: &Name<'t>, sort: Sort, index: usize) {
+    fn define(&mut self, name: &Name<'t>, sort: NameKind, index: usize) {
         let symbol = &mut self.symbols.entry(name.text).or_default()[sort as usize];
         if symbol.is_some() {
             return;
         }
         let span = name.span.clone();
-        let index = if sort == Sort::Point {
+        let index = if sort == NameKind::Point {
             self.points.push((name.text, span.clone()));
             self.points.len() - 1
         } else {
@@ -112,17 +112,17 @@ impl<'t> Names<'t> {
         *symbol = Some(Symbol { index, span });
     }
 
-    fn get(&self, name: &str, sort: Sort) -> Option<&Symbol> {
+    fn get(&self, name: &str, sort: NameKind) -> Option<&Symbol> {
         self.symbols.get(name)?[sort as usize].as_ref()
     }
 
     /// Returns an element of another kind with this name, if any.
-    fn other(&self, name: &str, sort: Sort) -> Option<(Sort, &Symbol)> {
-        let mut others = Sort::ALL.into_iter().filter(|&other| other != sort);
+    fn other(&self, name: &str, sort: NameKind) -> Option<(NameKind, &Symbol)> {
+        let mut others = NameKind::ALL.into_iter().filter(|&other| other != sort);
         others.find_map(|other| Some((other, self.get(name, other)?)))
     }
 
-    fn clash(&self, name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
+    fn clash(&self, name: &Name<'_>, sort: NameKind) -> Option<Diagnostic> {
         let (other, known) = self.other(name.text, sort)?;
         let (one, other) = (sort.noun(), other.noun());
         Some(
@@ -145,23 +145,23 @@ impl<'t> Names<'t> {
         reader: &mut Reader<'_>,
         what: &str,
         name: &Name<'_>,
-        sort: Sort,
+        sort: NameKind,
     ) -> Option<usize> {
         if let Some(symbol) = self.get(name.text, sort) {
             return Some(symbol.index);
         }
-        let noun = sort.noun();
+        let kind_name = sort.noun();
         let fault = match self.other(name.text, sort) {
             Some((other, symbol)) => {
                 let other = other.noun();
-                Diagnostic::new(words().is_another(what, &name.to_string(), other, noun))
-                    .at(name.span.clone(), words().expected_name_of(noun))
+                Diagnostic::new(words().is_another(what, &name.to_string(), other, kind_name))
+                    .at(name.span.clone(), words().expected_name_of(kind_name))
                     .and(symbol.span.clone(), words().that_one(other))
             }
             // The name may be defined in an unreadable part.
-            None if sort == Sort::Point && self.lost_points => return None,
-            None => Diagnostic::new(words().there_is_no(what, noun, &name.to_string()))
-                .at(name.span.clone(), words().unknown_noun(noun)),
+            None if sort == NameKind::Point && self.lost_points => return None,
+            None => Diagnostic::new(words().there_is_no(what, kind_name, &name.to_string()))
+                .at(name.span.clone(), words().unknown_noun(kind_name)),
         };
         let help = if keys::find(keys::SCENE, name.text).is_some() {
             Some(words().key_stands_above(name.text))
@@ -173,11 +173,11 @@ impl<'t> Names<'t> {
     }
 
     /// Suggests a similar name, or lists the known names.
-    fn help(&self, reader: &Reader<'_>, name: &Name<'_>, sort: Sort) -> Option<String> {
+    fn help(&self, reader: &Reader<'_>, name: &Name<'_>, sort: NameKind) -> Option<String> {
         if reader.is_full() {
             return None;
         }
-        let noun = sort.noun();
+        let kind_name = sort.noun();
         let mut known: Vec<(&str, usize)> = self
             .symbols
             .iter()
@@ -189,10 +189,10 @@ impl<'t> Names<'t> {
         known.sort_by_key(|&(_, start)| start);
         let known: Vec<&str> = known.into_iter().map(|(name, _)| name).collect();
         let listed = || match known.len() {
-            0 => Some(words().scene_has_no(noun)),
-            1..=LISTED => {
+            0 => Some(words().scene_has_no(kind_name)),
+            1..=MAX_LISTED => {
                 let names = format!("`{}`", known.join("`, `"));
-                Some(words().those_of_scene(noun, &names))
+                Some(words().those_of_scene(kind_name, &names))
             }
             _ => None,
         };
@@ -201,52 +201,55 @@ impl<'t> Names<'t> {
 }
 
 /// Returns every definition of a name.
-fn mentions<'d, 't>(draft: &'d SceneDraft<'t>) -> Vec<(&'d Name<'t>, Sort, usize)> {
+fn mentions<'d, 't>(draft: &'d SceneDraft<'t>) -> Vec<(&'d Name<'t>, NameKind, usize)> {
     let mut all = Vec::new();
-    all.extend(draft.ground.iter().map(|p| (&p.name, Sort::Point, 0)));
+    all.extend(draft.ground.iter().map(|p| (&p.name, NameKind::Point, 0)));
     for (i, link) in draft.links.iter().enumerate() {
-        all.push((&link.name, Sort::Link, i));
+        all.push((&link.name, NameKind::Link, i));
         if let Some(ends) = &link.ends {
-            all.extend([(&ends.from, Sort::Point, 0), (&ends.to, Sort::Point, 0)]);
+            all.extend([
+                (&ends.from, NameKind::Point, 0),
+                (&ends.to, NameKind::Point, 0),
+            ]);
         }
-        all.extend(link.points.iter().map(|p| (&p.name, Sort::Point, 0)));
+        all.extend(link.points.iter().map(|p| (&p.name, NameKind::Point, 0)));
     }
     for (i, slide) in draft.slides.iter().enumerate() {
-        all.push((&slide.name, Sort::Slide, i));
+        all.push((&slide.name, NameKind::Slide, i));
         if let Some(DraftSlider::Pin(point)) = &slide.slider {
-            all.push((point, Sort::Point, 0));
+            all.push((point, NameKind::Point, 0));
         }
     }
     for (i, vector) in draft.vectors.iter().enumerate() {
-        all.push((&vector.name, Sort::Vector, i));
+        all.push((&vector.name, NameKind::Vector, i));
     }
     for (i, figure) in draft.figures.iter().enumerate() {
-        all.push((&figure.name, Sort::Figure, i));
+        all.push((&figure.name, NameKind::Figure, i));
     }
     for (i, parameter) in draft.parameters.iter().enumerate() {
-        all.push((&parameter.name, Sort::Parameter, i));
+        all.push((&parameter.name, NameKind::Parameter, i));
     }
     // Other limits have the name of the element that they limit.
     let of_angles = draft.limits.iter().filter(|limit| limit.angle.is_some());
-    all.extend(of_angles.map(|limit| (&limit.name, Sort::Limit, 0)));
+    all.extend(of_angles.map(|limit| (&limit.name, NameKind::Limit, 0)));
     all
 }
 
 /// Returns `true` if a value may have this name, as far as the name alone decides.
 pub fn is_figure_name(text: &str) -> bool {
     let name = Name { text, span: 0..0 };
-    bad(&name, Sort::Figure).is_none()
+    bad(&name, NameKind::Figure).is_none()
 }
 
 /// Returns the list of names reserved for values, if `text` is one of them.
 pub fn reserved_for_figures(text: &str) -> Option<String> {
-    reserved(text, Sort::Figure)
+    reserved(text, NameKind::Figure)
 }
 
 /// Returns the list of names reserved for this kind, if `text` is one of them.
-fn reserved(text: &str, sort: Sort) -> Option<String> {
+fn reserved(text: &str, sort: NameKind) -> Option<String> {
     let of_formulas = &RESERVED_IN_FORMULAS[..match sort {
-        Sort::Figure | Sort::Parameter => RESERVED_IN_FORMULAS.len(),
+        NameKind::Figure | NameKind::Parameter => RESERVED_IN_FORMULAS.len(),
         _ => 0,
     }];
     let all = [&RESERVED, of_formulas].concat();
@@ -255,7 +258,7 @@ fn reserved(text: &str, sort: Sort) -> Option<String> {
 }
 
 /// Returns the diagnostic of an invalid name; `None` for a valid one.
-fn bad(name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
+fn bad(name: &Name<'_>, sort: NameKind) -> Option<Diagnostic> {
     let text = name.text;
     let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '\'');
     let fault =
@@ -266,15 +269,17 @@ fn bad(name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
             words().is_reserved(),
         )
         .help(words().columns_use(&list));
-        return Some(if text == "ground" && sort == Sort::Point {
+        return Some(if text == "ground" && sort == NameKind::Point {
             fault.help(words().name_a_ground_point())
         } else {
             fault
         });
     }
     let read_as = match sort {
-        Sort::Parameter if expression::is_unit(text) => Some(words().formulas_read_a_unit(text)),
-        Sort::Parameter if expression::is_function(text) => {
+        NameKind::Parameter if expression::is_unit(text) => {
+            Some(words().formulas_read_a_unit(text))
+        }
+        NameKind::Parameter if expression::is_function(text) => {
             Some(words().formulas_read_a_function(text))
         }
         _ => None,
@@ -293,7 +298,7 @@ fn bad(name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
             words().is_too_long(),
         ));
     }
-    if sort == Sort::Parameter && text.starts_with(|c: char| c.is_ascii_digit()) {
+    if sort == NameKind::Parameter && text.starts_with(|c: char| c.is_ascii_digit()) {
         let message = words().parameter_reads_as_number(&name.to_string());
         return Some(fault(message, words().is_no_name()).help(words().begin_it_with_a_letter()));
     }

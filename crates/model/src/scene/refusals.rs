@@ -57,12 +57,12 @@ fn only_first_20_faults_are_shown() {
     assert_eq!(faults.items[20].message, "481 more faults are not shown");
 }
 
-const WRONG: &str =
+const INVALID_SCENE: &str =
     "unit = \"mm\"\r\n\r\n[ground]\r\nA\t= [0, \"\u{202e}1\"] # \u{4e16}\u{200b}\r\n";
 
 #[test]
 fn message_replaces_harmful_characters_in_quoted_line() {
-    let faults = Scene::parse(WRONG, "caf\u{e9}\u{1b}.toml").unwrap_err();
+    let faults = Scene::parse(INVALID_SCENE, "caf\u{e9}\u{1b}.toml").unwrap_err();
     let ascii = r"
 error: the scene has no links: nothing moves
 --> caf\u{e9}\u{1b}.toml
@@ -90,7 +90,7 @@ error: y of ground point `A`: `\u{202e}` is not allowed in a formula
 
 #[test]
 fn coloured_message_without_codes_equals_plain_message() {
-    let faults = Scene::parse(WRONG, "wrong.toml").unwrap_err();
+    let faults = Scene::parse(INVALID_SCENE, "wrong.toml").unwrap_err();
     let coloured = faults.render(true, true);
     assert!(coloured.contains("\u{1b}["));
     let mut plain = String::new();

@@ -1,6 +1,6 @@
 //! Resolves the names of a draft and builds the mechanism.
 
-use super::accuracy::deviations::Settling;
+use super::accuracy::deviations::ToleranceResolver;
 use super::draft::SceneDraft;
 use super::elements::limits::LimitPlaces;
 use super::elements::link::DraftLink;
@@ -9,7 +9,7 @@ use super::elements::redundant;
 use super::elements::sighted::Sighted;
 use super::elements::slide::{DraftSlide, DraftSlider};
 use super::inputs::input::DraftInput;
-use super::names::{Names, Sort};
+use super::names::{NameKind, Names};
 use super::numbers::reader::{ByteSpan, Name, Reader};
 use super::{TextPlaces, Vector, VectorKind, defect};
 use crate::document::Diagnostic;
@@ -223,7 +223,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
 
     fn driven_slide(&mut self, name: &Name<'t>) -> Option<SlideId> {
         let what = words().key_of("slide", words().the_driver());
-        let slide = self.names.find(self.reader, &what, name, Sort::Slide);
+        let slide = self.names.find(self.reader, &what, name, NameKind::Slide);
         if slide.is_none() && self.draft.links.iter().any(|l| l.name.text == name.text) {
             self.reader.help(words().driven_link_is_given());
         }
@@ -242,7 +242,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         let Some(from) = from.filter(|from| from.text != "ground") else {
             return link;
         };
-        let seat = self.names.find(self.reader, seat, from, Sort::Link);
+        let seat = self.names.find(self.reader, seat, from, NameKind::Link);
         let (link, seat) = (link?, LinkId::new(seat?));
         if link == seat {
             self.reader.report(
@@ -259,7 +259,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
     /// Resolves a driven link. Reports a link pinned to the ground at two places, which cannot
     /// turn.
     pub(crate) fn driven_link(&mut self, what: &str, name: &Name<'t>) -> Option<LinkId> {
-        let link = self.names.find(self.reader, what, name, Sort::Link);
+        let link = self.names.find(self.reader, what, name, NameKind::Link);
         if link.is_none() && self.slides.contains_key(name.text) {
             self.reader.help(words().driven_slide_is_given());
         }
@@ -290,7 +290,9 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
                 }
                 continue;
             }
-            let found = self.names.find(self.reader, "[start]", name, Sort::Point);
+            let found = self
+                .names
+                .find(self.reader, "[start]", name, NameKind::Point);
             if found.is_none() {
                 continue;
             }
@@ -350,7 +352,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             return self.centre(what, name, link);
         }
         self.referred.insert(name.text);
-        self.names.find(self.reader, what, name, Sort::Point)?;
+        self.names.find(self.reader, what, name, NameKind::Point)?;
         self.points.get(name.text).copied()
     }
 
@@ -359,7 +361,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             text: link,
             span: name.span.clone(),
         };
-        let index = self.names.find(self.reader, what, &of, Sort::Link)?;
+        let index = self.names.find(self.reader, what, &of, NameKind::Link)?;
         let centre = self.centres.get(&index).copied();
         if centre.is_none() {
             let link = &self.draft.links[index];
@@ -404,7 +406,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
     }
 
     fn finish(self) -> Option<Resolved> {
-        let drafted = defect::Drafted {
+        let drafted = defect::ResolvedDraft {
             draft: self.draft,
             slides: &self.built_slides,
             point_names: &self.point_names,
@@ -421,7 +423,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         let points = self.point_names.iter();
         let points = points.map(|name| natural(name.as_deref().unwrap_or_default()));
         let mechanism = mechanism.ranked(&links.collect::<Vec<_>>(), &points.collect::<Vec<_>>());
-        let settling = Settling {
+        let settling = ToleranceResolver {
             reader: &mut *self.reader,
             draft: self.draft,
             names: self.names,

@@ -55,12 +55,12 @@ impl Scene {
             let driver = root.get("driver")?.get_ref().as_table()?;
             edits.replace(driver.get(key)?.span(), format!("{at:?}"));
         }
-        self.put_start(root, &named.collect::<Vec<_>>(), &mut edits);
-        Some(edits.made_in(self.text()))
+        self.add_start_changes(root, &named.collect::<Vec<_>>(), &mut edits);
+        Some(edits.rewritten_in(self.text()))
     }
 
     /// Adds the changes of `[start]` to `edits`.
-    fn put_start(&self, root: &DeTable<'_>, named: &[(&str, String)], edits: &mut Edits) {
+    fn add_start_changes(&self, root: &DeTable<'_>, named: &[(&str, String)], edits: &mut Edits) {
         let text = self.text();
         let section = root.get("start");
         let table = section.and_then(|s| s.get_ref().as_table());
@@ -100,11 +100,11 @@ impl Scene {
                 _ => edits.insert(line_end(text, section.span().end), lines("", newline)),
             },
             (Some(_), Some((last_key, last_value))) => {
-                let begin = text[..last_key.span().start]
+                let start = text[..last_key.span().start]
                     .rfind('\n')
                     .map_or(0, |newline| newline + 1);
                 // Blanks, or the `start.` of a dotted key.
-                let before = &text[begin..last_key.span().start];
+                let before = &text[start..last_key.span().start];
                 if is_beginning(before) {
                     let end = line_end(text, last_value.span().end);
                     edits.insert(end, lines(before, newline));
@@ -136,22 +136,22 @@ pub(crate) struct Edits {
 }
 
 impl Edits {
-    pub(crate) fn replace(&mut self, place: Range<usize>, by: String) {
-        self.list.push((place, by));
+    pub(crate) fn replace(&mut self, span: Range<usize>, by: String) {
+        self.list.push((span, by));
     }
 
     fn insert(&mut self, at: usize, new: String) {
         self.list.push((at..at, new));
     }
 
-    pub(crate) fn made_in(mut self, text: &str) -> String {
-        self.list.sort_by_key(|(place, _)| (place.start, place.end));
+    pub(crate) fn rewritten_in(mut self, text: &str) -> String {
+        self.list.sort_by_key(|(span, _)| (span.start, span.end));
         let mut made = String::with_capacity(text.len() + 64 * self.list.len());
         let mut from = 0;
-        for (place, new) in &self.list {
-            made.push_str(&text[from..place.start]);
+        for (span, new) in &self.list {
+            made.push_str(&text[from..span.start]);
             made.push_str(new);
-            from = place.end;
+            from = span.end;
         }
         made.push_str(&text[from..]);
         made
@@ -205,7 +205,7 @@ impl Scene {
     /// The rest of the file stays unchanged. [`Scene::parse`] decides whether the result is a
     /// scene.
     #[must_use]
-    pub fn retold(&self, name: &str, source: &str, note: &str) -> String {
+    pub fn with_header(&self, name: &str, source: &str, note: &str) -> String {
         let texts = [("name", name), ("source", source), ("note", note)];
         let mut edits = Edits::default();
         let mut front = String::new();
@@ -218,8 +218,8 @@ impl Scene {
                 None => front += &format!("{key} = {}\n", toml_string(text)),
             }
         }
-        let told = front + &edits.made_in(self.text());
-        let lines = told.split_inclusive('\n');
+        let shown_text = front + &edits.rewritten_in(self.text());
+        let lines = shown_text.split_inclusive('\n');
         lines
             .filter(|line| !line.trim_start().starts_with('#'))
             .collect()
@@ -360,7 +360,7 @@ mod tests {
     fn retold_replaces_titles_and_keeps_numbers() {
         for preset in presets::all() {
             let scene = Scene::parse(preset.text, preset.name).unwrap();
-            let text = scene.retold("a \"b\" \\", "here", "so");
+            let text = scene.with_header("a \"b\" \\", "here", "so");
             let again = Scene::parse(&text, preset.name).unwrap();
             assert_eq!(again.name, "a \"b\" \\");
             assert_eq!(again.source.as_deref(), Some("here"));
@@ -384,7 +384,7 @@ mod tests {
         let body = "# mine\n[ground]\nA = [0, 0]\n[driver]\nlink = \"r\"\nangle = 1\n\
             [links]\nr = { from = \"A\", to = \"B\", length = 1 } # mm\n";
         let scene = Scene::parse(body, "test").unwrap();
-        let text = scene.retold("n", "s", "t");
+        let text = scene.with_header("n", "s", "t");
         let front = "name = \"n\"\nsource = \"s\"\nnote = \"t\"\n";
         assert_eq!(text, front.to_owned() + body.trim_start_matches("# mine\n"));
     }

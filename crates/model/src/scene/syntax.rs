@@ -7,18 +7,18 @@ use crate::wording::words;
 
 /// Returns the hint for a syntax error, from the parser's message and the text at the error; `None`
 /// for an unfamiliar error.
-pub fn mend(text: &str, message: &str, span: &ByteSpan) -> Option<String> {
+pub fn fix(text: &str, message: &str, span: &ByteSpan) -> Option<String> {
     let at = text.get(span.start..).unwrap_or("");
     let before = text.get(..span.start).unwrap_or("");
-    let begin = before.rfind('\n').map_or(0, |newline| newline + 1);
-    let line = text[begin..].lines().next().unwrap_or("").trim_start();
+    let start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    let line = text[start..].lines().next().unwrap_or("").trim_start();
     if line.starts_with("//") {
         return Some(words().comments_begin_with().to_owned());
     }
     if message.starts_with("string values must be quoted") {
         return Some(bare_value(
             text.get(span.clone()).unwrap_or(""),
-            is_angle(&text[begin..span.start]),
+            is_angle(&text[start..span.start]),
         ));
     }
     if message.starts_with("invalid unquoted key") && at.starts_with('\'') {

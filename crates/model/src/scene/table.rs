@@ -6,7 +6,7 @@ use super::keys::{self, KeyKind, NumberMeasure, SceneKey};
 use super::numbers::measure::{Measure, MeasureUnits};
 use super::numbers::reader::{ByteSpan, MIN_LENGTH, Name, Reader};
 use crate::Vec2;
-use crate::document::{Diagnostic, WrittenValue, entries, meant};
+use crate::document::{Diagnostic, WrittenValue, entries, is_probable_misspelling};
 use crate::wording::words;
 use toml::de::DeTable;
 
@@ -19,7 +19,7 @@ pub struct KeyTable<'v> {
     /// The kind of element, by its characteristic key; empty until it is known.
     pub(crate) kind: &'static str,
     /// Whether its input drives a link rather than a slide.
-    pub turns: bool,
+    pub is_rotary: bool,
     /// Whether messages name its keys without an owner, as those of the scene itself.
     pub is_root: bool,
     keys: &'static [SceneKey],
@@ -37,7 +37,7 @@ impl<'v> KeyTable<'v> {
             of: of.to_owned(),
             span,
             kind: "",
-            turns: true,
+            is_rotary: true,
             is_root: false,
             keys,
             entries,
@@ -86,8 +86,8 @@ impl<'v> KeyTable<'v> {
     }
 
     /// Returns `true` if an unknown key is probably a misspelling of this one.
-    pub(crate) fn meant(&self, key: &str) -> bool {
-        meant(self.names().map(|name| name.text), &self.known(), key)
+    pub(crate) fn is_probable_misspelling(&self, key: &str) -> bool {
+        is_probable_misspelling(self.names().map(|name| name.text), &self.known(), key)
     }
 
     /// Returns the keys that only elements of another kind have.
@@ -119,7 +119,7 @@ impl<'v> KeyTable<'v> {
         let (NumberMeasure::In(_) | NumberMeasure::Effort) = size else {
             return None;
         };
-        let measure = size.measure(self.turns, self.kind == keys::TORSION);
+        let measure = size.measure(self.is_rotary, self.kind == keys::TORSION);
         Some(match measure.units(Unit::default()) {
             MeasureUnits::Length => reader.named.length.0,
             _ => measure.unit(Unit::default()),
@@ -133,7 +133,7 @@ impl<'v> KeyTable<'v> {
         else {
             return None;
         };
-        Some(size.measure(self.turns, self.kind == keys::TORSION))
+        Some(size.measure(self.is_rotary, self.kind == keys::TORSION))
     }
 
     /// Returns the rule for the number of a key.
@@ -171,7 +171,7 @@ impl Reader<'_> {
         at: &ByteSpan,
         example: &str,
     ) {
-        if !table.has(key) && !table.meant(key) {
+        if !table.has(key) && !table.is_probable_misspelling(key) {
             self.report(
                 Diagnostic::new(words().of_has_no(&table.of, key))
                     .at(at.clone(), words().is_missing(key))
@@ -261,8 +261,8 @@ impl Reader<'_> {
         let (Some(wanted), Some(formula)) = (wanted, value.get_ref().as_str()) else {
             return Some(number);
         };
-        let worth = self.worked_out(what, formula, &value.span())?;
-        match worth.dimension {
+        let result = self.worked_out(what, formula, &value.span())?;
+        match result.dimension {
             Some(found) if !found.adds_to(wanted) => {
                 let length = self.named.length.0;
                 let (found, wanted) = (found.symbol(length), wanted.symbol(length));

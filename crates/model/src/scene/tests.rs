@@ -261,8 +261,11 @@ fn every_kind_of_load_is_read() {
                 over: over(&[[0.0, 1.0], [1.0, 0.0]]),
             },
             // The guide points up: its lower end has the minimum position.
-            press(StrokeEnd::Least, &[[0.0, 350e3], [0.2, 200e3], [0.5, 0.0]]),
-            press(StrokeEnd::Greatest, &[[0.0, 10.0], [0.1, 0.0]]),
+            press(
+                StrokeEnd::Minimum,
+                &[[0.0, 350e3], [0.2, 200e3], [0.5, 0.0]]
+            ),
+            press(StrokeEnd::Maximum, &[[0.0, 10.0], [0.1, 0.0]]),
             spring("O", "T", 1200.0, 3.5, 5.0),
             spring("ram.com", "T", 0.0, 0.0, 2.0),
             Load::Spring {
@@ -322,10 +325,10 @@ fn press_without_end_acts_at_lower_end_of_guide() {
         };
         Some(end)
     };
-    assert_eq!(end("90"), Some(StrokeEnd::Least));
-    assert_eq!(end("0.001"), Some(StrokeEnd::Least));
-    assert_eq!(end("-90"), Some(StrokeEnd::Greatest));
-    assert_eq!(end("180.001"), Some(StrokeEnd::Greatest));
+    assert_eq!(end("90"), Some(StrokeEnd::Minimum));
+    assert_eq!(end("0.001"), Some(StrokeEnd::Minimum));
+    assert_eq!(end("-90"), Some(StrokeEnd::Maximum));
+    assert_eq!(end("180.001"), Some(StrokeEnd::Maximum));
     assert_eq!((end("0"), end("-180"), end("360")), (None, None, None));
 }
 
@@ -416,7 +419,7 @@ fn elements_map_to_their_place_in_text() {
 }
 
 /// Returns the visible parts of a scene, for comparing two texts of one scene.
-fn gist(text: &str) -> String {
+fn visible_parts(text: &str) -> String {
     let scene = Scene::parse(text, "gist").unwrap_or_else(|faults| panic!("{faults}"));
     let names: Vec<_> = scene
         .mechanism
@@ -432,12 +435,12 @@ fn gist(text: &str) -> String {
 #[test]
 fn line_endings_bom_tabs_and_comments_are_ignored() {
     let text = presets::find("four-bar").unwrap().text;
-    let expected = gist(text);
-    assert_eq!(gist(&text.replace('\n', "\r\n")), expected);
-    assert_eq!(gist(&format!("\u{feff}{text}")), expected);
-    assert_eq!(gist(&text.replace(" = ", "\t=\t")), expected);
+    let expected = visible_parts(text);
+    assert_eq!(visible_parts(&text.replace('\n', "\r\n")), expected);
+    assert_eq!(visible_parts(&format!("\u{feff}{text}")), expected);
+    assert_eq!(visible_parts(&text.replace(" = ", "\t=\t")), expected);
     assert_eq!(
-        gist(&text.replace('\n', "   # \u{f6}\u{202e} remark\n")),
+        visible_parts(&text.replace('\n', "   # \u{f6}\u{202e} remark\n")),
         expected
     );
     let bytes = [b"\xef\xbb\xbf", text.as_bytes()].concat();
@@ -470,14 +473,14 @@ fn polar_points_are_placed_relative_to_from_point() {
     let mut links = scene.mechanism.link_ids();
     let r3 = links.find(|&id| scene.link_name(id) == "r3").unwrap();
     let r3 = scene.mechanism.link(r3);
-    for (name, place) in [
+    for (name, position) in [
         ("P", Vec2::new(1.0, 2.0)),
         ("E", Vec2::new(300.0, 180.0)),
         ("F", Vec2::new(300.0, 175.0)),
         ("G", Vec2::new(25.0, 50.0 * 0.75_f64.sqrt())),
         ("r3.com", Vec2::new(297.0, 175.0)),
     ] {
-        assert_eq!(r3.local(point(&scene, name)), Some(place), "{name}");
+        assert_eq!(r3.local(point(&scene, name)), Some(position), "{name}");
     }
     // In file order, as in tables.
     let names = scene.mechanism.point_ids();
@@ -537,11 +540,11 @@ fn harmful_characters_in_names_are_replaced() {
 #[test]
 fn frame_written_as_link_becomes_a_vector() {
     let given = crate::scene::presets::find("four-bar").unwrap().text;
-    let (bare, _) = given.split_once("\n[vectors]").unwrap();
+    let (plain, _) = given.split_once("\n[vectors]").unwrap();
     let with = |length: &str, more: &str| {
         let frame =
             format!("[links]\nr1 = {{ from = \"D\", to = \"A\", length = {length}{more} }}");
-        bare.replace("[links]", &frame)
+        plain.replace("[links]", &frame)
     };
     let scene = Scene::parse(&with("400", ""), "frame").unwrap();
     let as_vector = Scene::parse(given, "frame").unwrap();

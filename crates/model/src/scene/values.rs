@@ -62,7 +62,7 @@ pub struct Value {
 
 impl Value {
     /// Creates a value typed outside the scene, without a place in the text.
-    pub(crate) fn beside(scene: &Scene, measure: Measure) -> Value {
+    pub(crate) fn outside_text(scene: &Scene, measure: Measure) -> Value {
         Value {
             name: String::new(),
             owner: ValueOwner::Scene,
@@ -177,7 +177,7 @@ impl Scene {
     pub fn values(&self) -> Vec<Value> {
         let mut found = collector::values(self);
         found.sort_by_key(|value| (value.measure != Measure::Parameter, value.place.start));
-        tell_apart(&mut found);
+        make_names_unique(&mut found);
         found
     }
 
@@ -193,8 +193,8 @@ impl Scene {
         match names.iter().position(|name| *name == sought) {
             Some(found) => Ok(values.swap_remove(found)),
             None => {
-                let meant = did_you_mean(&sought, names.iter().map(String::as_str));
-                Err(words().no_value_named(&sought, meant.as_deref()))
+                let intended = did_you_mean(&sought, names.iter().map(String::as_str));
+                Err(words().no_value_named(&sought, intended.as_deref()))
             }
         }
     }
@@ -218,7 +218,7 @@ impl Scene {
             };
             edits.replace(value.place.clone(), text);
         }
-        edits.made_in(self.text())
+        edits.rewritten_in(self.text())
     }
 }
 
@@ -233,7 +233,7 @@ pub(crate) fn quoted(formula: &str) -> String {
 
 /// Makes display names unique. Elements may have any name: `motor torque` may belong to the motor,
 /// or be the load on a link called `motor`.
-fn tell_apart(values: &mut [Value]) {
+fn make_names_unique(values: &mut [Value]) {
     let mut met = HashMap::<String, usize>::new();
     for value in values {
         let times = met.entry(value.name.clone()).or_default();

@@ -7,7 +7,7 @@ use crate::solver::{DriftMethod, Methods, Range};
 use std::time::Duration;
 
 /// Positions compared in one piece of work.
-const COMPARED: u32 = 36;
+const POSITIONS_PER_BATCH: u32 = 36;
 
 /// An integration of the velocities from a position that recurs every cycle.
 pub(super) struct IntegrationCycle {
@@ -23,13 +23,13 @@ pub(super) struct IntegrationCycle {
     taken: u32,
     blind: u32,
     /// `true` if rates do not exist, which ends the integration.
-    stuck: bool,
+    is_stuck: bool,
 }
 
 impl IntegrationCycle {
     /// Begins at a position; `None` if the mechanism does not have a full cycle, or if its state
     /// cannot be found there.
-    pub(super) fn begin(
+    pub(super) fn start(
         methods: &mut Methods,
         start: f64,
         steps: u16,
@@ -38,7 +38,7 @@ impl IntegrationCycle {
         let Range::Full { period } = methods.range() else {
             return None;
         };
-        if !methods.look_up(start) {
+        if !methods.compute_reference(start) {
             return None;
         }
         let drift = methods.drift()?;
@@ -58,7 +58,7 @@ impl IntegrationCycle {
             cycle,
             taken: 0,
             blind: u32::from(turns.max(1) - 1) * cycle,
-            stuck: false,
+            is_stuck: false,
         })
     }
 
@@ -69,7 +69,7 @@ impl IntegrationCycle {
 
     /// Does one piece of work; returns `true` if it was the last. The steps before the last cycle
     /// are timed; if they are too few, further steps after it are timed too.
-    pub(super) fn go_on(
+    pub(super) fn run_step(
         &mut self,
         methods: &mut Methods,
         tally: &mut Tally,
@@ -77,12 +77,12 @@ impl IntegrationCycle {
         clock: &mut dyn FnMut() -> Duration,
     ) -> bool {
         let end = self.blind + self.cycle;
-        if self.stuck {
-            self.give_up(tally);
+        if self.is_stuck {
+            self.count_as_failures(tally);
             return true;
         }
         if self.taken >= self.blind && self.taken < end {
-            for _ in self.taken..end.min(self.taken + COMPARED) {
+            for _ in self.taken..end.min(self.taken + POSITIONS_PER_BATCH) {
                 self.compare(methods, tally);
             }
             return false;
@@ -90,11 +90,11 @@ impl IntegrationCycle {
         if self.taken >= end && watch.samples().len() >= SAMPLES {
             return true;
         }
-        let most = match self.blind.checked_sub(self.taken) {
+        let maximum = match self.blind.checked_sub(self.taken) {
             Some(left) if left > 0 => left as usize,
             _ => usize::MAX,
         };
-        watch.take(clock, most, |count| {
+        watch.take(clock, maximum, |count| {
             for _ in 0..count {
                 self.go(methods);
             }
@@ -116,7 +116,7 @@ impl IntegrationCycle {
         });
         match change {
             Some(change) => self.drift.advance(methods, change),
-            None => self.stuck = true,
+            None => self.is_stuck = true,
         }
         self.taken += 1;
     }
@@ -125,15 +125,15 @@ impl IntegrationCycle {
     fn compare(&mut self, methods: &mut Methods, tally: &mut Tally) {
         self.go(methods);
         let at = self.at(0.0);
-        if !methods.look_up(at) {
+        if !methods.compute_reference(at) {
             return;
         }
-        let found = !self.stuck && self.drift.settle(methods, at);
+        let found = !self.is_stuck && self.drift.settle(methods, at);
         tally.note(found.then(|| methods.drifted(&self.drift)));
     }
 
     /// Counts the remaining steps of the last cycle as failures.
-    fn give_up(&mut self, tally: &mut Tally) {
+    fn count_as_failures(&mut self, tally: &mut Tally) {
         let end = self.blind + self.cycle;
         for _ in self.taken.max(self.blind)..end {
             tally.note(None);

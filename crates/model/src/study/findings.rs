@@ -1,7 +1,7 @@
 //! The results of a study as numbers, without text.
 
 use super::spread::Spread;
-use crate::solver::{Method, Unfit};
+use crate::solver::{Method, Unsuitable};
 
 /// The largest errors of a method over all positions that it solved.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -44,7 +44,7 @@ pub enum MethodVerdict {
     /// The method was measured.
     Measured(MethodFigures),
     /// The method cannot be used for this mechanism.
-    Unfit(Unfit),
+    Unsuitable(Unsuitable),
     /// The method is not measured yet.
     Pending,
 }
@@ -81,7 +81,7 @@ impl Finding {
     pub fn figures(&self) -> Option<&MethodFigures> {
         match &self.verdict {
             MethodVerdict::Measured(figures) => Some(figures),
-            MethodVerdict::Unfit(_) | MethodVerdict::Pending => None,
+            MethodVerdict::Unsuitable(_) | MethodVerdict::Pending => None,
         }
     }
 }

@@ -2,14 +2,15 @@
 
 /// The factor from which on an error counts as smaller. The largest of some thousand rounding
 /// errors is itself random.
-const GRAIN: f64 = 1.2;
+const MIN_ERROR_RATIO: f64 = 1.2;
 
 /// Returns for every pair of time and error whether it is on the best front. A pair is on it if no
 /// other pair is faster and not clearly less accurate, or equally fast and more accurate. `None`
 /// does not take part.
 pub(super) fn front(costs: &[Option<[f64; 2]>]) -> Vec<bool> {
     let beats = |[time, error]: &[f64; 2], own: &[f64; 2]| {
-        (*time < own[0] && *error <= GRAIN * own[1]) || (*time <= own[0] && *error < own[1])
+        (*time < own[0] && *error <= MIN_ERROR_RATIO * own[1])
+            || (*time <= own[0] && *error < own[1])
     };
     let is_best = |own: &[f64; 2]| !costs.iter().flatten().any(|other| beats(other, own));
     costs

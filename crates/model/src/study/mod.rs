@@ -22,33 +22,32 @@ mod spread;
 mod tally;
 mod tolerance;
 
-pub use crate::solver::{Method, Start, Unfit};
+pub use crate::solver::{Method, Start, Unsuitable};
 pub use design::{
     BestDesign, Design, DesignFigures, DesignPlan, DesignRow, DesignRun, DesignSpace, DesignState,
     FoundDesign, Goal, GoalSearch, GoalSense, MistypedAxis, MistypedGoal, NoDesign, OptimiseOrder,
     OptimiseState, PlanAxis, SearchOutcome,
 };
 pub use excursion::{
-    CycleFigure, CycleFigures, DwellStretch, Excursion, ExcursionOptions, FigurePlace, NoFigure,
-    TimeRatio, TurningPlace, USUAL_DWELL, UnknownCycleFigure, changing,
+    CycleFigure, CycleFigures, DEFAULT_DWELL, DwellStretch, Excursion, ExcursionOptions,
+    ExtremumPlace, FigurePlace, NoFigure, TimeRatio, UnknownCycleFigure, changing,
 };
 pub use exercise::{Exercise, ExerciseMaker, ExerciseTitles};
 pub use findings::{
     Finding, Findings, IterationCounts, MethodErrors, MethodFigures, MethodVerdict,
 };
 pub use grading::{
-    AnswerKey, AskedFigure, ChainGroup, ChainSlot, ChainValues, FigureVerdict, GivenAnswer,
-    LinkPoints, MisreadValue, RoundedEarly, SheetScene, SolutionChain, WrittenFigure,
+    AnswerKey, ChainGroup, ChainSlot, ChainValues, FigureVerdict, GivenAnswer, LinkPoints,
+    MisreadValue, RequiredValue, RoundedEarly, SheetScene, SolutionChain, WrittenFigure,
 };
 pub use iterations::{
     Bisection, ErrorCurve, Halving, LoopSum, LoopSystem, NewtonIteration, NewtonOutcome,
-    NewtonTrace, SoughtKind, SoughtVector, VectorPart, half_turn,
+    NewtonTrace, UnknownKind, UnknownVector, VectorPart, half_turn,
 };
 pub use spread::Spread;
 pub use tolerance::{
-    BandKind, Contribution, Distribution, Offsets, Percentiles, SampleOrder, Samples,
-    ToleranceError, ToleranceFigure, ToleranceOf, ToleranceStudy, WholeTolerance, WorstCase,
-    WorstKind,
+    BandKind, Contribution, Distribution, MotionTolerance, Offsets, Percentiles, SampleOrder,
+    Samples, ToleranceError, ToleranceFigure, ToleranceOf, ToleranceStudy, WorstCase, WorstKind,
 };
 
 use crate::solver::{Deviation, Methods, Range, Runner, Solver};
@@ -58,7 +57,7 @@ use std::time::Duration;
 use tally::{Stopwatch, Tally};
 
 /// Default number of positions, per 360 degrees or over the range.
-pub const USUAL_POSITIONS: u32 = 3600;
+pub const DEFAULT_POSITIONS: u32 = 3600;
 
 /// Number of time samples per method.
 const SAMPLES: usize = 21;
@@ -69,15 +68,15 @@ const TOLERANCES: [f64; 5] = [1e-3, 1e-6, 1e-9, 1e-12, 1e-14];
 const STEPS: [u16; 3] = [36, 360, 3600];
 /// The number of cycles of an integration, by the maximum number of unknowns. The error is measured
 /// in the last cycle. Each step has a cost per unknown, and a study should take some seconds.
-const CYCLES: [(usize, u16); 2] = [(10, USUAL_CYCLES), (20, 100)];
+const CYCLES: [(usize, u16); 2] = [(10, DEFAULT_CYCLES), (20, 100)];
 const MIN_CYCLES: u16 = 10;
 /// The number of cycles of a mechanism with few unknowns.
-pub const USUAL_CYCLES: u16 = 1000;
+pub const DEFAULT_CYCLES: u16 = 1000;
 
 /// The progress when the errors are known, and when the times are known too, as measured on the
 /// four-bar of the lectures.
-const ERRORS_DONE: f64 = 0.1;
-const TIMES_DONE: f64 = 0.25;
+const ERRORS_PROGRESS: f64 = 0.1;
+const TIMES_PROGRESS: f64 = 0.25;
 
 /// Returns all methods in the order of their letters; the integrations run through one cycle and
 /// through `cycles`.
@@ -108,7 +107,7 @@ struct Contender {
 }
 
 enum StudyWork {
-    Unfit(Unfit),
+    Unsuitable(Unsuitable),
     /// Solves positions; `next` is the next one to time.
     Solves {
         runner: Box<Runner>,
@@ -132,7 +131,7 @@ pub struct Study {
     methods: Methods,
     contenders: Vec<Contender>,
     /// The positions in the order of visit.
-    places: Vec<f64>,
+    coordinates: Vec<f64>,
     /// The positions at which the reference exists.
     sound: Vec<f64>,
     /// `true` if methods that start from the previous position must be reset.
@@ -149,7 +148,7 @@ impl Study {
     pub fn new(solver: &Solver, positions: u32) -> Study {
         let methods = Methods::new(solver);
         let unknowns = methods.unknowns();
-        let kind = CYCLES.into_iter().find(|&(most, _)| unknowns <= most);
+        let kind = CYCLES.into_iter().find(|&(maximum, _)| unknowns <= maximum);
         let cycles = kind.map_or(MIN_CYCLES, |(_, cycles)| cycles);
         Study::with(&all_methods(cycles), methods, positions)
     }
@@ -164,7 +163,7 @@ impl Study {
         let contender = |&method: &Method| Contender {
             method,
             work: match (methods.usable(method), methods.runner(method)) {
-                (Err(unfit), _) => StudyWork::Unfit(unfit),
+                (Err(unfit), _) => StudyWork::Unsuitable(unfit),
                 (Ok(()), Some(runner)) => StudyWork::Solves {
                     runner: Box::new(runner),
                     next: 0,
@@ -176,7 +175,7 @@ impl Study {
         };
         Study {
             contenders: list.iter().map(contender).collect(),
-            places: places(methods.range(), positions),
+            coordinates: places(methods.range(), positions),
             methods,
             sound: Vec::new(),
             anew: true,
@@ -203,11 +202,15 @@ impl Study {
     pub fn progress(&self) -> f64 {
         let part = |done: usize, all: usize| done as f64 / all.max(1) as f64;
         match self.stage {
-            StudyStage::Errors { place } => ERRORS_DONE * part(place, self.places.len()),
-            StudyStage::Times { round, .. } => {
-                ERRORS_DONE + (TIMES_DONE - ERRORS_DONE) * part(round, SAMPLES)
+            StudyStage::Errors { place: index } => {
+                ERRORS_PROGRESS * part(index, self.coordinates.len())
             }
-            StudyStage::Cycles { .. } => TIMES_DONE + (1.0 - TIMES_DONE) * self.integrated(),
+            StudyStage::Times { round, .. } => {
+                ERRORS_PROGRESS + (TIMES_PROGRESS - ERRORS_PROGRESS) * part(round, SAMPLES)
+            }
+            StudyStage::Cycles { .. } => {
+                TIMES_PROGRESS + (1.0 - TIMES_PROGRESS) * self.integrated()
+            }
             StudyStage::Done => 1.0,
         }
     }
@@ -243,7 +246,7 @@ impl Study {
     fn verdict(&self, contender: &Contender) -> MethodVerdict {
         let Contender { tally, watch, .. } = contender;
         match &contender.work {
-            StudyWork::Unfit(unfit) => MethodVerdict::Unfit(*unfit),
+            StudyWork::Unsuitable(unfit) => MethodVerdict::Unsuitable(*unfit),
             _ if tally.tried == 0 => MethodVerdict::Pending,
             StudyWork::Solves { .. } | StudyWork::Integrates(_) => {
                 MethodVerdict::Measured(MethodFigures {
@@ -261,10 +264,10 @@ impl Study {
 
     fn piece(&mut self, clock: &mut dyn FnMut() -> Duration) {
         self.stage = match self.stage {
-            StudyStage::Errors { place } => match self.places.get(place) {
+            StudyStage::Errors { place: index } => match self.coordinates.get(index) {
                 Some(&at) => {
                     self.compare(at);
-                    StudyStage::Errors { place: place + 1 }
+                    StudyStage::Errors { place: index + 1 }
                 }
                 None => StudyStage::Times {
                     round: 0,
@@ -300,7 +303,7 @@ impl Study {
     /// Compares every method that solves positions with the reference.
     fn compare(&mut self, at: f64) {
         let methods = &mut self.methods;
-        if !methods.look_up(at) {
+        if !methods.compute_reference(at) {
             self.anew = true;
             return;
         }
@@ -311,7 +314,7 @@ impl Study {
                 continue;
             };
             if self.anew {
-                runner.begin(methods);
+                runner.start(methods);
             }
             let found = runner.solve(methods, at);
             let deviation = found.then(|| runner.deviation(methods)).flatten();
@@ -319,7 +322,7 @@ impl Study {
             if met {
                 tally.count(runner.iterations());
             } else {
-                runner.begin(methods);
+                runner.start(methods);
             }
         }
         self.anew = false;
@@ -328,18 +331,18 @@ impl Study {
     /// Takes one sample of a method's time; returns `false` if it was too short to count, and the
     /// next one will be longer.
     fn time(&mut self, contender: usize, clock: &mut dyn FnMut() -> Duration) -> bool {
-        let (methods, sound) = (&mut self.methods, &self.sound);
+        let (methods, valid) = (&mut self.methods, &self.sound);
         let Contender { work, watch, .. } = &mut self.contenders[contender];
         let StudyWork::Solves { runner, next } = work else {
             return true;
         };
         watch.take(clock, usize::MAX, |count| {
             for _ in 0..count {
-                let at = sound[*next % sound.len()];
+                let at = valid[*next % valid.len()];
                 *next += 1;
                 if !black_box(runner.solve(methods, black_box(at))) {
                     methods.guide_to(at);
-                    runner.begin(methods);
+                    runner.start(methods);
                 }
             }
         })
@@ -347,7 +350,7 @@ impl Study {
 
     /// Continues an integration; returns `true` if it is finished.
     fn integrate(&mut self, contender: usize, clock: &mut dyn FnMut() -> Duration) -> bool {
-        let (methods, sound) = (&mut self.methods, &self.sound);
+        let (methods, valid) = (&mut self.methods, &self.sound);
         let Contender {
             method,
             work,
@@ -360,10 +363,10 @@ impl Study {
             return true;
         };
         match cycle {
-            Some(cycle) => cycle.go_on(methods, tally, watch, clock),
+            Some(cycle) => cycle.run_step(methods, tally, watch, clock),
             None => {
-                let start = sound.first().copied().unwrap_or_default();
-                *cycle = IntegrationCycle::begin(methods, start, steps, turns).map(Box::new);
+                let start = valid.first().copied().unwrap_or_default();
+                *cycle = IntegrationCycle::start(methods, start, steps, turns).map(Box::new);
                 if cycle.is_none() {
                     tally.note(None);
                 }

@@ -97,13 +97,13 @@ impl Stopwatch {
     pub(super) fn take(
         &mut self,
         clock: &mut dyn FnMut() -> Duration,
-        most: usize,
+        maximum: usize,
         run: impl FnOnce(usize),
     ) -> bool {
-        let count = self.count.min(most);
-        let begun = clock();
+        let count = self.count.min(maximum);
+        let started = clock();
         run(count);
-        let taken = clock().saturating_sub(begun);
+        let taken = clock().saturating_sub(started);
         if taken < MIN_LEN && count < MAX_COUNT {
             self.count = count.max(self.count / 2) * 2;
             return false;

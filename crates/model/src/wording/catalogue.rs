@@ -69,7 +69,7 @@ macro_rules! catalogue {
     };
     (impl $part:ident for $language:ident { $($sentences:tt)* }) => {
         impl $part for $language {
-            catalogue! { @said $($sentences)* }
+            catalogue! { @message $($sentences)* }
         }
     };
     (@declared $($(#[$only:meta])* $name:ident $(($($given:ident: $kind:ty),*))? = $text:tt;)*) => {
@@ -81,7 +81,7 @@ macro_rules! catalogue {
     (@one $name:ident ($($given:ident: $kind:ty),*)) => {
         fn $name(&self, $($given: $kind),*) -> String;
     };
-    (@said $($(#[$only:meta])* $name:ident $(($($given:ident: $kind:ty),*))? = $text:tt;)*) => {
+    (@message $($(#[$only:meta])* $name:ident $(($($given:ident: $kind:ty),*))? = $text:tt;)*) => {
         $($(#[$only])* catalogue! { @one $name $(($($given: $kind),*))? = $text })*
     };
     (@one $name:ident = $text:tt) => {

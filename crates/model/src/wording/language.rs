@@ -55,7 +55,7 @@ impl Language {
 
     /// Returns the current language.
     #[must_use]
-    pub fn spoken() -> Language {
+    pub fn current_language() -> Language {
         spoken::get()
     }
 
@@ -110,14 +110,14 @@ mod spoken {
     use super::Language;
     use std::cell::Cell;
 
-    thread_local!(static SPOKEN: Cell<Language> = const { Cell::new(Language::English) });
+    thread_local!(static CURRENT_LANGUAGE: Cell<Language> = const { Cell::new(Language::English) });
 
     pub(super) fn get() -> Language {
-        SPOKEN.get()
+        CURRENT_LANGUAGE.get()
     }
 
     pub(super) fn set(language: Language) {
-        SPOKEN.set(language);
+        CURRENT_LANGUAGE.set(language);
     }
 }
 

@@ -72,7 +72,7 @@ pub type Wording = fn(&'static dyn Words) -> &'static str;
 
 /// Returns the messages in the current language.
 pub fn words() -> &'static dyn Words {
-    Language::spoken().words()
+    Language::current_language().words()
 }
 
 /// Returns the messages for files that other programs read. They are always English: names and

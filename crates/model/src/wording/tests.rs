@@ -21,12 +21,12 @@ fn sentences(language: &str) -> BTreeMap<String, Sentence> {
         let catalogue = catalogue.split("\n}\n").next().unwrap();
         let mut lines = catalogue.lines().peekable();
         while let Some(line) = lines.next() {
-            let begins = |line: &str| {
+            let starts = |line: &str| {
                 let inner = line.strip_prefix("        ")?;
                 (inner.starts_with(|c: char| c.is_ascii_lowercase()) && line.contains(" ="))
                     .then(|| inner.to_owned())
             };
-            let Some(head) = begins(line) else { continue };
+            let Some(head) = starts(line) else { continue };
             let mut text = head;
             let end = match text.ends_with('{') {
                 true => "\n        };",
@@ -69,16 +69,16 @@ fn turkish_messages_match_english_keys_and_arguments() {
     let keys = |all: &BTreeMap<String, Sentence>| all.keys().cloned().collect::<Vec<_>>();
     assert_eq!(keys(&english), keys(&turkish));
     let mut missing = Vec::new();
-    for (name, said) in &english {
+    for (name, text) in &english {
         let other = &turkish[name];
-        assert_eq!(said.given, other.given, "{name}");
-        let given = said
+        assert_eq!(text.given, other.given, "{name}");
+        let given = text
             .given
             .iter()
             .filter(|it| !GRAMMAR.contains(&it.as_str()));
         missing.extend(
             given
-                .filter(|it| names(&said.text, it) && !names(&other.text, it))
+                .filter(|it| names(&text.text, it) && !names(&other.text, it))
                 .map(|it| format!("{name}: {it}")),
         );
     }
@@ -90,7 +90,7 @@ fn turkish_messages_match_english_keys_and_arguments() {
 fn options_variables_sections_and_keys_are_not_translated() {
     let (english, turkish) = (sentences("english"), sentences("turkish"));
     let mut missing = Vec::new();
-    for (name, said) in &english {
+    for (name, message) in &english {
         let typed = |text: &str| -> Vec<String> {
             let parts = text.split([' ', '\n', '`', '"', ';', ',', ')', '(', ':', '\\']);
             let is_typed = |part: &&str| {
@@ -103,7 +103,7 @@ fn options_variables_sections_and_keys_are_not_translated() {
             parts.filter(is_typed).map(str::to_owned).collect()
         };
         let there = typed(&turkish[name].text);
-        let gone = typed(&said.text)
+        let gone = typed(&message.text)
             .into_iter()
             .filter(|it| !there.contains(it));
         missing.extend(gone.map(|it| format!("{name}: {it}")));

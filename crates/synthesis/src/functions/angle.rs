@@ -20,7 +20,7 @@
 use super::lines::solved;
 use super::linkage::FunctionLinkage;
 use super::refine::FunctionDesign;
-use super::wanted::{FunctionLaw, WantedFunction};
+use super::wanted::{FunctionLaw, TargetFunction};
 use super::{ExactDesigns, law_angles};
 use nalgebra::{Complex, DVector};
 
@@ -34,23 +34,23 @@ struct AngleColumns {
 /// ones with the smallest residual of the equation, as starting points.
 ///
 /// Returns `None` if a scale is free.
-pub(super) fn exact(wanted: &WantedFunction) -> Option<ExactDesigns> {
-    let (angles, crank_scale, output_scale) = law_angles(wanted)?;
+pub(super) fn exact(target: &TargetFunction) -> Option<ExactDesigns> {
+    let (angles, crank_scale, output_scale) = law_angles(target)?;
     let columns = AngleColumns {
-        crank_is_free: wanted.given[0].is_none(),
-        output_is_free: wanted.given[2].is_none(),
+        crank_is_free: target.given[0].is_none(),
+        output_is_free: target.given[2].is_none(),
     };
     let rows: Vec<Vec<f64>> = angles.iter().map(|[p, q]| columns.row(*p, *q)).collect();
-    let free = if columns.both_are_given() { 1 } else { 2 };
+    let free = if columns.has_given_crank() { 1 } else { 2 };
     let solved = solved(&rows, free, |v| columns.condition(v));
     let law = |z: f64, w: f64| FunctionLaw {
-        crank: [wanted.given[0].unwrap_or(z), crank_scale],
-        output: [wanted.given[2].unwrap_or(w), output_scale],
+        crank: [target.given[0].unwrap_or(z), crank_scale],
+        output: [target.given[2].unwrap_or(w), output_scale],
     };
     let designs = solved.vectors.iter().filter_map(|v| {
-        let (linkage, [z, w]) = columns.linkage(v, wanted)?;
+        let (linkage, [z, w]) = columns.linkage(v, target)?;
         let law = law(z, w);
-        let [x, y] = *wanted.pairs.first()?;
+        let [x, y] = *target.pairs.first()?;
         let at = |[datum, scale]: [f64; 2], value| datum + scale * value;
         let side = linkage.side(at(law.crank, x), at(law.output, y));
         Some(FunctionDesign { linkage, law, side })
@@ -62,7 +62,7 @@ pub(super) fn exact(wanted: &WantedFunction) -> Option<ExactDesigns> {
 }
 
 impl AngleColumns {
-    fn both_are_given(&self) -> bool {
+    fn has_given_crank(&self) -> bool {
         !self.crank_is_free && !self.output_is_free
     }
 
@@ -78,7 +78,7 @@ impl AngleColumns {
         };
         put(q, 1.0, self.output_is_free);
         put(p, -1.0, self.crank_is_free);
-        put(q - p, -1.0, !self.both_are_given());
+        put(q - p, -1.0, !self.has_given_crank());
         row
     }
 
@@ -93,7 +93,7 @@ impl AngleColumns {
         };
         let w = take(self.output_is_free);
         let z = take(self.crank_is_free);
-        let u = take(!self.both_are_given());
+        let u = take(!self.has_given_crank());
         (v[0], [w, z, u])
     }
 
@@ -107,7 +107,7 @@ impl AngleColumns {
     fn linkage(
         &self,
         v: &DVector<f64>,
-        wanted: &WantedFunction,
+        target: &TargetFunction,
     ) -> Option<(FunctionLinkage, [f64; 2])> {
         let (s, [w, z, u]) = self.parts(v);
         let product = w * z.conj();
@@ -117,11 +117,11 @@ impl AngleColumns {
         let square = 1.0 + w.norm_sqr() + z.norm_sqr() - 2.0 * s;
         let length = |v: Complex<f64>, is_free: bool| if is_free { v.norm() } else { v.re };
         let linkage = FunctionLinkage {
-            output: wanted.output,
+            output: target.output,
             crank: length(z, self.crank_is_free),
             coupler: square.sqrt(),
             third: length(w, self.output_is_free),
         };
-        linkage.is_sound().then(|| (linkage, [z.arg(), w.arg()]))
+        linkage.is_valid().then(|| (linkage, [z.arg(), w.arg()]))
     }
 }

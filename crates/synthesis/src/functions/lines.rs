@@ -14,7 +14,7 @@ const SWEEPS: usize = 200;
 /// A singular value below this part of the largest one reduces the rank of the equations.
 const SINGULAR: f64 = 1e-12;
 /// The condition holds everywhere if its largest value on unit vectors is below this limit.
-const EVERYWHERE: f64 = 1e-12;
+const IDENTITY_TOLERANCE: f64 = 1e-12;
 /// Number of samples from a continuous family of solutions.
 pub(super) const SAMPLES: usize = 24;
 
@@ -60,7 +60,7 @@ fn directions(rows: &[Vec<f64>]) -> Option<(Vec<DVector<f64>>, usize)> {
     let height = rows.len().max(width);
     let mut matrix = DMatrix::zeros(height, width);
     for (i, row) in rows.iter().enumerate() {
-        let size = row.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+        let size = row.iter().fold(0.0_f64, |maximum, v| maximum.max(v.abs()));
         if !row.iter().all(|v| v.is_finite()) {
             return None;
         }
@@ -118,13 +118,13 @@ fn on_a_plane(
     let looks = (0..8).map(|k| turned(PI * f64::from(k) / 8.0));
     // In the direction with the largest absolute value of the condition lies no solution, so t
     // stays small.
-    let most = looks
+    let maximum = looks
         .map(|(a, b)| (condition(&a).abs(), a, b))
         .max_by(|a, b| a.0.total_cmp(&b.0));
-    let Some((size, a, b)) = most else {
+    let Some((size, a, b)) = maximum else {
         return SolvedLines::default();
     };
-    if !(size > EVERYWHERE) {
+    if !(size > IDENTITY_TOLERANCE) {
         return SolvedLines {
             vectors: (0..SAMPLES)
                 .map(|k| turned(PI * k as f64 / SAMPLES as f64).0)

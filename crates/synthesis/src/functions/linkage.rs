@@ -28,12 +28,12 @@ pub(super) struct OutputReach {
     pub(super) by: [f64; 4],
     /// 0 if the linkage closes. If not, the output is that of the nearest dead point.
     pub(super) short: f64,
-    pub(super) short_by: [f64; 4],
+    pub(super) shortfall: [f64; 4],
 }
 
 impl FunctionLinkage {
     /// Returns `true` if the linkage can be built.
-    pub(super) fn is_sound(&self) -> bool {
+    pub(super) fn is_valid(&self) -> bool {
         let is_length = |l: f64| l.abs() < MAX_COUNT && l.abs() > 1.0 / MAX_COUNT;
         let third = match self.output {
             Output::Angle => is_length(self.third),
@@ -120,7 +120,7 @@ impl FunctionLinkage {
             output: u.y.atan2(u.x) + side * k.clamp(-1.0, 1.0).acos(),
             by: std::array::from_fn(|i| turned[i] + weight * by_k[i]),
             short: if closes { 0.0 } else { excess },
-            short_by: by_k.map(|d| if closes { 0.0 } else { d * k.signum() }),
+            shortfall: by_k.map(|d| if closes { 0.0 } else { d * k.signum() }),
         }
     }
 
@@ -140,7 +140,7 @@ impl FunctionLinkage {
             output: pin.x + side * h.max(0.0).sqrt(),
             by: std::array::from_fn(|i| along[i] + weight * by_h[i]),
             short: if closes { 0.0 } else { -h },
-            short_by: by_h.map(|d| if closes { 0.0 } else { -d }),
+            shortfall: by_h.map(|d| if closes { 0.0 } else { -d }),
         }
     }
 }
@@ -152,7 +152,7 @@ mod tests {
 
     #[test]
     fn derivatives_match_difference_quotients() {
-        let mut chance = SeededRng::new(7);
+        let mut rng = SeededRng::new(7);
         let mut closed = 0;
         for round in 0..2000 {
             let output = if round % 2 == 0 {
@@ -160,7 +160,7 @@ mod tests {
             } else {
                 Output::Slide
             };
-            let mut numbers: [f64; 4] = std::array::from_fn(|_| 1.5 * chance.even());
+            let mut numbers: [f64; 4] = std::array::from_fn(|_| 1.5 * rng.even());
             numbers[1] = numbers[1].abs() + 0.3;
             let linkage = |n: [f64; 4]| FunctionLinkage {
                 output,
@@ -185,9 +185,9 @@ mod tests {
                 let size = 1.0 + here.by[i].abs().powi(3);
                 assert!((slope - here.by[i]).abs() < 1e-5 * size, "{round} {i}");
                 let slope = (above.short - below.short) / step / 2.0;
-                let size = 1.0 + here.short_by[i].abs().powi(2);
+                let size = 1.0 + here.shortfall[i].abs().powi(2);
                 assert!(
-                    (slope - here.short_by[i]).abs() < 1e-5 * size,
+                    (slope - here.shortfall[i]).abs() < 1e-5 * size,
                     "{round} {i}"
                 );
             }

@@ -40,17 +40,17 @@ mod tests;
 mod trigonometric;
 mod wanted;
 
-pub use run::{FunctionRun, GreatestError};
+pub use run::{FunctionRun, MaxError};
 pub use spacing::chebyshev_pairs;
 
-use super::{FunctionTask, Output, Partner, Proposal, Proposals};
+use super::{FunctionTask, Output, PinConstraint, Proposal, Proposals};
 use kinematics::Vec2;
 use refine::FunctionDesign;
 use stages::Stages;
-use wanted::WantedFunction;
+use wanted::TargetFunction;
 
 /// Linkages count as one if all their pins differ by less than this part of the size.
-const SAME: f64 = 1e-7;
+const EQUALITY_TOLERANCE: f64 = 1e-7;
 /// Number of values tried for each free number in a continuous family of solutions, indexed by how
 /// many numbers must be fixed, less 1.
 const FIXED: [usize; 4] = [24, 10, 5, 3];
@@ -58,7 +58,7 @@ const FIXED: [usize; 4] = [24, 10, 5, 3];
 const MAX_COUNT: usize = 240;
 /// Maximum root mean square of the misses relative to the output's swing; beyond it, a linkage does
 /// not follow its function.
-pub(super) const USELESS: f64 = 0.1;
+pub(super) const MAX_RELATIVE_RMS: f64 = 0.1;
 /// Minimum number of pairs for a search.
 const MIN_COUNT: usize = 3;
 
@@ -98,15 +98,15 @@ impl FunctionSearch<'_> {
     /// number that is not finite, a given scale of 0, or a size that is not positive.
     #[must_use]
     pub fn run(&self, watch: &mut dyn FnMut(f64) -> bool) -> Proposals {
-        let sound = WantedFunction::of(self.task);
-        let Some(wanted) = sound.filter(|wanted| wanted.pairs.len() >= MIN_COUNT) else {
+        let valid = TargetFunction::of(self.task);
+        let Some(target) = valid.filter(|target| target.pairs.len() >= MIN_COUNT) else {
             return Proposals::default();
         };
-        let (designs, is_complete) = designs(&wanted, &mut Stages::new(self.threads, watch));
+        let (designs, is_complete) = designs(&target, &mut Stages::new(self.threads, watch));
         let thinned = designs.len().div_ceil(MAX_COUNT).max(1);
         let mut found: Vec<Proposal> = Vec::new();
         for (design, is_exact) in designs.into_iter().step_by(thinned) {
-            let Some(proposal) = proposal(&wanted, &design, is_exact, self.task.size) else {
+            let Some(proposal) = proposal(&target, &design, is_exact, self.task.size) else {
                 continue;
             };
             let is_known = |other: &Proposal| is_same(other, &proposal, self.task);
@@ -126,37 +126,37 @@ impl FunctionSearch<'_> {
 /// Returns designs, each with whether its output is as wanted at every pair, and whether these are
 /// all.
 fn designs(
-    wanted: &WantedFunction,
+    target: &TargetFunction,
     stages: &mut Stages<'_>,
 ) -> (Vec<(FunctionDesign, bool)>, bool) {
-    let missing = wanted.unknowns().saturating_sub(wanted.pairs.len());
+    let missing = target.unknowns().saturating_sub(target.pairs.len());
     if missing > 0 {
-        return (family(wanted, missing, stages), false);
+        return (family(target, missing, stages), false);
     }
-    if wanted.pairs.len() == wanted.unknowns()
-        && let Some(exact) = exact(wanted)
+    if target.pairs.len() == target.unknowns()
+        && let Some(exact) = exact(target)
     {
         let designs = exact.designs.into_iter().map(|design| (design, true));
         return (designs.collect(), exact.is_complete);
     }
-    let designs = search::minima(wanted, stages).into_iter();
+    let designs = search::minima(target, stages).into_iter();
     (designs.map(|design| (design, false)).collect(), false)
 }
 
 /// Samples a continuous family of solutions: assigns values to as many free numbers as pairs are
 /// missing.
 fn family(
-    wanted: &WantedFunction,
+    target: &TargetFunction,
     missing: usize,
     stages: &mut Stages<'_>,
 ) -> Vec<(FunctionDesign, bool)> {
     let count = FIXED[(missing - 1).min(FIXED.len() - 1)];
-    let mut all = vec![wanted.clone()];
-    let frees = search::order(wanted.output)
+    let mut all = vec![target.clone()];
+    let frees = search::order(target.output)
         .into_iter()
-        .filter(|&i| wanted.given[i].is_none());
+        .filter(|&i| target.given[i].is_none());
     for index in frees.take(missing) {
-        let values = search::values(wanted, index, count);
+        let values = search::values(target, index, count);
         let fixed = all
             .iter()
             .flat_map(|one| values.iter().map(|&value| one.with(index, value)));
@@ -169,29 +169,29 @@ fn family(
 }
 
 /// Solves by algebra if possible.
-fn exact(wanted: &WantedFunction) -> Option<ExactDesigns> {
-    match wanted.output {
-        Output::Angle => angle::exact(wanted),
-        Output::Slide => slide::exact(wanted),
+fn exact(target: &TargetFunction) -> Option<ExactDesigns> {
+    match target.output {
+        Output::Angle => angle::exact(target),
+        Output::Slide => slide::exact(target),
     }
 }
 
 /// Returns every pair as angles of crank and output, without the free datums, and both scales.
 /// Returns `None` if a scale is free.
-fn law_angles(wanted: &WantedFunction) -> Option<(Vec<[f64; 2]>, f64, f64)> {
-    let [crank, crank_scale, output, output_scale] = wanted.given;
+fn law_angles(target: &TargetFunction) -> Option<(Vec<[f64; 2]>, f64, f64)> {
+    let [crank, crank_scale, output, output_scale] = target.given;
     let (crank_scale, output_scale) = (crank_scale?, output_scale?);
     let (crank, output) = (crank.unwrap_or(0.0), output.unwrap_or(0.0));
     let pair = |[x, y]: &[f64; 2]| [crank + crank_scale * x, output + output_scale * y];
     Some((
-        wanted.pairs.iter().map(pair).collect(),
+        target.pairs.iter().map(pair).collect(),
         crank_scale,
         output_scale,
     ))
 }
 
 fn proposal(
-    wanted: &WantedFunction,
+    target: &TargetFunction,
     design: &FunctionDesign,
     is_exact: bool,
     size: f64,
@@ -208,14 +208,14 @@ fn proposal(
         let pins = pins.map(|pin| Vec2::new(pin.x * size, pin.y * size));
         pins.iter().all(|pin| pin.is_finite()).then_some(pins)
     };
-    let places: Option<Vec<[Vec2; 2]>> = wanted.pairs.iter().map(place).collect();
-    let partner = match wanted.output {
-        Output::Angle => Partner::Rocker(Vec2::new(size, 0.0)),
-        Output::Slide => Partner::Slide(0.0),
+    let places: Option<Vec<[Vec2; 2]>> = target.pairs.iter().map(place).collect();
+    let constraint = match target.output {
+        Output::Angle => PinConstraint::Rocker(Vec2::new(size, 0.0)),
+        Output::Slide => PinConstraint::Slide(0.0),
     };
     Some(Proposal {
         pivot: Vec2::new(0.0, 0.0),
-        partner,
+        partner: constraint,
         places: places?,
         tracer: None,
     })
@@ -224,5 +224,5 @@ fn proposal(
 fn is_same(one: &Proposal, other: &Proposal, task: &FunctionTask) -> bool {
     let pins = one.places.iter().flatten();
     let mut pairs = pins.zip(other.places.iter().flatten());
-    pairs.all(|(a, b)| (*a - *b).norm() <= SAME * task.size.max(a.norm()))
+    pairs.all(|(a, b)| (*a - *b).norm() <= EQUALITY_TOLERANCE * task.size.max(a.norm()))
 }

@@ -7,7 +7,7 @@
 //! would meet every pair.
 
 use super::linkage::FunctionLinkage;
-use super::wanted::{FunctionLaw, WantedFunction, wrapped};
+use super::wanted::{FunctionLaw, TargetFunction, wrapped};
 use crate::Output;
 use nalgebra::{SMatrix, SVector};
 
@@ -20,9 +20,9 @@ const GROWTH: f64 = 6.0;
 const SHRINKING: f64 = 0.15;
 const MAX_DAMPING: f64 = 1e14;
 const MIN_DAMPING: f64 = 1e-30;
-/// The iteration has converged if `STILL` successive steps gain less than this part of the sum.
-const GAIN: f64 = 1e-10;
-const STILL: usize = 4;
+/// The iteration has converged if `CONVERGED_STEPS` successive steps gain less than this part of the sum.
+const MIN_GAIN: f64 = 1e-10;
+const CONVERGED_STEPS: usize = 4;
 
 type DesignNumbers = SVector<f64, NUMBERS>;
 
@@ -69,31 +69,31 @@ impl FunctionDesign {
 
     /// Returns the output's miss at a pair, in the unit of the residuals; `None` if the linkage
     /// does not close there.
-    pub(super) fn miss(&self, wanted: &WantedFunction, [x, y]: [f64; 2]) -> Option<f64> {
+    pub(super) fn miss(&self, target: &TargetFunction, [x, y]: [f64; 2]) -> Option<f64> {
         let [datum, scale] = self.law.output;
         let angle = self.law.crank[0] + self.law.crank[1] * x;
         let made = self.linkage.output(angle, self.side)?;
-        let miss = apart(wanted.output, made - datum - scale * y);
-        Some(miss / unit(wanted, scale))
+        let miss = output_difference(target.output, made - datum - scale * y);
+        Some(miss / unit(target, scale))
     }
 
     /// Returns the root mean square of the misses; `None` if the linkage does not close at every
     /// pair.
-    pub(super) fn rms(&self, wanted: &WantedFunction) -> Option<f64> {
+    pub(super) fn rms(&self, target: &TargetFunction) -> Option<f64> {
         let mut sum = 0.0;
-        for pair in &wanted.pairs {
-            sum += self.miss(wanted, *pair)?.powi(2);
+        for pair in &target.pairs {
+            sum += self.miss(target, *pair)?.powi(2);
         }
-        let rms = (sum / wanted.pairs.len() as f64).sqrt();
+        let rms = (sum / target.pairs.len() as f64).sqrt();
         rms.is_finite().then_some(rms)
     }
 
     /// Returns the design on the side with the smaller sum of squares, and this sum. Pairs at which
     /// the linkage does not close count too.
-    pub(super) fn on_the_better_side(self, wanted: &WantedFunction) -> (FunctionDesign, f64) {
+    pub(super) fn on_the_better_side(self, target: &TargetFunction) -> (FunctionDesign, f64) {
         let sum = |side: f64| {
             let there = FunctionDesign { side, ..self };
-            (there, there.slopes(wanted).sum)
+            (there, there.slopes(target).sum)
         };
         let (one, other) = (sum(1.0), sum(-1.0));
         if other.1 < one.1 { other } else { one }
@@ -101,21 +101,21 @@ impl FunctionDesign {
 
     /// Returns the minimum reached by descent, or the design after `steps` steps. Returns `None` if
     /// the result is not a sound linkage, or does not close at every pair.
-    pub(super) fn refined(self, wanted: &WantedFunction, steps: usize) -> Option<FunctionDesign> {
-        let (mut here, mut slopes) = (self, self.slopes(wanted));
+    pub(super) fn refined(self, target: &TargetFunction, steps: usize) -> Option<FunctionDesign> {
+        let (mut here, mut slopes) = (self, self.slopes(target));
         let (mut damping, mut still) = (DAMPING, 0);
         for _ in 0..steps {
-            if !(slopes.sum > 0.0) || still >= STILL {
+            if !(slopes.sum > 0.0) || still >= CONVERGED_STEPS {
                 break;
             }
-            let Some((next, there)) = here.step(wanted, &slopes, &mut damping) else {
+            let Some((next, there)) = here.step(target, &slopes, &mut damping) else {
                 break;
             };
             let gain = 1.0 - there.sum / slopes.sum;
-            still = if gain < GAIN { still + 1 } else { 0 };
+            still = if gain < MIN_GAIN { still + 1 } else { 0 };
             (here, slopes) = (next, there);
         }
-        (here.linkage.is_sound() && here.rms(wanted).is_some()).then_some(here)
+        (here.linkage.is_valid() && here.rms(target).is_some()).then_some(here)
     }
 
     /// Returns `true` if all numbers agree up to a relative tolerance.
@@ -128,13 +128,13 @@ impl FunctionDesign {
     /// Takes one step downhill; `None` if no damping gives one.
     fn step(
         &self,
-        wanted: &WantedFunction,
+        target: &TargetFunction,
         slopes: &MissSlopes,
         damping: &mut f64,
     ) -> Option<(FunctionDesign, MissSlopes)> {
         while *damping < MAX_DAMPING {
             let next = self.with(&(self.numbers() - slopes.step(*damping)));
-            let there = next.slopes(wanted);
+            let there = next.slopes(target);
             if there.sum < slopes.sum {
                 *damping = (*damping * SHRINKING).max(MIN_DAMPING);
                 return Some((next, there));
@@ -144,10 +144,10 @@ impl FunctionDesign {
         None
     }
 
-    fn slopes(&self, wanted: &WantedFunction) -> MissSlopes {
+    fn slopes(&self, target: &TargetFunction) -> MissSlopes {
         let [datum, scale] = self.law.output;
-        let unit = unit(wanted, scale);
-        let free = free(wanted);
+        let unit = unit(target, scale);
+        let free = free(target);
         let row =
             |n: [f64; NUMBERS]| DesignNumbers::from_fn(|i, _| if free[i] { n[i] } else { 0.0 });
         let mut slopes = MissSlopes {
@@ -155,16 +155,16 @@ impl FunctionDesign {
             triangle: SMatrix::zeros(),
             goal: DesignNumbers::zeros(),
         };
-        for &[x, y] in &wanted.pairs {
+        for &[x, y] in &target.pairs {
             let angle = self.law.crank[0] + self.law.crank[1] * x;
             let reach = self.linkage.reach(angle, self.side);
-            let miss = apart(wanted.output, reach.output - datum - scale * y) / unit;
+            let miss = output_difference(target.output, reach.output - datum - scale * y) / unit;
             let by = |d: [f64; 4]| [d[0], d[1], d[2], d[3], d[3] * x];
             let [a, b, c, d, e] = by(reach.by).map(|d| d / unit);
             let by_scale = -y / unit - miss / scale;
             slopes.add(miss, row([a, b, c, d, e, -1.0 / unit, by_scale]));
             if reach.short > 0.0 {
-                let [a, b, c, d, e] = by(reach.short_by);
+                let [a, b, c, d, e] = by(reach.shortfall);
                 slopes.add(reach.short, row([a, b, c, d, e, 0.0, 0.0]));
             }
         }
@@ -223,24 +223,24 @@ impl MissSlopes {
 }
 
 /// Returns the unit of the misses: the span of y if the output's scale is free, or else 1.
-fn unit(wanted: &WantedFunction, scale: f64) -> f64 {
-    if wanted.given[3].is_none() {
-        scale * wanted.span(1)
+fn unit(target: &TargetFunction, scale: f64) -> f64 {
+    if target.given[3].is_none() {
+        scale * target.span(1)
     } else {
         1.0
     }
 }
 
-fn apart(output: Output, difference: f64) -> f64 {
+fn output_difference(output: Output, difference: f64) -> f64 {
     match output {
         Output::Angle => wrapped(difference),
         Output::Slide => difference,
     }
 }
 
-fn free(wanted: &WantedFunction) -> [bool; NUMBERS] {
-    let law = wanted.given.map(|given| given.is_none());
-    let is_angle = wanted.output == Output::Angle;
+fn free(target: &TargetFunction) -> [bool; NUMBERS] {
+    let law = target.given.map(|given| given.is_none());
+    let is_angle = target.output == Output::Angle;
     [is_angle, true, true, law[0], law[1], law[2], law[3]]
 }
 
@@ -252,22 +252,22 @@ mod tests {
     /// R'Q'r = J'r is half the slope of the sum of squares.
     #[test]
     fn slopes_match_difference_quotients() {
-        let mut chance = SeededRng::new(11);
+        let mut rng = SeededRng::new(11);
         for round in 0..200 {
             let output = if round % 2 == 0 {
                 Output::Angle
             } else {
                 Output::Slide
             };
-            let mut number = || 1.0 + 0.4 * chance.even();
-            let wanted = WantedFunction {
+            let mut number = || 1.0 + 0.4 * rng.even();
+            let target = TargetFunction {
                 output,
                 pairs: (0..5).map(|_| [number(), number()]).collect(),
                 given: [None, None, None, (round % 4 < 2).then_some(1.2)],
             };
             let mut numbers = DesignNumbers::from_fn(|_, _| number());
             numbers[1] += 1.0;
-            numbers[6] = wanted.given[3].unwrap_or(numbers[6]);
+            numbers[6] = target.given[3].unwrap_or(numbers[6]);
             let linkage = FunctionLinkage {
                 output,
                 crank: 1.0,
@@ -283,13 +283,13 @@ mod tests {
                 law,
                 side: 1.0,
             };
-            let here = any.with(&numbers).slopes(&wanted);
-            let free = free(&wanted);
+            let here = any.with(&numbers).slopes(&target);
+            let free = free(&target);
             for i in (0..NUMBERS).filter(|&i| free[i]) {
                 let mut by = DesignNumbers::zeros();
                 by[i] = 1e-6;
                 let [above, below] =
-                    [numbers + by, numbers - by].map(|n| any.with(&n).slopes(&wanted).sum);
+                    [numbers + by, numbers - by].map(|n| any.with(&n).slopes(&target).sum);
                 let slope = (above - below) / 4e-6;
                 let pull = here.triangle.column(i).dot(&here.goal);
                 let size = 1.0 + here.sum + here.triangle.column(i).norm_squared();

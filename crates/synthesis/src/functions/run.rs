@@ -2,14 +2,14 @@
 
 use super::fit::{fitted, in_order};
 use super::linkage::FunctionLinkage;
-use super::wanted::{FunctionLaw, WantedFunction, wrapped};
-use crate::{FunctionTask, Output, Partner, Proposal};
+use super::wanted::{FunctionLaw, TargetFunction, wrapped};
+use crate::{FunctionTask, Output, PinConstraint, Proposal};
 use kinematics::Vec2;
 use kinematics::numeric::lowest;
 use std::f64::consts::{PI, TAU};
 
 /// Number of samples over a range before the maximum error is refined.
-const LOOKS: usize = 361;
+const RANGE_SAMPLES: usize = 361;
 
 /// A proposal for a function, over its whole range, on the side of its first pair.
 #[derive(Clone, Debug)]
@@ -22,7 +22,7 @@ pub struct FunctionRun {
 
 /// The point of maximum error.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GreatestError {
+pub struct MaxError {
     /// The x of the point.
     pub x: f64,
     /// The error at x, signed, in degrees or in lengths of the task.
@@ -37,7 +37,7 @@ impl FunctionRun {
     /// this kind.
     #[must_use]
     pub fn of(task: &FunctionTask, proposal: &Proposal) -> Option<FunctionRun> {
-        let wanted = WantedFunction::of(task)?;
+        let target = TargetFunction::of(task)?;
         let (crank, coupler, rocker) = proposal.lengths()?;
         let place = |at: Vec2| Vec2::new(at.x / task.size, at.y / task.size);
         let pins: Vec<[Vec2; 2]> = proposal
@@ -46,27 +46,27 @@ impl FunctionRun {
             .map(|[b, c]| [place(*b - proposal.pivot), place(*c - proposal.pivot)])
             .collect();
         let [_, first] = *pins.first()?;
-        let third = match (proposal.partner, wanted.output) {
-            (Partner::Rocker(_), Output::Angle) => rocker? / task.size,
-            (Partner::Slide(_), Output::Slide) => first.y,
+        let third = match (proposal.partner, target.output) {
+            (PinConstraint::Rocker(_), Output::Angle) => rocker? / task.size,
+            (PinConstraint::Slide(_), Output::Slide) => first.y,
             _ => return None,
         };
         let linkage = FunctionLinkage {
-            output: wanted.output,
+            output: target.output,
             crank: crank / task.size,
             coupler: coupler / task.size,
             third,
         };
-        let outputs = |[_, c]: &[Vec2; 2]| match wanted.output {
+        let outputs = |[_, c]: &[Vec2; 2]| match target.output {
             Output::Angle => (*c - Vec2::new(1.0, 0.0)).angle(),
             Output::Slide => c.x,
         };
         let cranks: Vec<f64> = pins.iter().map(|[b, _]| b.angle()).collect();
         let outputs: Vec<f64> = pins.iter().map(outputs).collect();
-        let xs: Vec<f64> = wanted.pairs.iter().map(|pair| pair[0]).collect();
-        let ys: Vec<f64> = wanted.pairs.iter().map(|pair| pair[1]).collect();
+        let xs: Vec<f64> = target.pairs.iter().map(|pair| pair[0]).collect();
+        let ys: Vec<f64> = target.pairs.iter().map(|pair| pair[1]).collect();
         // The crank of a slider-crank is never opposite to its angle.
-        let [crank_period, output_period] = match wanted.output {
+        let [crank_period, output_period] = match target.output {
             Output::Angle => [Some(PI), Some(PI)],
             Output::Slide => [Some(TAU), None],
         };
@@ -76,14 +76,14 @@ impl FunctionRun {
                 &order,
                 &xs,
                 &cranks,
-                [wanted.given[0], wanted.given[1]],
+                [target.given[0], target.given[1]],
                 crank_period,
             )?,
             output: fitted(
                 &order,
                 &ys,
                 &outputs,
-                [wanted.given[2], wanted.given[3]],
+                [target.given[2], target.given[3]],
                 output_period,
             )?,
         };
@@ -137,24 +137,25 @@ impl FunctionRun {
     /// Returns the point of maximum absolute error against a function between two ends. Returns
     /// `None` if the linkage does not close everywhere, or if the function has no value.
     #[must_use]
-    pub fn greatest_error(
+    pub fn max_error(
         &self,
         f: impl Fn(f64) -> Option<f64>,
         [from, to]: [f64; 2],
-    ) -> Option<GreatestError> {
+    ) -> Option<MaxError> {
         let error = |x: f64| self.error(x, f(x)?).filter(|error| error.is_finite());
-        let place = |k: usize| from + (to - from) * k as f64 / (LOOKS - 1) as f64;
-        let looks: Option<Vec<f64>> = (0..LOOKS).map(|k| error(place(k))).collect();
+        let place = |k: usize| from + (to - from) * k as f64 / (RANGE_SAMPLES - 1) as f64;
+        let looks: Option<Vec<f64>> = (0..RANGE_SAMPLES).map(|k| error(place(k))).collect();
         let looks = looks?;
-        let most = (0..LOOKS).max_by(|&a, &b| looks[a].abs().total_cmp(&looks[b].abs()))?;
-        let (x, size) = (place(most), looks[most].abs());
+        let maximum =
+            (0..RANGE_SAMPLES).max_by(|&a, &b| looks[a].abs().total_cmp(&looks[b].abs()))?;
+        let (x, size) = (place(maximum), looks[maximum].abs());
         let ends = [
-            place(most.saturating_sub(1)),
-            place((most + 1).min(LOOKS - 1)),
+            place(maximum.saturating_sub(1)),
+            place((maximum + 1).min(RANGE_SAMPLES - 1)),
         ];
         let closer = lowest(|x| Some(-error(x)?.abs()), ends, (x, -size));
         let (x, _) = closer.unwrap_or_else(|unsettled| unsettled.best());
-        Some(GreatestError {
+        Some(MaxError {
             x,
             error: error(x)?,
         })

@@ -8,8 +8,8 @@
 
 use super::refine::FunctionDesign;
 use super::stages::Stages;
-use super::wanted::WantedFunction;
-use super::{ExactDesigns, USELESS, exact};
+use super::wanted::TargetFunction;
+use super::{ExactDesigns, MAX_RELATIVE_RMS, exact};
 use crate::Output;
 use std::f64::consts::{PI, TAU};
 
@@ -34,20 +34,20 @@ const STARTS: usize = 480;
 /// minimum is long and narrow.
 const WAYS: [(usize, usize, f64); 3] = [(100, 160, 0.4), (300, 48, 0.6), (3000, 48, 1.0)];
 /// Part of the work completed before the descent.
-const BEGUN: f64 = 0.2;
+const PROGRESS_BEFORE_DESCENT: f64 = 0.2;
 /// Maximum number of pairs used to reach a minimum. If there are more, a last descent of
 /// `LAST_STEPS` steps uses all of them.
 const LEADING: usize = 40;
 const LAST_STEPS: usize = 60;
 /// A design meets every pair if its root mean square is below this part of the output's swing.
-const ROUNDED: f64 = 1e-10;
+const EXACT_FIT: f64 = 1e-10;
 /// Maximum ratio of the longest length to the shortest. More slender linkages would be found for
 /// any function, and are useless.
-const SLENDER: f64 = 50.0;
+const MAX_LENGTH_RATIO: f64 = 50.0;
 /// Number of subsets of the pairs used for starts.
 const SUBSETS: usize = 8;
 /// Minima count as one if their numbers differ by less than this relative tolerance.
-const SAME: f64 = 1e-3;
+const EQUALITY_TOLERANCE: f64 = 1e-3;
 /// Starts count as one if their numbers differ by less than this relative tolerance.
 const NEAR: f64 = 1e-3;
 
@@ -61,8 +61,8 @@ pub(super) fn order(output: Output) -> [usize; 4] {
 }
 
 /// Returns about `count` values at which to fix a number of the law.
-pub(super) fn values(wanted: &WantedFunction, index: usize, count: usize) -> Vec<f64> {
-    let span = wanted.span(index / 2);
+pub(super) fn values(target: &TargetFunction, index: usize, count: usize) -> Vec<f64> {
+    let span = target.span(index / 2);
     // A geometric sequence.
     let growing = |[low, high]: [f64; 2], count: usize| {
         let parts = count.saturating_sub(1).max(1) as f64;
@@ -74,7 +74,7 @@ pub(super) fn values(wanted: &WantedFunction, index: usize, count: usize) -> Vec
         swings.flat_map(|swing| [swing, -swing]).collect()
     };
     let turn = PI / 180.0 / span;
-    match (index, wanted.output) {
+    match (index, target.output) {
         (1, _) => both(CRANK_SWINGS, turn),
         (3, Output::Angle) => both(OUTPUT_SWINGS, turn),
         (3, Output::Slide) => both(STROKES, 1.0 / span),
@@ -86,10 +86,10 @@ pub(super) fn values(wanted: &WantedFunction, index: usize, count: usize) -> Vec
 }
 
 /// Returns the minima in ascending order of their misses.
-pub(super) fn minima(wanted: &WantedFunction, stages: &mut Stages<'_>) -> Vec<FunctionDesign> {
-    let leading = wanted.thinned(LEADING);
+pub(super) fn minima(target: &TargetFunction, stages: &mut Stages<'_>) -> Vec<FunctionDesign> {
+    let leading = target.thinned(LEADING);
     let cells = cells(&leading);
-    let starts = stages.each([0.0, BEGUN], cells.len(), |i| {
+    let starts = stages.each([0.0, PROGRESS_BEFORE_DESCENT], cells.len(), |i| {
         best_starts(&leading, &cells[i])
     });
     let mut starts: Vec<(f64, FunctionDesign)> = starts.into_iter().flatten().collect();
@@ -97,24 +97,24 @@ pub(super) fn minima(wanted: &WantedFunction, stages: &mut Stages<'_>) -> Vec<Fu
     // A start without descent is not a solution.
     starts.truncate(if stages.is_on() { STARTS } else { 0 });
     let mut found: Vec<FunctionDesign> = starts.into_iter().map(|(_, start)| start).collect();
-    let mut begun = BEGUN;
+    let mut started = PROGRESS_BEFORE_DESCENT;
     for (number, (steps, kept, done)) in (1..).zip(WAYS) {
         let is_last = number == WAYS.len();
         let follow = |i: usize| {
             let lower = found[i].refined(&leading, steps)?;
-            match is_last && leading.pairs.len() < wanted.pairs.len() {
-                true => lower.refined(wanted, LAST_STEPS),
+            match is_last && leading.pairs.len() < target.pairs.len() {
+                true => lower.refined(target, LAST_STEPS),
                 false => Some(lower),
             }
         };
-        let mut followed = stages.each([begun, done], found.len(), follow);
+        let mut followed = stages.each([started, done], found.len(), follow);
         if !stages.is_on() && number > 1 {
             // After a stop, designs without further descent stay as they are.
             followed.extend(found.into_iter().map(Some));
         }
-        found = different(if is_last { wanted } else { &leading }, followed);
+        found = different(if is_last { target } else { &leading }, followed);
         found.truncate(kept);
-        begun = done;
+        started = done;
     }
     found
 }
@@ -122,21 +122,26 @@ pub(super) fn minima(wanted: &WantedFunction, stages: &mut Stages<'_>) -> Vec<Fu
 /// Returns the different useful designs, those with the smallest misses first. Designs that meet
 /// every pair are sorted by the ratio of their lengths.
 fn different(
-    wanted: &WantedFunction,
+    target: &TargetFunction,
     followed: Vec<Option<FunctionDesign>>,
 ) -> Vec<FunctionDesign> {
-    let span = output_span(wanted);
+    let span = output_span(target);
     let of_use = followed.into_iter().flatten().filter_map(|design| {
-        let rms = design.rms(wanted).filter(|rms| *rms <= USELESS * span)?;
+        let rms = design
+            .rms(target)
+            .filter(|rms| *rms <= MAX_RELATIVE_RMS * span)?;
         let ratio = design.linkage.ratio();
-        let is_linkage = ratio <= SLENDER && design.law.is_determined_by(wanted);
-        is_linkage.then_some(((rms.max(ROUNDED * span), ratio), design))
+        let is_linkage = ratio <= MAX_LENGTH_RATIO && design.law.is_determined_by(target);
+        is_linkage.then_some(((rms.max(EXACT_FIT * span), ratio), design))
     });
     let mut ranked: Vec<((f64, f64), FunctionDesign)> = of_use.collect();
     ranked.sort_by(|(a, _), (b, _)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
     let mut found: Vec<FunctionDesign> = Vec::new();
     for (_, design) in ranked {
-        if !found.iter().any(|other| other.is_near(&design, SAME)) {
+        if !found
+            .iter()
+            .any(|other| other.is_near(&design, EQUALITY_TOLERANCE))
+        {
             found.push(design);
         }
     }
@@ -144,38 +149,38 @@ fn different(
 }
 
 /// Returns the output's swing in the unit of the misses.
-fn output_span(wanted: &WantedFunction) -> f64 {
-    wanted.given[3].map_or(1.0, |scale| scale.abs() * wanted.span(1))
+fn output_span(target: &TargetFunction) -> f64 {
+    target.given[3].map_or(1.0, |scale| scale.abs() * target.span(1))
 }
 
 /// Returns copies of the task with values for the numbers that algebra does not find.
-fn cells(wanted: &WantedFunction) -> Vec<WantedFunction> {
+fn cells(target: &TargetFunction) -> Vec<TargetFunction> {
     // For a slide, algebra cannot find both the crank's datum and a scale without the output's
     // datum.
-    let is_hard = wanted.given[3].is_none() && wanted.given[2].is_some();
-    let is_tried = |index: usize| match wanted.output {
+    let is_hard = target.given[3].is_none() && target.given[2].is_some();
+    let is_tried = |index: usize| match target.output {
         Output::Angle => index == 1 || index == 3,
         Output::Slide => index == 1 || (index == 0 && is_hard),
     };
-    let free: Vec<usize> = order(wanted.output)
+    let free: Vec<usize> = order(target.output)
         .into_iter()
-        .filter(|&index| wanted.given[index].is_none())
+        .filter(|&index| target.given[index].is_none())
         .collect();
     let tried: Vec<usize> = free.iter().copied().filter(|&i| is_tried(i)).collect();
     let count = 2 * SWINGS[usize::from(tried.len() > 1)];
-    let mut all = vec![wanted.clone()];
+    let mut all = vec![target.clone()];
     for index in &tried {
-        all = with_each(&all, *index, &values(wanted, *index, count));
+        all = with_each(&all, *index, &values(target, *index, count));
     }
-    if tried.is_empty() && wanted.pairs.len() > wanted.unknowns() {
+    if tried.is_empty() && target.pairs.len() > target.unknowns() {
         // For a slide, the output's datum is linear for any datum of the crank.
-        let datums = free.iter().filter(|&&index| match wanted.output {
+        let datums = free.iter().filter(|&&index| match target.output {
             Output::Angle => index == 0 || index == 2,
             Output::Slide => index == 0,
         });
         let mut grid = all.clone();
         for index in datums {
-            grid = with_each(&grid, *index, &values(wanted, *index, DATUMS));
+            grid = with_each(&grid, *index, &values(target, *index, DATUMS));
         }
         all.extend(grid);
     }
@@ -183,7 +188,7 @@ fn cells(wanted: &WantedFunction) -> Vec<WantedFunction> {
 }
 
 /// Combines each of these tasks with each of the values for a number.
-fn with_each(all: &[WantedFunction], index: usize, values: &[f64]) -> Vec<WantedFunction> {
+fn with_each(all: &[TargetFunction], index: usize, values: &[f64]) -> Vec<TargetFunction> {
     let fixed = all
         .iter()
         .flat_map(|one| values.iter().map(move |&value| one.with(index, value)));
@@ -191,32 +196,32 @@ fn with_each(all: &[WantedFunction], index: usize, values: &[f64]) -> Vec<Wanted
 }
 
 /// Returns the starts of a cell with the smallest misses, each with its sum of squares.
-fn best_starts(wanted: &WantedFunction, cell: &WantedFunction) -> Vec<(f64, FunctionDesign)> {
+fn best_starts(target: &TargetFunction, cell: &TargetFunction) -> Vec<(f64, FunctionDesign)> {
     let mut starts: Vec<(f64, FunctionDesign)> = starts_of(cell)
         .into_iter()
-        .map(|design| design.on_the_better_side(wanted))
+        .map(|design| design.on_the_better_side(target))
         .map(|(design, sum)| (sum, design))
         .filter(|(sum, _)| sum.is_finite())
         .collect();
     starts.sort_by(|a, b| a.0.total_cmp(&b.0));
     starts.dedup_by(|a, b| a.1.is_near(&b.1, NEAR));
     // A single cell keeps all its starts.
-    if wanted.given != cell.given {
+    if target.given != cell.given {
         starts.truncate(MAX_STARTS_PER_CELL);
     }
     starts
 }
 
 /// Returns the designs through subsets of the pairs, and nearly through all of them.
-fn starts_of(wanted: &WantedFunction) -> Vec<FunctionDesign> {
-    let (needed, count) = (wanted.unknowns(), wanted.pairs.len());
-    let designs = |wanted: &WantedFunction| {
-        exact(wanted).map_or_else(Vec::new, |ExactDesigns { designs, .. }| designs)
+fn starts_of(target: &TargetFunction) -> Vec<FunctionDesign> {
+    let (needed, count) = (target.unknowns(), target.pairs.len());
+    let designs = |target: &TargetFunction| {
+        exact(target).map_or_else(Vec::new, |ExactDesigns { designs, .. }| designs)
     };
-    let mut all = designs(wanted);
+    let mut all = designs(target);
     if needed < count {
         for subset in subsets(needed, count) {
-            all.extend(designs(&wanted.at(&subset)));
+            all.extend(designs(&target.at(&subset)));
         }
     }
     all

@@ -32,7 +32,7 @@ use super::lines::{SAMPLES, solved};
 use super::linkage::FunctionLinkage;
 use super::refine::FunctionDesign;
 use super::trigonometric::zeros;
-use super::wanted::{FunctionLaw, WantedFunction};
+use super::wanted::{FunctionLaw, TargetFunction};
 use super::{ExactDesigns, law_angles};
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
@@ -42,22 +42,22 @@ const SINGULAR: f64 = 1e-12;
 
 /// Solves like [`super::angle::exact`]. Returns `None` in the unsolved cases: a free scale of the
 /// crank, or a free datum of the crank with a free output scale and a given output datum.
-pub(super) fn exact(wanted: &WantedFunction) -> Option<ExactDesigns> {
-    match wanted.given {
+pub(super) fn exact(target: &TargetFunction) -> Option<ExactDesigns> {
+    match target.given {
         [_, None, ..] => None,
-        [Some(_), _, _, Some(_)] => Some(turned_by(wanted, 0.0)),
-        [None, _, _, Some(_)] => Some(turned(wanted)),
-        [_, _, None, None] => Some(in_y(wanted)),
-        [Some(_), _, Some(datum), None] => Some(from_datum(wanted, datum)),
+        [Some(_), _, _, Some(_)] => Some(turned_by(target, 0.0)),
+        [None, _, _, Some(_)] => Some(turned(target)),
+        [_, _, None, None] => Some(in_y(target)),
+        [Some(_), _, Some(datum), None] => Some(from_datum(target, datum)),
         [None, _, Some(_), None] => None,
     }
 }
 
 /// Returns the rows at a rotation of the crank: the factors of T if it is free, of e and m, and the
 /// constant. Returns `None` if a scale is free.
-fn rows_at(wanted: &WantedFunction, turn: f64) -> Option<Vec<Vec<f64>>> {
-    let (angles, ..) = law_angles(wanted)?;
-    let is_free = wanted.given[2].is_none();
+fn rows_at(target: &TargetFunction, turn: f64) -> Option<Vec<Vec<f64>>> {
+    let (angles, ..) = law_angles(target)?;
+    let is_free = target.given[2].is_none();
     let row = |[p, q]: &[f64; 2]| {
         let (sin, cos) = (p + turn).sin_cos();
         let mut row = Vec::with_capacity(4);
@@ -71,9 +71,9 @@ fn rows_at(wanted: &WantedFunction, turn: f64) -> Option<Vec<Vec<f64>>> {
 }
 
 /// Solves with the crank's datum increased by `turn`, in the least-squares sense for many pairs.
-fn turned_by(wanted: &WantedFunction, turn: f64) -> ExactDesigns {
+fn turned_by(target: &TargetFunction, turn: f64) -> ExactDesigns {
     let found = || {
-        let rows = rows_at(wanted, turn)?;
+        let rows = rows_at(target, turn)?;
         let width = rows.first()?.len() - 1;
         let matrix = DMatrix::from_fn(rows.len(), width, |i, j| rows[i][j]);
         let known = DVector::from_fn(rows.len(), |i, _| -rows[i][width]);
@@ -95,27 +95,27 @@ fn turned_by(wanted: &WantedFunction, turn: f64) -> ExactDesigns {
     };
     let law = |scale: f64| FunctionLaw {
         crank: [
-            wanted.given[0].unwrap_or(0.0) + turn,
-            wanted.given[1].unwrap_or(1.0),
+            target.given[0].unwrap_or(0.0) + turn,
+            target.given[1].unwrap_or(1.0),
         ],
-        output: [wanted.given[2].unwrap_or(datum), scale],
+        output: [target.given[2].unwrap_or(datum), scale],
     };
-    let law = law(wanted.given[3].unwrap_or(1.0));
+    let law = law(target.given[3].unwrap_or(1.0));
     ExactDesigns {
-        designs: design(wanted, lengths, law).into_iter().collect(),
+        designs: design(target, lengths, law).into_iter().collect(),
         is_complete,
     }
 }
 
 /// Solves with a free datum of the crank, at the angles where the rows including the constant are
 /// singular.
-fn turned(wanted: &WantedFunction) -> ExactDesigns {
-    let width = rows_at(wanted, 0.0).map_or(0, |rows| rows.first().map_or(0, Vec::len));
+fn turned(target: &TargetFunction) -> ExactDesigns {
+    let width = rows_at(target, 0.0).map_or(0, |rows| rows.first().map_or(0, Vec::len));
     let determinant = |turn: f64| {
-        let rows = rows_at(wanted, turn)?;
+        let rows = rows_at(target, turn)?;
         Some(DMatrix::from_fn(width, width, |i, j| rows[i][j]).determinant())
     };
-    let (turns, is_complete) = if wanted.pairs.len() == width {
+    let (turns, is_complete) = if target.pairs.len() == width {
         // Each column except that of m has degree 1 in cos and sin.
         match zeros(width - 1, |turn| determinant(turn).unwrap_or(f64::NAN)) {
             Some(turns) => (turns, true),
@@ -129,7 +129,7 @@ fn turned(wanted: &WantedFunction) -> ExactDesigns {
         ..ExactDesigns::default()
     };
     for turn in turns {
-        let exact = turned_by(wanted, turn);
+        let exact = turned_by(target, turn);
         all.is_complete &= exact.is_complete;
         all.designs.extend(exact.designs);
     }
@@ -142,11 +142,11 @@ fn grid() -> Vec<f64> {
 }
 
 /// Solves with both the output's datum and its scale free.
-fn in_y(wanted: &WantedFunction) -> ExactDesigns {
-    let is_free = wanted.given[0].is_none();
+fn in_y(target: &TargetFunction) -> ExactDesigns {
+    let is_free = target.given[0].is_none();
     let (datum, scale) = (
-        wanted.given[0].unwrap_or(0.0),
-        wanted.given[1].unwrap_or(1.0),
+        target.given[0].unwrap_or(0.0),
+        target.given[1].unwrap_or(1.0),
     );
     let row = |[x, y]: &[f64; 2]| {
         let (sin, cos) = (datum + scale * x).sin_cos();
@@ -157,7 +157,7 @@ fn in_y(wanted: &WantedFunction) -> ExactDesigns {
         row.extend([-2.0 * cos, 2.0 * sin]);
         row
     };
-    let rows: Vec<Vec<f64>> = wanted.pairs.iter().map(row).collect();
+    let rows: Vec<Vec<f64>> = target.pairs.iter().map(row).collect();
     // The unknowns h, T, m, z, V.
     let parts = |v: &DVector<f64>| {
         let (imaginary, at) = if is_free { (v[4], 5) } else { (0.0, 4) };
@@ -181,7 +181,7 @@ fn in_y(wanted: &WantedFunction) -> ExactDesigns {
             crank: [crank, scale],
             output: [t / size, 1.0 / size],
         };
-        design(wanted, [1.0, coupler / size.abs(), e / size], law)
+        design(target, [1.0, coupler / size.abs(), e / size], law)
     });
     ExactDesigns {
         designs: designs.collect(),
@@ -190,10 +190,10 @@ fn in_y(wanted: &WantedFunction) -> ExactDesigns {
 }
 
 /// Solves with a free output scale and the output's datum given in crank lengths.
-fn from_datum(wanted: &WantedFunction, datum: f64) -> ExactDesigns {
+fn from_datum(target: &TargetFunction, datum: f64) -> ExactDesigns {
     let (angle, turn) = (
-        wanted.given[0].unwrap_or(0.0),
-        wanted.given[1].unwrap_or(1.0),
+        target.given[0].unwrap_or(0.0),
+        target.given[1].unwrap_or(1.0),
     );
     // The unknowns h, |z|, |z|^2, |z| e, m.
     let row = |[x, y]: &[f64; 2]| {
@@ -201,7 +201,7 @@ fn from_datum(wanted: &WantedFunction, datum: f64) -> ExactDesigns {
         let linear = 2.0 * y * (datum - cos);
         vec![y * y, linear, -2.0 * datum * cos, -2.0 * sin, 1.0]
     };
-    let rows: Vec<Vec<f64>> = wanted.pairs.iter().map(row).collect();
+    let rows: Vec<Vec<f64>> = target.pairs.iter().map(row).collect();
     let solved = solved(&rows, 2, |v| (v[2] * v[0] - v[1] * v[1]) * v[1]);
     let designs = solved.vectors.iter().filter_map(|v| {
         let (z, e, m) = (v[1] / v[0], v[3] / v[1], v[4] / v[0]);
@@ -210,7 +210,7 @@ fn from_datum(wanted: &WantedFunction, datum: f64) -> ExactDesigns {
             crank: [angle, turn],
             output: [datum, 1.0 / z],
         };
-        design(wanted, [1.0, coupler / z.abs(), e / z], law)
+        design(target, [1.0, coupler / z.abs(), e / z], law)
     });
     ExactDesigns {
         designs: designs.collect(),
@@ -219,20 +219,20 @@ fn from_datum(wanted: &WantedFunction, datum: f64) -> ExactDesigns {
 }
 
 fn design(
-    wanted: &WantedFunction,
+    target: &TargetFunction,
     [crank, coupler, third]: [f64; 3],
     law: FunctionLaw,
 ) -> Option<FunctionDesign> {
     let linkage = FunctionLinkage {
-        output: wanted.output,
+        output: target.output,
         crank,
         coupler,
         third,
     };
-    let [x, y] = *wanted.pairs.first()?;
+    let [x, y] = *target.pairs.first()?;
     let is_number = (law.crank.iter().chain(&law.output)).all(|v| v.is_finite());
     let at = |[datum, scale]: [f64; 2], value| datum + scale * value;
-    (linkage.is_sound() && is_number).then(|| FunctionDesign {
+    (linkage.is_valid() && is_number).then(|| FunctionDesign {
         linkage,
         law,
         side: linkage.side(at(law.crank, x), at(law.output, y)),

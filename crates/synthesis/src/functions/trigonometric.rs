@@ -5,7 +5,7 @@ use nalgebra::Complex;
 use std::f64::consts::{PI, TAU};
 
 /// Maximum number of Newton steps after the roots of the polynomial; two suffice.
-const POLISH: usize = 4;
+const MAX_POLISH_STEPS: usize = 4;
 
 /// Returns the zeros of a trigonometric polynomial of a degree, in radians. Returns `None` if it is
 /// zero everywhere or not finite.
@@ -59,7 +59,7 @@ pub(super) fn zeros(degree: usize, f: impl Fn(f64) -> f64) -> Option<Vec<f64>> {
 /// Improves a zero by Newton steps with a difference quotient, while the absolute value decreases.
 fn polished(mut at: f64, f: &impl Fn(f64) -> f64) -> f64 {
     let mut value = f(at);
-    for _ in 0..POLISH {
+    for _ in 0..MAX_POLISH_STEPS {
         let width = 1e-6;
         let slope = (f(at + width) - f(at - width)) / (2.0 * width);
         let next = at - value / slope;
@@ -79,23 +79,23 @@ mod tests {
 
     #[test]
     fn planted_zeros_are_found_and_no_others() {
-        let mut chance = SeededRng::new(5);
+        let mut rng = SeededRng::new(5);
         for round in 0..200 {
             let degree = 1 + round % 3;
-            let planted: Vec<f64> = (0..2 * degree).map(|_| PI * chance.even()).collect();
+            let planted: Vec<f64> = (0..2 * degree).map(|_| PI * rng.even()).collect();
             let f = |a: f64| {
                 planted
                     .iter()
                     .map(|z| (0.5 * (a - z)).sin())
                     .product::<f64>()
             };
-            let apart = |a: f64, b: f64| {
+            let distance = |a: f64, b: f64| {
                 let d = (a - b) / TAU;
                 (d - d.round()).abs() * TAU
             };
             let is_near = |i: usize| {
                 (0..i)
-                    .map(|j| apart(planted[i], planted[j]))
+                    .map(|j| distance(planted[i], planted[j]))
                     .any(|d| d < 0.05)
             };
             if (0..planted.len()).any(is_near) {
@@ -104,7 +104,10 @@ mod tests {
             let found = zeros(degree, f).unwrap();
             assert_eq!(found.len(), planted.len());
             for z in &planted {
-                assert!(found.iter().any(|a| apart(*a, *z) < 1e-10), "{z} {found:?}");
+                assert!(
+                    found.iter().any(|a| distance(*a, *z) < 1e-10),
+                    "{z} {found:?}"
+                );
             }
         }
         assert_eq!(zeros(2, |_| 0.0), None);

@@ -1,6 +1,6 @@
 //! A function's task in internal units: radians, and lengths relative to the task's size.
 
-use crate::{FunctionTask, Given, Output};
+use crate::{FunctionTask, GivenNumber, Output};
 use kinematics::angle::radians;
 use std::f64::consts::{PI, TAU};
 
@@ -15,31 +15,31 @@ pub(super) struct FunctionLaw {
 impl FunctionLaw {
     /// Returns `true` if the pairs determine the crank's motion: over at most one turn, with less
     /// than half a turn between neighbours. A given scale always does.
-    pub(super) fn is_determined_by(&self, wanted: &WantedFunction) -> bool {
-        let mut xs: Vec<f64> = wanted.pairs.iter().map(|pair| pair[0]).collect();
+    pub(super) fn is_determined_by(&self, target: &TargetFunction) -> bool {
+        let mut xs: Vec<f64> = target.pairs.iter().map(|pair| pair[0]).collect();
         xs.sort_by(f64::total_cmp);
         let scale = self.crank[1].abs();
         let mut steps = xs.windows(2).map(|two| scale * (two[1] - two[0]));
-        wanted.given[1].is_some() || (scale * wanted.span(0) <= TAU && steps.all(|step| step < PI))
+        target.given[1].is_some() || (scale * target.span(0) <= TAU && steps.all(|step| step < PI))
     }
 }
 
 /// The wanted function: its pairs, and the given ones of the four numbers of the [`FunctionLaw`].
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct WantedFunction {
+pub(super) struct TargetFunction {
     pub(super) output: Output,
     pub(super) pairs: Vec<[f64; 2]>,
     /// Crank datum, crank scale, output datum, output scale; `None` if free.
     pub(super) given: [Option<f64>; 4],
 }
 
-impl WantedFunction {
+impl TargetFunction {
     /// Converts a task. Returns `None` if a number is not finite, if the size is not positive, or
     /// if a scale is 0.
-    pub(super) fn of(task: &FunctionTask) -> Option<WantedFunction> {
-        let of = |given: Given, unit: f64| match given {
-            Given::Value(value) => Some(value * unit),
-            Given::Free => None,
+    pub(super) fn of(task: &FunctionTask) -> Option<TargetFunction> {
+        let of = |given: GivenNumber, unit: f64| match given {
+            GivenNumber::Value(value) => Some(value * unit),
+            GivenNumber::Free => None,
         };
         let turn = radians(1.0);
         let unit = match task.output {
@@ -57,7 +57,7 @@ impl WantedFunction {
             && (task.size > 0.0 && task.size.is_finite())
             && given[1] != Some(0.0)
             && given[3] != Some(0.0);
-        is_sound.then(|| WantedFunction {
+        is_sound.then(|| TargetFunction {
             output: task.output,
             pairs: task.pairs.clone(),
             given,
@@ -74,28 +74,28 @@ impl WantedFunction {
     }
 
     /// Returns a copy with one of the four numbers given.
-    pub(super) fn with(&self, index: usize, value: f64) -> WantedFunction {
+    pub(super) fn with(&self, index: usize, value: f64) -> TargetFunction {
         let mut with = self.clone();
         with.given[index] = Some(value);
         with
     }
 
     /// Returns a copy with the pairs at these indices.
-    pub(super) fn at(&self, indices: &[usize]) -> WantedFunction {
-        WantedFunction {
+    pub(super) fn at(&self, indices: &[usize]) -> TargetFunction {
+        TargetFunction {
             pairs: indices.iter().map(|&i| self.pairs[i]).collect(),
             ..*self
         }
     }
 
     /// Returns a copy with at most `most` pairs, spread evenly over their indices.
-    pub(super) fn thinned(&self, most: usize) -> WantedFunction {
+    pub(super) fn thinned(&self, maximum: usize) -> TargetFunction {
         let last = self.pairs.len().saturating_sub(1);
-        if last < most {
+        if last < maximum {
             return self.clone();
         }
-        let parts = most.saturating_sub(1).max(1);
-        let indices: Vec<usize> = (0..most).map(|k| k * last / parts).collect();
+        let parts = maximum.saturating_sub(1).max(1);
+        let indices: Vec<usize> = (0..maximum).map(|k| k * last / parts).collect();
         self.at(&indices)
     }
 

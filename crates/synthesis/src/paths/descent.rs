@@ -18,7 +18,7 @@
 use super::evolution::{Raw, SearchTarget};
 use super::linear::{LinkagePlace, Projection};
 use super::shape::{LinkageForm, LinkageShape};
-use super::wanted::{HeldPivots, WantedPath};
+use super::wanted::{GivenPivots, TargetPath};
 use kinematics::{Vec2, angle};
 use nalgebra::{DMatrix, DVector};
 
@@ -29,7 +29,7 @@ const RADIAN: f64 = 180.0 / std::f64::consts::PI;
 /// Mean square of the misses, relative to the path's size, at which the descent ends.
 const EXACT: f64 = 1e-31;
 /// Damping above which the descent has converged.
-const STUCK: f64 = 1e10;
+const CONVERGED_DAMPING: f64 = 1e10;
 /// A step that reduces the mean square by less than this part makes no progress.
 const LEVEL: f64 = 1e-9;
 /// Singular values below this part of the largest belong to unknowns that the path does not
@@ -41,7 +41,7 @@ type MatrixOfUnknowns = [[f64; MAX_COUNT]; MAX_COUNT];
 /// A linkage in the path's frame, with its crank's angle at every point.
 #[derive(Clone, Debug)]
 pub(super) struct Fit {
-    pub(super) quarry: SearchTarget,
+    pub(super) target: SearchTarget,
     pub(super) shape: LinkageShape,
     pub(super) place: LinkagePlace,
     /// The crank's angle at every point, in degrees.
@@ -58,7 +58,7 @@ struct NormalSums {
     all_miss: [f64; MAX_COUNT],
     /// (J'k)(k'J) / k'k and (J'k) k'r / k'k.
     own: MatrixOfUnknowns,
-    own_miss: [f64; MAX_COUNT],
+    own_deviation: [f64; MAX_COUNT],
     /// k'J, k'r and k'k of every point; empty if times are given.
     points: Vec<([f64; MAX_COUNT], f64, f64)>,
     square: f64,
@@ -67,27 +67,27 @@ struct NormalSums {
 /// The unknowns of a task and their layout.
 #[derive(Clone, Copy, Debug)]
 struct Layout {
-    held: HeldPivots,
+    held: GivenPivots,
     form: LinkageForm,
     timed: bool,
     count: usize,
 }
 
 impl Layout {
-    fn of(wanted: &WantedPath, quarry: &SearchTarget) -> Layout {
-        let timed = wanted.turns.is_some();
-        let linear = match quarry.held {
-            HeldPivots::Free => 6,
-            HeldPivots::Crank(_) | HeldPivots::Rocker(_) => 4,
-            HeldPivots::Both(..) => 2,
+    fn of(goal: &TargetPath, target: &SearchTarget) -> Layout {
+        let timed = goal.turns.is_some();
+        let linear = match target.held {
+            GivenPivots::Free => 6,
+            GivenPivots::Crank(_) | GivenPivots::Rocker(_) => 4,
+            GivenPivots::Both(..) => 2,
         };
-        let lengths = match quarry.form {
+        let lengths = match target.form {
             LinkageForm::FourBar => 3,
             LinkageForm::SliderCrank => 2,
         };
         Layout {
-            held: quarry.held,
-            form: quarry.form,
+            held: target.held,
+            form: target.form,
             timed,
             count: linear + lengths + usize::from(timed),
         }
@@ -104,14 +104,14 @@ struct PointRows {
 
 impl Fit {
     /// Returns the start of a descent.
-    pub(super) fn of(wanted: &WantedPath, quarry: SearchTarget, raw: &Raw) -> Fit {
-        let turned = |j: usize| wanted.turns.as_ref().map(|turns| turns[j]);
-        let angles: Vec<f64> = (0..wanted.points.len())
-            .map(|j| raw.angle(&wanted.along[j], turned(j)))
+    pub(super) fn of(goal: &TargetPath, target: SearchTarget, raw: &Raw) -> Fit {
+        let turned = |j: usize| goal.turns.as_ref().map(|turns| turns[j]);
+        let angles: Vec<f64> = (0..goal.points.len())
+            .map(|j| raw.angle(&goal.along[j], turned(j)))
             .collect();
-        let found = Projection::of(wanted, quarry.held, &raw.shape, angles.iter().copied());
+        let found = Projection::of(goal, target.held, &raw.shape, angles.iter().copied());
         Fit {
-            quarry,
+            target,
             shape: raw.shape,
             place: found.place,
             angles,
@@ -161,23 +161,23 @@ impl Fit {
         };
         let mut by_ground = swing * rates.by_ground;
         match layout.held {
-            HeldPivots::Free => {
+            GivenPivots::Free => {
                 push(Vec2::X);
                 push(Vec2::new(0.0, 1.0));
                 push(crank);
                 push(crank.perp());
             }
-            HeldPivots::Crank(_) => {
+            GivenPivots::Crank(_) => {
                 push(crank);
                 push(crank.perp());
             }
-            HeldPivots::Rocker(_) => {
+            GivenPivots::Rocker(_) => {
                 let crank = crank - Vec2::new(shape.ground, 0.0);
                 push(crank);
                 push(crank.perp());
                 by_ground = by_ground - place.scale;
             }
-            HeldPivots::Both(..) => {
+            GivenPivots::Both(..) => {
                 by_ground = by_ground - crank.turned(place.scale) * (1.0 / shape.ground);
             }
         }
@@ -199,14 +199,14 @@ impl Fit {
     }
 
     /// Sums all rows into `normal`. Returns `false` if a point has no rows.
-    fn sum(&self, wanted: &WantedPath, layout: Layout, normal: &mut NormalSums) -> bool {
+    fn sum(&self, target: &TargetPath, layout: Layout, normal: &mut NormalSums) -> bool {
         normal.clear();
         let n = layout.count;
         for (j, &degrees) in self.angles.iter().enumerate() {
-            let Some(rows) = self.rows(layout, wanted.points[j], degrees) else {
+            let Some(rows) = self.rows(layout, target.points[j], degrees) else {
                 return false;
             };
-            let weight = wanted.weights[j];
+            let weight = target.weights[j];
             normal.square += weight * rows.miss.norm2();
             for i in 0..n {
                 let row = rows.common[i] * weight;
@@ -229,7 +229,7 @@ impl Fit {
                 for (sum, other) in normal.own[i].iter_mut().zip(&products[..=i]) {
                     *sum += part * own * other;
                 }
-                normal.own_miss[i] += part * own * along;
+                normal.own_deviation[i] += part * own * along;
             }
             normal.points.push((products, along, square));
         }
@@ -249,10 +249,10 @@ impl Fit {
         new.angles.extend_from_slice(&self.angles);
         let mut rest = step.iter().copied();
         let mut next = || rest.next().unwrap_or(0.0);
-        if layout.held == HeldPivots::Free {
+        if layout.held == GivenPivots::Free {
             new.place.origin += Vec2::new(next(), next());
         }
-        if !matches!(layout.held, HeldPivots::Both(..)) {
+        if !matches!(layout.held, GivenPivots::Both(..)) {
             new.place.scale += Vec2::new(next(), next());
         }
         new.place.arm += Vec2::new(next(), next());
@@ -271,11 +271,11 @@ impl Fit {
 
     /// Updates the place to satisfy the given pivots.
     fn settle(&mut self) {
-        match self.quarry.held {
-            HeldPivots::Free => {}
-            HeldPivots::Crank(a) => self.place.origin = a,
-            HeldPivots::Rocker(d) => self.place.origin = d - self.place.scale * self.shape.ground,
-            HeldPivots::Both(a, d) => {
+        match self.target.held {
+            GivenPivots::Free => {}
+            GivenPivots::Crank(a) => self.place.origin = a,
+            GivenPivots::Rocker(d) => self.place.origin = d - self.place.scale * self.shape.ground,
+            GivenPivots::Both(a, d) => {
                 self.place.origin = a;
                 self.place.scale = (d - a) * (1.0 / self.shape.ground);
             }
@@ -284,31 +284,31 @@ impl Fit {
 
     /// Returns `true` if the linkage meets every preference and its start searched for this; then
     /// no step may violate them.
-    fn holds_wishes(&self, wanted: &WantedPath) -> bool {
-        self.quarry.is_wished && self.lack(wanted) == 0.0
+    fn meets_preferences(&self, target: &TargetPath) -> bool {
+        self.target.is_wished && self.violation(target) == 0.0
     }
 
     /// Returns how much the linkage violates the preferences; 0 if it meets all.
-    pub(super) fn lack(&self, wanted: &WantedPath) -> f64 {
-        let ends = super::distinct::ends(self, wanted);
-        wanted.wishes.lack(&self.shape, &self.place, ends)
+    pub(super) fn violation(&self, target: &TargetPath) -> f64 {
+        let ends = super::distinct::ends(self, target);
+        target.preferences.violation(&self.shape, &self.place, ends)
     }
 
     /// Descends by at most `steps` steps. Returns `false` if the start has no rows.
-    pub(super) fn descend(&mut self, wanted: &WantedPath, steps: usize) -> bool {
-        let layout = Layout::of(wanted, &self.quarry);
+    pub(super) fn descend(&mut self, target: &TargetPath, steps: usize) -> bool {
+        let layout = Layout::of(target, &self.target);
         let (mut now, mut next) = (NormalSums::new(), NormalSums::new());
         self.settle();
-        if !self.sum(wanted, layout, &mut now) {
+        if !self.sum(target, layout, &mut now) {
             return false;
         }
         self.square = now.square;
-        let holds = self.holds_wishes(wanted);
+        let holds = self.meets_preferences(target);
         let (mut damping, mut growth) = (1e-3, 2.0);
         let mut spare = Vec::new();
         let mut level = 0;
         for _ in 0..steps {
-            if self.square < EXACT || damping > STUCK || level > 3 {
+            if self.square < EXACT || damping > CONVERGED_DAMPING || level > 3 {
                 break;
             }
             let Some(step) = now.solve(layout.count, damping) else {
@@ -317,9 +317,9 @@ impl Fit {
             };
             let mut trial = self.stepped(layout, &step[..layout.count], &mut spare);
             now.turn(&mut trial.angles, &step[..layout.count], damping);
-            let is_better = trial.sum(wanted, layout, &mut next)
+            let is_better = trial.sum(target, layout, &mut next)
                 && next.square < self.square
-                && !(holds && trial.lack(wanted) > 0.0);
+                && !(holds && trial.violation(target) > 0.0);
             if is_better {
                 level = if next.square > self.square * (1.0 - LEVEL) {
                     level + 1
@@ -339,22 +339,22 @@ impl Fit {
     }
 
     /// Improves the minimum by Gauss-Newton steps on the rows themselves.
-    pub(super) fn polish(&mut self, wanted: &WantedPath, steps: usize) {
-        let layout = Layout::of(wanted, &self.quarry);
+    pub(super) fn polish(&mut self, target: &TargetPath, steps: usize) {
+        let layout = Layout::of(target, &self.target);
         let mut spare = Vec::new();
         let mut normal = NormalSums::new();
-        let holds = self.holds_wishes(wanted);
+        let holds = self.meets_preferences(target);
         for _ in 0..steps {
-            let Some(step) = self.exact_step(wanted, layout) else {
+            let Some(step) = self.exact_step(target, layout) else {
                 return;
             };
-            if !self.sum(wanted, layout, &mut normal) {
+            if !self.sum(target, layout, &mut normal) {
                 return;
             }
             let mut trial = self.stepped(layout, step.as_slice(), &mut spare);
             normal.turn(&mut trial.angles, step.as_slice(), 0.0);
-            let is_better = trial.sum(wanted, layout, &mut normal) && normal.square < self.square;
-            if !is_better || holds && trial.lack(wanted) > 0.0 {
+            let is_better = trial.sum(target, layout, &mut normal) && normal.square < self.square;
+            if !is_better || holds && trial.violation(target) > 0.0 {
                 return;
             }
             trial.square = normal.square;
@@ -365,14 +365,14 @@ impl Fit {
 
     /// Returns the minimum-norm least-squares step, by singular values. A free angle is eliminated
     /// by projecting its rows onto the normal of its direction of motion.
-    fn exact_step(&self, wanted: &WantedPath, layout: Layout) -> Option<DVector<f64>> {
+    fn exact_step(&self, target: &TargetPath, layout: Layout) -> Option<DVector<f64>> {
         let each = if layout.timed { 2 } else { 1 };
-        let count = each * wanted.points.len();
+        let count = each * target.points.len();
         let mut matrix = DMatrix::zeros(count.max(layout.count), layout.count);
         let mut misses = DVector::zeros(matrix.nrows());
         for (j, &degrees) in self.angles.iter().enumerate() {
-            let rows = self.rows(layout, wanted.points[j], degrees)?;
-            let weight = wanted.weights[j].sqrt();
+            let rows = self.rows(layout, target.points[j], degrees)?;
+            let weight = target.weights[j].sqrt();
             let across = match layout.timed {
                 true => [Vec2::X, Vec2::new(0.0, 1.0)],
                 false => {
@@ -406,7 +406,7 @@ impl NormalSums {
             all: [[0.0; MAX_COUNT]; MAX_COUNT],
             all_miss: [0.0; MAX_COUNT],
             own: [[0.0; MAX_COUNT]; MAX_COUNT],
-            own_miss: [0.0; MAX_COUNT],
+            own_deviation: [0.0; MAX_COUNT],
             points: Vec::new(),
             square: 0.0,
         }
@@ -414,7 +414,7 @@ impl NormalSums {
 
     fn clear(&mut self) {
         (self.all, self.own) = ([[0.0; MAX_COUNT]; MAX_COUNT], [[0.0; MAX_COUNT]; MAX_COUNT]);
-        (self.all_miss, self.own_miss) = ([0.0; MAX_COUNT], [0.0; MAX_COUNT]);
+        (self.all_miss, self.own_deviation) = ([0.0; MAX_COUNT], [0.0; MAX_COUNT]);
         self.points.clear();
         self.square = 0.0;
     }
@@ -442,7 +442,7 @@ impl NormalSums {
                     lower[i][l] = sum / lower[l][l];
                 }
             }
-            let mut sum = self.all_miss[i] - part * self.own_miss[i];
+            let mut sum = self.all_miss[i] - part * self.own_deviation[i];
             for (factor, known) in lower[i][..i].iter().zip(&step) {
                 sum -= factor * known;
             }

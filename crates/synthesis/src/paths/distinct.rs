@@ -2,7 +2,7 @@
 
 use super::descent::Fit;
 use super::shape::LinkageForm;
-use super::wanted::{HeldPivots, WantedPath};
+use super::wanted::{GivenPivots, TargetPath};
 use kinematics::Vec2;
 
 /// Linkages count as one if their pivots and pins agree within this part of their largest distance.
@@ -12,14 +12,14 @@ const ROUNDING: f64 = 1e-20;
 /// Sine of the transmission angle below which a linkage cannot be distinguished from one at a dead
 /// point or a change point. Beyond such a point it may continue in the other assembly than its sign
 /// says.
-const FLATTEST: f64 = 0.01;
+const MIN_TRANSMISSION_SINE: f64 = 0.01;
 /// Minimum and maximum of every length, in sizes of the path.
 const ENDS: [f64; 2] = [1e-3, 1e3];
 
 /// Number of different linkages followed to the end, and the number of additional ones that meet
 /// the preferences.
-const FOLLOWED: usize = 32;
-const WISHED: usize = 16;
+const MAX_FOLLOWED: usize = 32;
+const MAX_PREFERRED: usize = 16;
 
 /// A linkage with the values that determine its rank.
 #[derive(Clone, Debug)]
@@ -38,7 +38,7 @@ pub(super) struct Ranked {
 }
 
 impl Ranked {
-    pub(super) fn of(fit: Fit, wanted: &WantedPath) -> Option<Ranked> {
+    pub(super) fn of(fit: Fit, target: &TargetPath) -> Option<Ranked> {
         let first = *fit.angles.first()?;
         let [b, c, _] = fit.places(first);
         let a = fit.place.origin;
@@ -61,10 +61,10 @@ impl Ranked {
                 .all(|length| (ENDS[0]..=ENDS[1]).contains(length))
             && [a, b, c, d].iter().all(|p| p.is_finite());
         is_one.then(|| Ranked {
-            keeps: keeps(&fit, wanted),
-            is_wished: wanted
-                .wishes
-                .lack(&fit.shape, &fit.place, ends(&fit, wanted))
+            keeps: keeps(&fit, target),
+            is_wished: target
+                .preferences
+                .violation(&fit.shape, &fit.place, ends(&fit, target))
                 == 0.0,
             extreme,
             corners: [a, d, b, c],
@@ -77,7 +77,7 @@ impl Ranked {
         (!self.keeps, self.fit.square.max(ROUNDING), self.extreme)
     }
 
-    fn is_one_with(&self, other: &Ranked, wanted: &WantedPath) -> bool {
+    fn is_one_with(&self, other: &Ranked, target: &TargetPath) -> bool {
         let (x, y) = (&self.fit, &other.fit);
         if x.shape.form != y.shape.form {
             return false;
@@ -90,19 +90,19 @@ impl Ranked {
         };
         // Crank and rocker may also be exchanged if the crank's angles do not count.
         let turns_over = x.shape.form == LinkageForm::FourBar
-            && wanted.turns.is_none()
-            && !matches!(x.quarry.held, HeldPivots::Both(..));
+            && target.turns.is_none()
+            && !matches!(x.target.held, GivenPivots::Both(..));
         together([0, 1, 2, 3]) || turns_over && together([1, 0, 3, 2])
     }
 }
 
 /// Returns `true` if a linkage closes over its whole task without a dead point, with the crank
 /// turning one way.
-fn keeps(fit: &Fit, wanted: &WantedPath) -> bool {
+fn keeps(fit: &Fit, target: &TargetPath) -> bool {
     let angles = &fit.angles;
-    let [low, high] = ends(fit, wanted);
+    let [low, high] = ends(fit, target);
     let (short, sine) = fit.shape.worst_between(low, high);
-    if short > 0.0 || sine < FLATTEST {
+    if short > 0.0 || sine < MIN_TRANSMISSION_SINE {
         return false;
     }
     let ordered = |sense: f64| {
@@ -110,13 +110,13 @@ fn keeps(fit: &Fit, wanted: &WantedPath) -> bool {
             .windows(2)
             .all(|pair| (pair[1] - pair[0]) * sense >= 0.0)
     };
-    let [least, most] = extremes(angles);
-    wanted.turns.is_some() || (most - least <= 360.0 && (ordered(1.0) || ordered(-1.0)))
+    let [minimum, maximum] = extremes(angles);
+    target.turns.is_some() || (maximum - minimum <= 360.0 && (ordered(1.0) || ordered(-1.0)))
 }
 
 /// Returns the crank's minimum and maximum angle over the task, in degrees.
-pub(super) fn ends(fit: &Fit, wanted: &WantedPath) -> [f64; 2] {
-    match wanted.closed {
+pub(super) fn ends(fit: &Fit, target: &TargetPath) -> [f64; 2] {
+    match target.closed {
         true => [0.0, 360.0],
         false => extremes(&fit.angles),
     }
@@ -132,22 +132,22 @@ fn extremes(angles: &[f64]) -> [f64; 2] {
 
 /// Returns the best distinct linkages, and after them, if there are preferences, the best that meet
 /// all of these.
-pub(super) fn chosen(all: Vec<Ranked>, wanted: &WantedPath) -> Vec<Ranked> {
-    let wished: Vec<Ranked> = match wanted.wishes.is_any() {
+pub(super) fn chosen(all: Vec<Ranked>, target: &TargetPath) -> Vec<Ranked> {
+    let requested: Vec<Ranked> = match target.preferences.has_searched_preference() {
         true => all.iter().filter(|one| one.is_wished).cloned().collect(),
         false => Vec::new(),
     };
-    let mut kept = distinct(all, wanted, FOLLOWED);
-    for next in distinct(wished, wanted, WISHED) {
-        if !kept.iter().any(|other| next.is_one_with(other, wanted)) {
+    let mut kept = distinct(all, target, MAX_FOLLOWED);
+    for next in distinct(requested, target, MAX_PREFERRED) {
+        if !kept.iter().any(|other| next.is_one_with(other, target)) {
             kept.push(next);
         }
     }
     kept
 }
 
-/// Returns the best distinct linkages, at most `most`.
-fn distinct(mut all: Vec<Ranked>, wanted: &WantedPath, most: usize) -> Vec<Ranked> {
+/// Returns the best distinct linkages, at most `maximum`.
+fn distinct(mut all: Vec<Ranked>, target: &TargetPath, maximum: usize) -> Vec<Ranked> {
     all.sort_by(|x, y| {
         let (x, y) = (x.key(), y.key());
         x.0.cmp(&y.0)
@@ -156,10 +156,10 @@ fn distinct(mut all: Vec<Ranked>, wanted: &WantedPath, most: usize) -> Vec<Ranke
     });
     let mut kept: Vec<Ranked> = Vec::new();
     for next in all {
-        if kept.len() >= most {
+        if kept.len() >= maximum {
             break;
         }
-        if !kept.iter().any(|other| next.is_one_with(other, wanted)) {
+        if !kept.iter().any(|other| next.is_one_with(other, target)) {
             kept.push(next);
         }
     }

@@ -5,7 +5,7 @@
 
 use super::linear::Projection;
 use super::shape::{LinkageForm, LinkageShape};
-use super::wanted::{HeldPivots, PathPart, WantedPath};
+use super::wanted::{GivenPivots, PathPart, TargetPath};
 use kinematics::numeric::{SeededRng, mutate};
 
 /// Maximum number of genes: three ratios, the first angle, the whole turn, and two for its
@@ -28,13 +28,13 @@ const FLAT: f64 = 0.25;
 const FLAT_COUNTS: f64 = 1e-3;
 
 /// Penalty per unit of violated preferences, in mean squares of the path's size.
-const LACKING: f64 = 0.1;
+const PREFERENCE_PENALTY: f64 = 0.1;
 
 /// The kind of linkage for which a start searches.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SearchTarget {
     pub(super) form: LinkageForm,
-    pub(super) held: HeldPivots,
+    pub(super) held: GivenPivots,
     /// The sign of the assembly, 1 or -1.
     pub(super) sign: f64,
     /// The sense in which the crank turns if times are free: 1 or -1.
@@ -51,7 +51,7 @@ pub(super) struct Raw {
     pub(super) shape: LinkageShape,
     genes: Genes,
     turn: f64,
-    worth: f64,
+    score: f64,
 }
 
 impl AsRef<[f64]> for Raw {
@@ -77,13 +77,13 @@ impl Raw {
 
 /// Returns the range of every gene. The first three belong to the crank, the far length and the
 /// ground, by their logarithms.
-fn ends(quarry: &SearchTarget, wanted: &WantedPath) -> [[f64; 2]; GENES] {
-    let free = wanted.turns.is_none();
-    let (crank, far, ground) = match quarry.form {
+fn ends(target: &SearchTarget, goal: &TargetPath) -> [[f64; 2]; GENES] {
+    let free = goal.turns.is_none();
+    let (crank, far, ground) = match target.form {
         LinkageForm::FourBar => ([-2.3, 1.6], [-1.6, 1.6], [-1.9, 1.6]),
         LinkageForm::SliderCrank => ([-3.0, 1.6], [-2.5, 2.5], [0.0, 0.0]),
     };
-    let turn = if free && !wanted.closed {
+    let turn = if free && !goal.closed {
         [25.0, 345.0]
     } else {
         [360.0, 360.0]
@@ -94,34 +94,34 @@ fn ends(quarry: &SearchTarget, wanted: &WantedPath) -> [[f64; 2]; GENES] {
 
 /// The search of one start.
 pub(super) struct Evolution<'a> {
-    wanted: &'a WantedPath,
-    quarry: SearchTarget,
+    wanted: &'a TargetPath,
+    target: SearchTarget,
     ends: [[f64; 2]; GENES],
     /// The bounds of every gene; the first angle has none.
     bounds: [Option<[f64; 2]>; GENES],
-    chance: SeededRng,
+    rng: SeededRng,
     /// The minimum and maximum of the given turns, in degrees.
     turns: Option<[f64; 2]>,
 }
 
 impl<'a> Evolution<'a> {
-    pub(super) fn new(wanted: &'a WantedPath, quarry: SearchTarget, seed: u64) -> Evolution<'a> {
-        let turns = wanted.turns.as_ref().map(|turns| {
-            let least = turns.iter().copied().fold(f64::INFINITY, f64::min);
+    pub(super) fn new(goal: &'a TargetPath, target: SearchTarget, seed: u64) -> Evolution<'a> {
+        let turns = goal.turns.as_ref().map(|turns| {
+            let minimum = turns.iter().copied().fold(f64::INFINITY, f64::min);
             [
-                least,
+                minimum,
                 turns.iter().copied().fold(f64::NEG_INFINITY, f64::max),
             ]
         });
-        let ends = ends(&quarry, wanted);
+        let ends = ends(&target, goal);
         let mut bounds = ends.map(Some);
         bounds[FIRST_ANGLE] = None;
         Evolution {
-            wanted,
-            quarry,
+            wanted: goal,
+            target,
             ends,
             bounds,
-            chance: SeededRng::new(seed),
+            rng: SeededRng::new(seed),
             turns,
         }
     }
@@ -133,19 +133,19 @@ impl<'a> Evolution<'a> {
             let best = all
                 .iter()
                 .copied()
-                .min_by(|a, b| a.worth.total_cmp(&b.worth));
-            if best.is_none_or(|best| best.worth < MET) {
+                .min_by(|a, b| a.score.total_cmp(&b.score));
+            if best.is_none_or(|best| best.score < MET) {
                 break;
             }
             let best = best.as_ref().map(AsRef::as_ref);
             for i in 0..all.len() {
                 let trial = self.trial(&all, i, best);
-                if trial.worth <= all[i].worth {
+                if trial.score <= all[i].score {
                     all[i] = trial;
                 }
             }
         }
-        all.sort_by(|a, b| a.worth.total_cmp(&b.worth));
+        all.sort_by(|a, b| a.score.total_cmp(&b.score));
         all
     }
 
@@ -153,36 +153,36 @@ impl<'a> Evolution<'a> {
     fn draw(&mut self) -> Raw {
         let mut drawn = self.drawn();
         for _ in 0..DRAWS {
-            if self.short(&drawn) == 0.0 {
+            if self.shortfall(&drawn) == 0.0 {
                 break;
             }
             drawn = self.drawn();
         }
-        self.weigh(&mut drawn);
+        self.measure_cost(&mut drawn);
         drawn
     }
 
     fn drawn(&mut self) -> Raw {
-        let chance = &mut self.chance;
+        let rng = &mut self.rng;
         let genes = self
             .ends
-            .map(|[low, high]| 0.5 * (low + high) + 0.5 * (high - low) * chance.even());
+            .map(|[low, high]| 0.5 * (low + high) + 0.5 * (high - low) * rng.even());
         self.raw(genes)
     }
 
     fn raw(&self, genes: Genes) -> Raw {
-        let four_bar = self.quarry.form == LinkageForm::FourBar;
+        let four_bar = self.target.form == LinkageForm::FourBar;
         Raw {
             shape: LinkageShape {
-                form: self.quarry.form,
-                sign: self.quarry.sign,
+                form: self.target.form,
+                sign: self.target.sign,
                 crank: genes[0].exp(),
                 far: if four_bar { genes[1].exp() } else { genes[1] },
                 ground: if four_bar { genes[2].exp() } else { 0.0 },
             },
             genes,
-            turn: self.quarry.sense * genes[4],
-            worth: f64::INFINITY,
+            turn: self.target.sense * genes[4],
+            score: f64::INFINITY,
         }
     }
 
@@ -190,39 +190,41 @@ impl<'a> Evolution<'a> {
     fn span(&self, raw: &Raw) -> [f64; 2] {
         let start = raw.genes[FIRST_ANGLE];
         match self.turns {
-            Some([least, most]) => [start + least, start + most],
+            Some([minimum, maximum]) => [start + minimum, start + maximum],
             None => [start.min(start + raw.turn), start.max(start + raw.turn)],
         }
     }
 
     /// Returns by how much the links are too short over the task.
-    fn short(&self, raw: &Raw) -> f64 {
+    fn shortfall(&self, raw: &Raw) -> f64 {
         let [low, high] = self.span(raw);
         raw.shape.worst_between(low, high).0
     }
 
     /// Rates a design by its misses and by penalties for violated conditions.
-    fn weigh(&self, raw: &mut Raw) {
+    fn measure_cost(&self, raw: &mut Raw) {
         let [low, high] = self.span(raw);
         let (short, sine) = raw.shape.worst_between(low, high);
-        let wanted = self.wanted;
-        let angles = wanted
+        let target = self.wanted;
+        let angles = target
             .along
             .iter()
             .enumerate()
-            .map(|(j, along)| raw.angle(along, wanted.turns.as_ref().map(|turns| turns[j])));
-        let found = Projection::of(wanted, self.quarry.held, &raw.shape, angles);
+            .map(|(j, along)| raw.angle(along, target.turns.as_ref().map(|turns| turns[j])));
+        let found = Projection::of(target, self.target.held, &raw.shape, angles);
         let flat = (1.0 - sine / FLAT).max(0.0);
-        let lack = match self.quarry.is_wished {
-            true => wanted.wishes.lack(&raw.shape, &found.place, [low, high]),
+        let lack = match self.target.is_wished {
+            true => target
+                .preferences
+                .violation(&raw.shape, &found.place, [low, high]),
             false => 0.0,
         };
-        let worth = found.square
-            + LACKING * lack
-            + SHORT * (short + found.short / wanted.points.len() as f64)
+        let score = found.square
+            + PREFERENCE_PENALTY * lack
+            + SHORT * (short + found.short / target.points.len() as f64)
             + FLAT_COUNTS * found.square.sqrt() * flat * flat;
-        raw.worth = if worth.is_finite() {
-            worth
+        raw.score = if score.is_finite() {
+            score
         } else {
             f64::INFINITY
         };
@@ -231,9 +233,9 @@ impl<'a> Evolution<'a> {
     /// Creates a trial for a design of a generation.
     fn trial(&mut self, all: &[Raw], of: usize, best: Option<&[f64]>) -> Raw {
         let mut genes = all[of].genes;
-        mutate(&mut genes, all, best, &self.bounds, &mut self.chance);
+        mutate(&mut genes, all, best, &self.bounds, &mut self.rng);
         let mut trial = self.raw(genes);
-        self.weigh(&mut trial);
+        self.measure_cost(&mut trial);
         trial
     }
 }

@@ -13,7 +13,7 @@
 //! given, P - D = s (a e - g) + z u, with both s = (D - A) / g.
 
 use super::shape::LinkageShape;
-use super::wanted::{HeldPivots, WantedPath};
+use super::wanted::{GivenPivots, TargetPath};
 use kinematics::{Vec2, angle};
 
 /// The placement of a linkage of known shape.
@@ -41,15 +41,15 @@ pub(super) struct Projection {
 /// keeps columns distinct that would coincide without it.
 const RIDGE: f64 = 1e-8;
 
-impl HeldPivots {
+impl GivenPivots {
     /// Returns the known parts of the linear problem: the origin from which the path is seen, and
     /// the factor of g in the column of s.
     #[inline]
-    pub(super) fn seen(self) -> (Vec2, f64) {
+    pub(super) fn known_parts(self) -> (Vec2, f64) {
         match self {
-            HeldPivots::Free => (Vec2::ZERO, 0.0),
-            HeldPivots::Crank(a) | HeldPivots::Both(a, _) => (a, 0.0),
-            HeldPivots::Rocker(d) => (d, 1.0),
+            GivenPivots::Free => (Vec2::ZERO, 0.0),
+            GivenPivots::Crank(a) | GivenPivots::Both(a, _) => (a, 0.0),
+            GivenPivots::Rocker(d) => (d, 1.0),
         }
     }
 }
@@ -59,20 +59,20 @@ impl Projection {
     /// point.
     #[inline]
     pub(super) fn of(
-        wanted: &WantedPath,
-        held: HeldPivots,
+        goal: &TargetPath,
+        held: GivenPivots,
         shape: &LinkageShape,
         angles: impl Iterator<Item = f64>,
     ) -> Projection {
-        let (seen, part) = held.seen();
+        let (seen, part) = held.known_parts();
         let back = Vec2::new(part * shape.ground, 0.0);
         let fixed = match held {
-            HeldPivots::Both(a, d) => Some((d - a) * (1.0 / shape.ground)),
-            HeldPivots::Free | HeldPivots::Crank(_) | HeldPivots::Rocker(_) => None,
+            GivenPivots::Both(a, d) => Some((d - a) * (1.0 / shape.ground)),
+            GivenPivots::Free | GivenPivots::Crank(_) | GivenPivots::Rocker(_) => None,
         };
         let mut sums = ProjectionSums::default();
         let mut short = 0.0;
-        for ((&point, &weight), degrees) in wanted.points.iter().zip(&wanted.weights).zip(angles) {
+        for ((&point, &weight), degrees) in goal.points.iter().zip(&goal.weights).zip(angles) {
             let e = angle::unit(degrees);
             let at = shape.coupling(e);
             short += at.short;
@@ -88,13 +88,13 @@ impl Projection {
                 let arm = sums.ut * (1.0 / (1.0 + RIDGE));
                 (scale, arm, sums.tt - arm.dot(sums.ut))
             }
-            (HeldPivots::Free, None) => sums.centred().two(),
+            (GivenPivots::Free, None) => sums.centred().two(),
             (_, None) => sums.two(),
         };
         let origin = match held {
-            HeldPivots::Free => sums.t - sums.p.turned(scale) - sums.u.turned(arm),
-            HeldPivots::Crank(a) | HeldPivots::Both(a, _) => a,
-            HeldPivots::Rocker(d) => d - scale * shape.ground,
+            GivenPivots::Free => sums.t - sums.p.turned(scale) - sums.u.turned(arm),
+            GivenPivots::Crank(a) | GivenPivots::Both(a, _) => a,
+            GivenPivots::Rocker(d) => d - scale * shape.ground,
         };
         Projection {
             place: LinkagePlace { origin, scale, arm },

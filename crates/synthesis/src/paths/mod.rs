@@ -29,13 +29,13 @@ mod tests;
 mod wanted;
 mod wishes;
 
-use super::{Partner, PathTask, Preferences, Proposal, Proposals};
+use super::{PathTask, PinConstraint, Preferences, Proposal, Proposals};
 use descent::Fit;
 use distinct::{Ranked, chosen};
 use evolution::{Evolution, SearchTarget};
 use kinematics::{angle, parallel};
 use shape::LinkageForm;
-use wanted::{HeldPivots, WantedPath};
+use wanted::{GivenPivots, TargetPath};
 
 /// Number of points used by the evolution; the descent uses all.
 const ROUGH_POINTS: usize = 36;
@@ -58,7 +58,7 @@ pub struct PathSearch<'a> {
     /// Whether to search for slider-cranks.
     pub slider_cranks: bool,
     /// The preferences: every other round of starts searches for linkages that meet them.
-    pub wishes: Preferences,
+    pub preferences: Preferences,
     /// The seed of the random numbers.
     pub seed: u64,
     /// The number of threads; it changes only the run time.
@@ -79,50 +79,50 @@ impl PathSearch<'_> {
     /// The result is empty for fewer than two different points, or if a number is not finite.
     #[must_use]
     pub fn run(&self, watch: &mut dyn FnMut(f64) -> bool) -> Proposals {
-        let Some(wanted) = WantedPath::of(self.task, &self.wishes) else {
+        let Some(goal) = TargetPath::of(self.task, &self.preferences) else {
             return Proposals::default();
         };
-        let quarries = self.quarries(&wanted);
-        if quarries.is_empty() {
+        let targets = self.search_targets(&goal);
+        if targets.is_empty() {
             return Proposals::default();
         }
-        let rough = wanted.thinned(ROUGH_POINTS);
+        let rough = goal.thinned(ROUGH_POINTS);
         let starts = usize::try_from(self.starts).unwrap_or(usize::MAX);
         let found = parallel::each(
             starts,
             self.threads,
             || (),
             |(), i| {
-                let round = i / quarries.len();
-                let quarry = SearchTarget {
-                    is_wished: wanted.wishes.is_any() && round % 2 == 1,
-                    ..quarries[i % quarries.len()]
+                let round = i / targets.len();
+                let target = SearchTarget {
+                    is_wished: goal.preferences.has_searched_preference() && round % 2 == 1,
+                    ..targets[i % targets.len()]
                 };
-                start(&wanted, &rough, quarry, self.seed, i)
+                start(&goal, &rough, target, self.seed, i)
             },
             &mut |part| watch(STARTS_PART * part),
         );
-        let rough = chosen(found.into_iter().flatten().collect(), &wanted);
+        let rough = chosen(found.into_iter().flatten().collect(), &goal);
         let found = parallel::each(
             rough.len(),
             self.threads,
             || (),
             |(), i| {
                 let mut fit = rough[i].fit.clone();
-                fit.descend(&wanted, STEPS);
-                fit.polish(&wanted, LAST_STEPS);
-                if wanted.wishes.ordered {
-                    fit.put_in_order(&wanted);
+                fit.descend(&goal, STEPS);
+                fit.polish(&goal, LAST_STEPS);
+                if goal.preferences.ordered {
+                    fit.sort_angles(&goal);
                 }
-                Ranked::of(fit, &wanted)
+                Ranked::of(fit, &goal)
             },
             &mut |part| watch(STARTS_PART + (1.0 - STARTS_PART) * part),
         );
-        let found = chosen(found.into_iter().flatten().collect(), &wanted);
+        let found = chosen(found.into_iter().flatten().collect(), &goal);
         Proposals {
             found: found
                 .iter()
-                .map(|ranked| self.proposal(&ranked.fit, &wanted))
+                .map(|ranked| self.proposal(&ranked.fit, &goal))
                 .collect(),
             is_complete: false,
             reason: None,
@@ -131,22 +131,22 @@ impl PathSearch<'_> {
     }
 
     /// Returns the kinds of linkage for which successive starts search.
-    fn quarries(&self, wanted: &WantedPath) -> Vec<SearchTarget> {
+    fn search_targets(&self, target: &TargetPath) -> Vec<SearchTarget> {
         let forms = [
             (self.four_bars, LinkageForm::FourBar),
             (self.slider_cranks, LinkageForm::SliderCrank),
         ];
-        let senses: &[f64] = if wanted.turns.is_some() {
+        let senses: &[f64] = if target.turns.is_some() {
             &[1.0]
         } else {
             &[1.0, -1.0]
         };
-        let mut quarries = Vec::new();
+        let mut targets = Vec::new();
         for &sense in senses {
             for sign in [1.0, -1.0] {
                 for (_, form) in forms.iter().filter(|(is_wanted, _)| *is_wanted) {
-                    for held in self.held(wanted, *form) {
-                        quarries.push(SearchTarget {
+                    for held in self.held(target, *form) {
+                        targets.push(SearchTarget {
                             form: *form,
                             held,
                             sign,
@@ -157,20 +157,20 @@ impl PathSearch<'_> {
                 }
             }
         }
-        quarries
+        targets
     }
 
     /// Returns the possible assignments of the given pivots to links.
-    fn held(&self, wanted: &WantedPath, form: LinkageForm) -> Vec<HeldPivots> {
-        let pivots: Vec<_> = self.task.pivots.iter().map(|&p| wanted.inside(p)).collect();
+    fn held(&self, target: &TargetPath, form: LinkageForm) -> Vec<GivenPivots> {
+        let pivots: Vec<_> = self.task.pivots.iter().map(|&p| target.inside(p)).collect();
         match (pivots[..].as_ref(), form) {
-            ([], _) => vec![HeldPivots::Free],
+            ([], _) => vec![GivenPivots::Free],
             ([one], LinkageForm::FourBar) => {
-                vec![HeldPivots::Crank(*one), HeldPivots::Rocker(*one)]
+                vec![GivenPivots::Crank(*one), GivenPivots::Rocker(*one)]
             }
-            ([one], LinkageForm::SliderCrank) => vec![HeldPivots::Crank(*one)],
+            ([one], LinkageForm::SliderCrank) => vec![GivenPivots::Crank(*one)],
             ([one, two], LinkageForm::FourBar) if one != two => {
-                vec![HeldPivots::Both(*one, *two), HeldPivots::Both(*two, *one)]
+                vec![GivenPivots::Both(*one, *two), GivenPivots::Both(*two, *one)]
             }
             // A slider-crank has one pivot, and no linkage has three.
             _ => Vec::new(),
@@ -178,26 +178,26 @@ impl PathSearch<'_> {
     }
 
     /// Converts a linkage to the task's frame; given pivots keep their exact values.
-    fn proposal(&self, fit: &Fit, wanted: &WantedPath) -> Proposal {
+    fn proposal(&self, fit: &Fit, target: &TargetPath) -> Proposal {
         let given = |held| {
             let all = self.task.pivots.iter().copied();
-            all.into_iter().find(|&p| wanted.inside(p) == held)
+            all.into_iter().find(|&p| target.inside(p) == held)
         };
-        let (crank, rocker) = match fit.quarry.held {
-            HeldPivots::Free => (None, None),
-            HeldPivots::Crank(a) => (given(a), None),
-            HeldPivots::Rocker(d) => (None, given(d)),
-            HeldPivots::Both(a, d) => (given(a), given(d)),
+        let (crank, rocker) = match fit.target.held {
+            GivenPivots::Free => (None, None),
+            GivenPivots::Crank(a) => (given(a), None),
+            GivenPivots::Rocker(d) => (None, given(d)),
+            GivenPivots::Both(a, d) => (given(a), given(d)),
         };
-        let places = |&degrees: &f64| fit.places(degrees).map(|p| wanted.outside(p));
+        let places = |&degrees: &f64| fit.places(degrees).map(|p| target.outside(p));
         let all: Vec<_> = fit.angles.iter().map(places).collect();
         Proposal {
-            pivot: crank.unwrap_or_else(|| wanted.outside(fit.place.origin)),
+            pivot: crank.unwrap_or_else(|| target.outside(fit.place.origin)),
             partner: match fit.shape.form {
                 LinkageForm::FourBar => {
-                    Partner::Rocker(rocker.unwrap_or_else(|| wanted.outside(fit.far_pivot())))
+                    PinConstraint::Rocker(rocker.unwrap_or_else(|| target.outside(fit.far_pivot())))
                 }
-                LinkageForm::SliderCrank => Partner::Slide(angle::degrees(fit.place.scale)),
+                LinkageForm::SliderCrank => PinConstraint::Slide(angle::degrees(fit.place.scale)),
             },
             places: all.iter().map(|[b, c, _]| [*b, *c]).collect(),
             tracer: all.first().map(|[_, _, tracer]| *tracer),
@@ -207,25 +207,25 @@ impl PathSearch<'_> {
 
 /// Runs one start and returns its linkages.
 fn start(
-    wanted: &WantedPath,
-    rough: &WantedPath,
-    quarry: SearchTarget,
+    goal: &TargetPath,
+    rough: &TargetPath,
+    target: SearchTarget,
     seed: u64,
     number: usize,
 ) -> Vec<Ranked> {
     // The golden ratio's bits give every start a different random sequence.
     let seed = seed ^ (number as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    let last = Evolution::new(rough, quarry, seed).run();
+    let last = Evolution::new(rough, target, seed).run();
     let step = (last.len() / DESCENTS).max(1);
     last.iter()
         .step_by(step)
         .filter_map(|raw| {
-            let mut fit = Fit::of(wanted, quarry, raw);
-            let begins = fit.descend(wanted, ROUGH_STEPS);
-            if begins && wanted.wishes.ordered {
-                fit.put_in_order(wanted);
+            let mut fit = Fit::of(goal, target, raw);
+            let starts = fit.descend(goal, ROUGH_STEPS);
+            if starts && goal.preferences.ordered {
+                fit.sort_angles(goal);
             }
-            begins.then(|| Ranked::of(fit, wanted)).flatten()
+            starts.then(|| Ranked::of(fit, goal)).flatten()
         })
         .collect()
 }

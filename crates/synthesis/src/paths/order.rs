@@ -6,7 +6,7 @@
 //! by how fast the tracer leaves its foot.
 
 use super::descent::Fit;
-use super::wanted::WantedPath;
+use super::wanted::TargetPath;
 
 /// Maximum factor by which sorting may increase the mean square. A larger increase is not noise but
 /// another order.
@@ -25,9 +25,9 @@ struct AnglePool {
 
 impl Fit {
     /// Sorts the crank's angles if this costs little; if not, leaves them unchanged.
-    pub(super) fn put_in_order(&mut self, wanted: &WantedPath) {
+    pub(super) fn sort_angles(&mut self, target: &TargetPath) {
         let ends = self.angles.first().zip(self.angles.last());
-        let (Some((first, last)), None) = (ends, &wanted.turns) else {
+        let (Some((first, last)), None) = (ends, &target.turns) else {
             return;
         };
         let sense = if last < first { -1.0 } else { 1.0 };
@@ -35,8 +35,8 @@ impl Fit {
         if self.angles.windows(2).all(is_ordered) {
             return;
         }
-        let angles = self.ordered_angles(wanted, sense);
-        let square: f64 = (wanted.points.iter().zip(&wanted.weights))
+        let angles = self.ordered_angles(target, sense);
+        let square: f64 = (target.points.iter().zip(&target.weights))
             .zip(&angles)
             .map(|((point, weight), angle)| {
                 let [_, _, tracer] = self.places(*angle);
@@ -49,13 +49,13 @@ impl Fit {
         }
     }
 
-    fn ordered_angles(&self, wanted: &WantedPath, sense: f64) -> Vec<f64> {
+    fn ordered_angles(&self, target: &TargetPath, sense: f64) -> Vec<f64> {
         let mut pools: Vec<AnglePool> = Vec::with_capacity(self.angles.len());
-        for (&angle, weight) in self.angles.iter().zip(&wanted.weights) {
-            let [ahead, behind] = [STEP, -STEP].map(|step| self.places(angle + step)[2]);
+        for (&angle, weight) in self.angles.iter().zip(&target.weights) {
+            let [ahead, after] = [STEP, -STEP].map(|step| self.places(angle + step)[2]);
             let mut pool = AnglePool {
                 // A point of zero weight, or of zero velocity, still has an angle.
-                weight: (weight * (ahead - behind).norm2()).max(f64::MIN_POSITIVE),
+                weight: (weight * (ahead - after).norm2()).max(f64::MIN_POSITIVE),
                 angle,
                 count: 1,
             };

@@ -18,7 +18,7 @@ fn search(task: &PathTask) -> PathSearch<'_> {
         task,
         four_bars: true,
         slider_cranks: false,
-        wishes: Preferences::default(),
+        preferences: Preferences::default(),
         seed: 1,
         threads: 2,
         starts: 24,
@@ -52,26 +52,26 @@ fn rms(proposal: &Proposal, points: &[Vec2]) -> f64 {
 /// Draws a linkage that reaches `count` points of a turn, or of a part of one, and returns it with
 /// its turns and points.
 fn planted(
-    chance: &mut SeededRng,
+    rng: &mut SeededRng,
     slides: bool,
     closed: bool,
     count: usize,
 ) -> (KnownLinkage, Vec<f64>, Vec<Vec2>) {
     loop {
-        let planted = KnownLinkage::random(chance, slides);
+        let planted = KnownLinkage::random(rng, slides);
         let span = if closed {
             360.0
         } else {
-            140.0 + 60.0 * chance.even()
+            140.0 + 60.0 * rng.even()
         };
         let intervals = if closed { count } else { count - 1 };
         let turns: Vec<f64> = (0..count)
             .map(|j| span * j as f64 / intervals as f64)
             .collect();
-        let whole: Option<Vec<_>> = (0..=60)
+        let complete: Option<Vec<_>> = (0..=60)
             .map(|k| planted.at(span * f64::from(k) / 60.0))
             .collect();
-        if whole.is_none() {
+        if complete.is_none() {
             continue;
         }
         let points: Vec<Vec2> = turns.iter().map(|t| planted.at(*t).unwrap()[2]).collect();
@@ -83,12 +83,12 @@ fn planted(
 
 /// Returns `true` if the tracer of a linkage passes within a distance of a point, at some angle of
 /// its own crank in its own assembly. The crank's angles are sampled, and the best ones refined.
-fn passes(proposal: &Proposal, place: Vec2, near: f64) -> bool {
+fn passes(proposal: &Proposal, position: Vec2, near: f64) -> bool {
     let (crank, coupler, rocker) = proposal.lengths().unwrap();
     let [b, c] = proposal.places[0];
     let k = c - b;
     let arm = (proposal.tracer.unwrap() - b).turned(k.conj()) * (1.0 / k.norm2());
-    let Partner::Rocker(d) = proposal.partner else {
+    let PinConstraint::Rocker(d) = proposal.partner else {
         return false;
     };
     let bar = KnownLinkage {
@@ -103,7 +103,7 @@ fn passes(proposal: &Proposal, place: Vec2, near: f64) -> bool {
         across: 0.0,
     };
     let distance = |angle: f64| {
-        let at = bar.at(angle).map(|[_, _, p]| (p - place).norm());
+        let at = bar.at(angle).map(|[_, _, p]| (p - position).norm());
         at.unwrap_or(f64::INFINITY)
     };
     let mut step = 1.0;
@@ -130,11 +130,11 @@ fn passes(proposal: &Proposal, place: Vec2, near: f64) -> bool {
 /// Returns how many of `count` known four-bars are found; their curve between the points, too, must
 /// agree to 1e-9.
 fn recovered(closed: bool, timed: bool, count: u32) -> u32 {
-    let mut chance = SeededRng::new(7 + u64::from(closed));
+    let mut rng = SeededRng::new(7 + u64::from(closed));
     (0..count)
         .map(|k| {
             let points = 12 + k as usize;
-            let (planted, turns, points) = planted(&mut chance, false, closed, points);
+            let (planted, turns, points) = planted(&mut rng, false, closed, points);
             let between: Vec<Vec2> = turns
                 .windows(2)
                 .filter_map(|pair| planted.at(0.5 * (pair[0] + pair[1])))
@@ -143,7 +143,8 @@ fn recovered(closed: bool, timed: bool, count: u32) -> u32 {
             let near = 1e-9 * size(&points);
             let task = task(points, closed, timed.then_some(turns));
             let is_met = |p: &Proposal| {
-                rms(p, &task.points) < 1e-9 && between.iter().all(|place| passes(p, *place, near))
+                rms(p, &task.points) < 1e-9
+                    && between.iter().all(|position| passes(p, *position, near))
             };
             u32::from(found(&task).iter().any(is_met))
         })
@@ -166,11 +167,11 @@ fn some_planted_four_bars_without_times_are_recovered() {
 
 #[test]
 fn planted_slider_cranks_are_recovered() {
-    let mut chance = SeededRng::new(3);
+    let mut rng = SeededRng::new(3);
     let mut met = [0, 0];
     for k in 0..10 {
         for timed in [false, true] {
-            let (_, turns, points) = planted(&mut chance, true, k % 2 == 0, 12 + k);
+            let (_, turns, points) = planted(&mut rng, true, k % 2 == 0, 12 + k);
             let task = task(points, k % 2 == 0, timed.then_some(turns));
             let all = PathSearch {
                 four_bars: false,
@@ -178,7 +179,7 @@ fn planted_slider_cranks_are_recovered() {
                 ..search(&task)
             }
             .run(&mut |_| true);
-            let slides = |p: &Proposal| matches!(p.partner, Partner::Slide(_));
+            let slides = |p: &Proposal| matches!(p.partner, PinConstraint::Slide(_));
             assert!(all.found.iter().all(slides) && !all.is_complete);
             met[usize::from(timed)] +=
                 u32::from(all.found.iter().any(|p| rms(p, &task.points) < 1e-9));
@@ -191,13 +192,13 @@ fn planted_slider_cranks_are_recovered() {
 /// With noise of 1 % of the size, the linkages found miss by no more than the noise.
 #[test]
 fn misses_do_not_exceed_noise() {
-    let mut chance = SeededRng::new(21);
+    let mut rng = SeededRng::new(21);
     for k in 0..6 {
-        let (_, turns, mut points) = planted(&mut chance, false, k % 2 == 0, 16 + k);
+        let (_, turns, mut points) = planted(&mut rng, false, k % 2 == 0, 16 + k);
         let noise = 0.01 * size(&points);
         let mut missed = 0.0;
         for point in &mut points {
-            let [x, y] = chance.normal();
+            let [x, y] = rng.normal();
             let shift = Vec2::new(x, y) * (noise * 0.5_f64.sqrt());
             missed += shift.norm2() / (16 + k) as f64;
             *point += shift;
@@ -235,9 +236,9 @@ fn few_points_on_line_are_met() {
 /// The result contains given pivots bit for bit, on either side.
 #[test]
 fn given_pivots_are_kept() {
-    let mut chance = SeededRng::new(33);
-    let (planted, _, points) = planted(&mut chance, false, true, 14);
-    let Partner::Rocker(d) = planted.far else {
+    let mut rng = SeededRng::new(33);
+    let (planted, _, points) = planted(&mut rng, false, true, 14);
+    let PinConstraint::Rocker(d) = planted.far else {
         panic!("a four-bar")
     };
     for pivots in [
@@ -253,7 +254,7 @@ fn given_pivots_are_kept() {
         let found = found(&task);
         assert!(found.iter().any(|p| rms(p, &points) < 1e-9), "{pivots:?}");
         for proposal in &found {
-            let Partner::Rocker(far) = proposal.partner else {
+            let PinConstraint::Rocker(far) = proposal.partner else {
                 panic!("a four-bar")
             };
             assert!(pivots.iter().all(|p| [proposal.pivot, far].contains(p)));
@@ -287,8 +288,8 @@ fn given_pivots_are_kept() {
 /// A point of zero weight has no influence, and one of very large weight is met.
 #[test]
 fn weights_control_misses() {
-    let mut chance = SeededRng::new(8);
-    let (_, turns, mut points) = planted(&mut chance, false, true, 14);
+    let mut rng = SeededRng::new(8);
+    let (_, turns, mut points) = planted(&mut rng, false, true, 14);
     let shift = Vec2::new(0.5, 0.3) * size(&points);
     points[4] += shift;
     let mut task = task(points.clone(), true, Some(turns));
@@ -305,8 +306,8 @@ fn weights_control_misses() {
 
 #[test]
 fn same_seed_gives_same_linkages_for_any_thread_count() {
-    let mut chance = SeededRng::new(2);
-    let (_, _, points) = planted(&mut chance, false, false, 11);
+    let mut rng = SeededRng::new(2);
+    let (_, _, points) = planted(&mut rng, false, false, 11);
     let task = task(points, false, None);
     let run = |threads, seed| {
         PathSearch {
@@ -325,8 +326,8 @@ fn same_seed_gives_same_linkages_for_any_thread_count() {
 
 #[test]
 fn search_reports_progress_and_can_be_stopped() {
-    let mut chance = SeededRng::new(2);
-    let (_, _, points) = planted(&mut chance, false, false, 11);
+    let mut rng = SeededRng::new(2);
+    let (_, _, points) = planted(&mut rng, false, false, 11);
     let task = task(points, false, None);
     let mut parts = Vec::new();
     let _ = search(&task).run(&mut |part| {
@@ -335,16 +336,16 @@ fn search_reports_progress_and_can_be_stopped() {
     });
     assert!(parts.windows(2).all(|pair| pair[0] <= pair[1]));
     assert_eq!(parts.last(), Some(&1.0));
-    let mut asked = 0;
+    let mut requested = 0;
     let _ = PathSearch {
         starts: 100_000,
         ..search(&task)
     }
     .run(&mut |_| {
-        asked += 1;
-        asked < 3
+        requested += 1;
+        requested < 3
     });
-    assert!(asked < 100, "{asked}");
+    assert!(requested < 100, "{requested}");
 }
 
 /// The linkages found are all different.
@@ -450,7 +451,7 @@ fn degenerate_points_give_finite_linkages() {
 #[test]
 fn coupler_rates_match_difference_quotients() {
     use super::shape::LinkageShape;
-    let mut chance = SeededRng::new(6);
+    let mut rng = SeededRng::new(6);
     let mut held = 0;
     for k in 0..200 {
         let form = if k % 2 == 0 {
@@ -460,20 +461,20 @@ fn coupler_rates_match_difference_quotients() {
         };
         let shape = LinkageShape {
             form,
-            sign: chance.even().signum(),
-            crank: 0.7 + 0.5 * chance.even(),
+            sign: rng.even().signum(),
+            crank: 0.7 + 0.5 * rng.even(),
             far: if k % 2 == 0 {
-                1.0 + 0.5 * chance.even()
+                1.0 + 0.5 * rng.even()
             } else {
-                0.3 * chance.even()
+                0.3 * rng.even()
             },
             ground: if k % 2 == 0 {
-                1.2 + 0.5 * chance.even()
+                1.2 + 0.5 * rng.even()
             } else {
                 0.0
             },
         };
-        let degrees = 180.0 * chance.even();
+        let degrees = 180.0 * rng.even();
         let psi = |shape: &LinkageShape, degrees: f64| {
             let at = shape.coupling(angle::unit(degrees));
             (at.short == 0.0 && shape.transmission(&at) > 0.2).then(|| at.u.angle())
@@ -545,9 +546,9 @@ fn coupler_rates_match_difference_quotients() {
 #[test]
 fn points_out_of_order_by_noise_are_met_in_order() {
     let turns: Vec<f64> = (0..120).map(|k| 1.5 * f64::from(k)).collect();
-    let mut chance = SeededRng::new(11);
+    let mut rng = SeededRng::new(11);
     let planted = loop {
-        let planted = KnownLinkage::random(&mut chance, false);
+        let planted = KnownLinkage::random(&mut rng, false);
         if let Some(proposal) = planted.proposal(&turns) {
             break proposal;
         }
@@ -556,16 +557,16 @@ fn points_out_of_order_by_noise_are_met_in_order() {
     let noise = 0.02 * size(&exact);
     let points = exact
         .iter()
-        .map(|p| *p + Vec2::new(chance.even(), chance.even()) * noise)
+        .map(|p| *p + Vec2::new(rng.even(), rng.even()) * noise)
         .collect();
     let task = task(points, false, None);
     let with = |ordered: bool| {
-        let wishes = Preferences {
+        let preferences = Preferences {
             ordered,
             ..Preferences::default()
         };
         let search = PathSearch {
-            wishes,
+            preferences,
             ..search(&task)
         };
         search.run(&mut |_| true).found
@@ -595,24 +596,24 @@ fn search_finds_linkages_with_wanted_properties() {
         .map(|k| Vec2::new(20.0, 20.0 + 5.0 * f64::from(k)))
         .collect();
     let task = task(points, false, None);
-    let wished = Preferences {
+    let requested = Preferences {
         full_turn: true,
         transmission: Some(45.0),
         inside: Some([Vec2::new(-60.0, -20.0), Vec2::new(100.0, 60.0)]),
         ratio: Some(4.0),
         ..Preferences::default()
     };
-    let corners = wished.inside.unwrap();
+    let corners = requested.inside.unwrap();
     let keeps = |p: &Proposal| {
-        let Partner::Rocker(d) = p.partner else {
+        let PinConstraint::Rocker(d) = p.partner else {
             return false;
         };
         let is_inside = [p.pivot, d].iter().all(|at| crate::is_inside(corners, *at));
         is_inside && p.ratio() <= 4.0 && rms(p, &task.points) < 1e-6
     };
-    let count = |wishes: Preferences| {
+    let count = |preferences: Preferences| {
         let search = PathSearch {
-            wishes,
+            preferences,
             ..search(&task)
         };
         search
@@ -623,5 +624,5 @@ fn search_finds_linkages_with_wanted_properties() {
             .count()
     };
     assert_eq!(count(Preferences::default()), 0);
-    assert!(count(wished) > 0);
+    assert!(count(requested) > 0);
 }

@@ -1,6 +1,6 @@
 //! The path in its own frame, with its middle at the origin and its size 1.
 
-use super::wishes::SearchWishes;
+use super::wishes::SearchPreferences;
 use crate::{PathTask, Preferences};
 use kinematics::Vec2;
 
@@ -14,7 +14,7 @@ pub(super) struct PathPart {
 
 /// The given pivots and the links to which they belong.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum HeldPivots {
+pub(super) enum GivenPivots {
     /// The case without given pivots.
     Free,
     /// The crank's pivot.
@@ -27,7 +27,7 @@ pub(super) enum HeldPivots {
 
 /// A path in its own frame.
 #[derive(Clone, Debug)]
-pub(super) struct WantedPath {
+pub(super) struct TargetPath {
     pub(super) points: Vec<Vec2>,
     /// The weight of each point; the sum is 1.
     pub(super) weights: Vec<f64>,
@@ -35,16 +35,16 @@ pub(super) struct WantedPath {
     pub(super) turns: Option<Vec<f64>>,
     pub(super) along: Vec<PathPart>,
     pub(super) closed: bool,
-    pub(super) wishes: SearchWishes,
+    pub(super) preferences: SearchPreferences,
     /// The origin and the size of this frame in the task's frame.
     pub(super) middle: Vec2,
     pub(super) size: f64,
 }
 
-impl WantedPath {
+impl TargetPath {
     /// Converts a task. Returns `None` if fewer than two different points have a weight, or if a
     /// number is not finite.
-    pub(super) fn of(task: &PathTask, wishes: &Preferences) -> Option<WantedPath> {
+    pub(super) fn of(task: &PathTask, preferences: &Preferences) -> Option<TargetPath> {
         let given = |j: usize| task.weights.get(j).copied().unwrap_or(1.0).max(0.0);
         let total: f64 = (0..task.points.len()).map(given).sum();
         let weights: Vec<f64> = (0..task.points.len()).map(|j| given(j) / total).collect();
@@ -65,13 +65,15 @@ impl WantedPath {
             .iter()
             .map(|&p| (p - middle) * (1.0 / size))
             .collect();
-        Some(WantedPath {
+        Some(TargetPath {
             along: along(&points, task.closed),
             points,
             weights,
             turns: task.turns.clone(),
             closed: task.closed,
-            wishes: SearchWishes::of(wishes, task.closed, |p| (p - middle) * (1.0 / size)),
+            preferences: SearchPreferences::of(preferences, task.closed, |p| {
+                (p - middle) * (1.0 / size)
+            }),
             middle,
             size,
         })
@@ -88,8 +90,8 @@ impl WantedPath {
     }
 
     /// Returns a copy with about `most` points or fewer.
-    pub(super) fn thinned(&self, most: usize) -> WantedPath {
-        let step = self.points.len().div_ceil(most).max(1);
+    pub(super) fn thinned(&self, maximum: usize) -> TargetPath {
+        let step = self.points.len().div_ceil(maximum).max(1);
         let count = self.points.len();
         // The last point stays, since an open path ends there.
         let kept = || (0..count).filter(|j| j % step == 0 || j + 1 == count);
@@ -102,7 +104,7 @@ impl WantedPath {
                 even
             }
         };
-        WantedPath {
+        TargetPath {
             points: kept().map(|j| self.points[j]).collect(),
             weights: kept().map(weight).collect(),
             turns: self

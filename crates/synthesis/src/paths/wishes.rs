@@ -7,7 +7,7 @@ use kinematics::Vec2;
 
 /// The preferences for a linkage, apart from its path.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct SearchWishes {
+pub(super) struct SearchPreferences {
     full_turn: bool,
     /// The minimum sine of the transmission angle.
     sine: f64,
@@ -19,33 +19,33 @@ pub(super) struct SearchWishes {
     pub(super) ordered: bool,
 }
 
-impl SearchWishes {
+impl SearchPreferences {
     /// Converts the preferences; `place` maps a point of the task to the path's frame. The crank of
     /// a closed path turns fully in any case.
     pub(super) fn of(
-        wishes: &Preferences,
+        preferences: &Preferences,
         closed: bool,
         place: impl Fn(Vec2) -> Vec2,
-    ) -> SearchWishes {
-        let transmission = wishes.transmission.unwrap_or(0.0);
-        SearchWishes {
-            full_turn: wishes.full_turn && !closed,
+    ) -> SearchPreferences {
+        let transmission = preferences.transmission.unwrap_or(0.0);
+        SearchPreferences {
+            full_turn: preferences.full_turn && !closed,
             sine: transmission.to_radians().sin(),
-            inside: wishes.inside.map(|corners| corners.map(place)),
-            ratio: wishes.ratio.unwrap_or(f64::INFINITY),
-            ordered: wishes.ordered,
+            inside: preferences.inside.map(|corners| corners.map(place)),
+            ratio: preferences.ratio.unwrap_or(f64::INFINITY),
+            ordered: preferences.ordered,
         }
     }
 
     /// Returns `true` if there is a preference that a search does not meet by itself.
-    pub(super) fn is_any(&self) -> bool {
+    pub(super) fn has_searched_preference(&self) -> bool {
         self.full_turn || self.sine > 0.0 || self.inside.is_some() || self.ratio.is_finite()
     }
 
     /// Returns how much a linkage violates the preferences while its crank moves between two
     /// angles, in degrees; 0 if it meets all. Lengths count in sizes of the path, ratios by their
     /// logarithm, angles by their sine.
-    pub(super) fn lack(
+    pub(super) fn violation(
         &self,
         shape: &LinkageShape,
         place: &LinkagePlace,

@@ -2,7 +2,7 @@
 
 use super::dyad::FullDyad;
 use super::guidance::Guidance;
-use crate::{Partner, Proposal};
+use crate::{PinConstraint, Proposal};
 use kinematics::{Vec2, angle};
 
 /// Pins or pivots closer than this part of the size do not form a link.
@@ -12,7 +12,7 @@ const RATIO: f64 = 6.0;
 /// Quality factor of a linkage whose crank would have to turn back.
 const UNORDERED: f64 = 0.5;
 /// Linkages are alike if all their points differ by less than this part of the shortest link.
-const ALIKE: f64 = 0.5;
+const SIMILARITY_LIMIT: f64 = 0.5;
 /// Maximum number of linkages per kind that certainly change their assembly between poses, if
 /// linkages are selected from a continuous family.
 const DEFECTIVE: usize = 8;
@@ -29,10 +29,16 @@ impl DyadPairing<'_> {
     /// Returns `None` for an unwanted kind, or if pins or pivots coincide.
     pub(super) fn linkage(&self, a: &FullDyad, b: &FullDyad) -> Option<Proposal> {
         let (crank, pivot, other) = match (a.by, b.by) {
-            (Partner::Rocker(pivot), Partner::Rocker(_)) if self.four_bars => (a, pivot, b),
-            (Partner::Rocker(pivot), Partner::Slide(_)) if self.slider_cranks => (a, pivot, b),
-            (Partner::Slide(_), Partner::Rocker(pivot)) if self.slider_cranks => (b, pivot, a),
-            (Partner::Rocker(_) | Partner::Slide(_), _) => return None,
+            (PinConstraint::Rocker(pivot), PinConstraint::Rocker(_)) if self.four_bars => {
+                (a, pivot, b)
+            }
+            (PinConstraint::Rocker(pivot), PinConstraint::Slide(_)) if self.slider_cranks => {
+                (a, pivot, b)
+            }
+            (PinConstraint::Slide(_), PinConstraint::Rocker(pivot)) if self.slider_cranks => {
+                (b, pivot, a)
+            }
+            (PinConstraint::Rocker(_) | PinConstraint::Slide(_), _) => return None,
         };
         let pins = crank.places.iter().zip(&other.places);
         let proposal = Proposal {
@@ -41,9 +47,9 @@ impl DyadPairing<'_> {
             places: pins.map(|(b, c)| [*b, *c]).collect(),
             tracer: Some(self.guidance.origin()),
         };
-        let least = NOTHING * self.guidance.size;
-        let is_one = (crank.pin - other.pin).norm() < least
-            || matches!(other.by, Partner::Rocker(d) if (d - pivot).norm() < least);
+        let minimum = NOTHING * self.guidance.size;
+        let is_one = (crank.pin - other.pin).norm() < minimum
+            || matches!(other.by, PinConstraint::Rocker(d) if (d - pivot).norm() < minimum);
         if is_one {
             return None;
         }
@@ -55,10 +61,10 @@ impl DyadPairing<'_> {
 
     /// Returns the linkages of all pairs of dyads, best first. With `most`, returns at most so
     /// many, all different.
-    pub(super) fn among(&self, dyads: &[FullDyad], most: Option<usize>) -> Vec<Proposal> {
+    pub(super) fn best_pairs(&self, dyads: &[FullDyad], maximum: Option<usize>) -> Vec<Proposal> {
         let pairs = dyads.iter().enumerate();
         let pairs = pairs.flat_map(|(k, a)| dyads[..k].iter().map(move |b| (a, b)));
-        self.best(pairs.filter_map(|(a, b)| self.linkage(a, b)), most)
+        self.best(pairs.filter_map(|(a, b)| self.linkage(a, b)), maximum)
     }
 
     /// Returns the linkages of a given dyad with all others, best first. With `most`, returns at
@@ -67,30 +73,38 @@ impl DyadPairing<'_> {
         &self,
         given: &FullDyad,
         dyads: &[FullDyad],
-        most: Option<usize>,
+        maximum: Option<usize>,
     ) -> Vec<Proposal> {
         let others = dyads
             .iter()
             .filter(|dyad| !self.guidance.is_same(given, dyad));
-        self.best(others.filter_map(|other| self.linkage(given, other)), most)
+        self.best(
+            others.filter_map(|other| self.linkage(given, other)),
+            maximum,
+        )
     }
 
-    fn best(&self, linkages: impl Iterator<Item = Proposal>, most: Option<usize>) -> Vec<Proposal> {
+    fn best(
+        &self,
+        linkages: impl Iterator<Item = Proposal>,
+        maximum: Option<usize>,
+    ) -> Vec<Proposal> {
         let mut ranked: Vec<(f64, Proposal)> = linkages.map(|p| (quality(&p), p)).collect();
         ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let Some(most) = most else {
+        let Some(maximum) = maximum else {
             return ranked.into_iter().map(|(_, linkage)| linkage).collect();
         };
         // Both kinds get an equal share.
-        let (mut four_bars, mut slider_cranks) = (ChosenOfKind::default(), ChosenOfKind::default());
+        let (mut four_bars, mut slider_cranks) =
+            (SelectedOfKind::default(), SelectedOfKind::default());
         let share = match self.four_bars && self.slider_cranks {
-            true => most / 2,
-            false => most,
+            true => maximum / 2,
+            false => maximum,
         };
         for (quality, linkage) in ranked {
             let kind = match linkage.partner {
-                Partner::Rocker(_) => &mut four_bars,
-                Partner::Slide(_) => &mut slider_cranks,
+                PinConstraint::Rocker(_) => &mut four_bars,
+                PinConstraint::Slide(_) => &mut slider_cranks,
             };
             let is_defective = quality <= 0.0;
             let is_full =
@@ -107,21 +121,22 @@ impl DyadPairing<'_> {
 
 /// The selected linkages of one kind.
 #[derive(Default)]
-struct ChosenOfKind {
+struct SelectedOfKind {
     found: Vec<Proposal>,
     defective: usize,
 }
 
 fn are_alike(a: &Proposal, b: &Proposal) -> bool {
-    let apart = ALIKE * a.shortest().min(b.shortest());
-    let near = |p: Vec2, q: Vec2| (p - q).norm() < apart;
+    let distance = SIMILARITY_LIMIT * a.shortest().min(b.shortest());
+    let near = |p: Vec2, q: Vec2| (p - q).norm() < distance;
     let [Some(pins), Some(others)] = [a, b].map(|linkage| linkage.places.first()) else {
         return true;
     };
     let is_held_alike = match (a.partner, b.partner) {
-        (Partner::Rocker(d), Partner::Rocker(e)) => near(d, e),
-        (Partner::Slide(_), Partner::Slide(_)) => true,
-        (Partner::Rocker(_), Partner::Slide(_)) | (Partner::Slide(_), Partner::Rocker(_)) => false,
+        (PinConstraint::Rocker(d), PinConstraint::Rocker(e)) => near(d, e),
+        (PinConstraint::Slide(_), PinConstraint::Slide(_)) => true,
+        (PinConstraint::Rocker(_), PinConstraint::Slide(_))
+        | (PinConstraint::Slide(_), PinConstraint::Rocker(_)) => false,
     };
     is_held_alike && near(a.pivot, b.pivot) && near(pins[0], others[0]) && near(pins[1], others[1])
 }
@@ -135,27 +150,27 @@ pub(super) fn quality(linkage: &Proposal) -> f64 {
         .places
         .iter()
         .map(|pins| transmission(*pins, linkage.partner));
-    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+    let (mut minimum, mut maximum) = (f64::INFINITY, f64::NEG_INFINITY);
     for sine in sines {
-        least = least.min(sine);
-        most = most.max(sine);
+        minimum = minimum.min(sine);
+        maximum = maximum.max(sine);
     }
     // One of them has the opposite sign, or both are zero.
-    if !(least * most > 0.0) {
+    if !(minimum * maximum > 0.0) {
         return 0.0;
     }
-    let transmission = least.abs().min(most.abs());
+    let transmission = minimum.abs().min(maximum.abs());
     let order = if is_ordered(linkage) { 1.0 } else { UNORDERED };
     transmission * order / (linkage.ratio() / RATIO).max(1.0)
 }
 
 /// Returns the sine of the angle from coupler to rocker, or the cosine of the angle from slide to
 /// coupler, signed like the assembly.
-fn transmission([b, c]: [Vec2; 2], partner: Partner) -> f64 {
+fn transmission([b, c]: [Vec2; 2], constraint: PinConstraint) -> f64 {
     let coupler = b - c;
-    match partner {
-        Partner::Rocker(d) => coupler.cross(d - c) / (coupler.norm() * (d - c).norm()),
-        Partner::Slide(along) => coupler.dot(angle::unit(along)) / coupler.norm(),
+    match constraint {
+        PinConstraint::Rocker(d) => coupler.cross(d - c) / (coupler.norm() * (d - c).norm()),
+        PinConstraint::Slide(along) => coupler.dot(angle::unit(along)) / coupler.norm(),
     }
 }
 
@@ -166,8 +181,8 @@ fn is_ordered(linkage: &Proposal) -> bool {
         from.cross(to).atan2(from.dot(to)).to_degrees()
     });
     let turns: Vec<f64> = turns.collect();
-    let whole = |wrapped: fn(f64) -> f64| turns.iter().map(|turn| wrapped(*turn)).sum::<f64>();
-    let forwards = whole(|turn| turn.rem_euclid(360.0));
-    let backwards = whole(|turn| (-turn).rem_euclid(360.0));
+    let complete = |wrapped: fn(f64) -> f64| turns.iter().map(|turn| wrapped(*turn)).sum::<f64>();
+    let forwards = complete(|turn| turn.rem_euclid(360.0));
+    let backwards = complete(|turn| (-turn).rem_euclid(360.0));
     forwards.min(backwards) < 360.0
 }

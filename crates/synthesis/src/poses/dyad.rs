@@ -16,7 +16,7 @@
 use super::form;
 use super::guidance::Guidance;
 use super::space::{self, Triple};
-use crate::{Partner, PosedDyad};
+use crate::{PinConstraint, PosedDyad};
 use kinematics::{Double, Vec2};
 
 /// Maximum distance of a pin from its circle or its line, relative to the size.
@@ -25,14 +25,14 @@ const MISS: f64 = 1e-9;
 /// doubles split a double root by the square root of their rounding error.
 const ONE: f64 = 1e-7;
 /// Distance in sizes beyond which a pin is at infinity, and beyond which a pivot may be a slide.
-const FAR: f64 = 1e6;
+const INFINITE_DISTANCE: f64 = 1e6;
 /// Angle to the x axis, in degrees, below which a direction is parallel to it.
 const LEVEL: f64 = 1e-14;
 /// A pin of the body with its partner, which holds it in all poses.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct FullDyad {
     /// The pivot or the slide.
-    pub by: Partner,
+    pub by: PinConstraint,
     /// The pin in the body's frame.
     pub pin: Vec2,
     /// The pin at every pose.
@@ -51,38 +51,40 @@ impl Guidance {
     /// Returns `true` if a solution of the equations does not give a link: the pin is at infinity,
     /// does not move, or coincides with its pivot.
     pub(super) fn is_nothing(&self, pin: Triple, pivot: Triple) -> bool {
-        let Some(places) = self.pin(pin).and_then(|pin| self.places(pin)) else {
+        let Some(positions) = self.pin(pin).and_then(|pin| self.places(pin)) else {
             return true;
         };
         let pivot = Vec2::new(pivot[0] / pivot[2], pivot[1] / pivot[2]);
         let pivot = pivot.scaled(self.unit) + self.middle.exactly();
         let is_short = |at: &Vec2<Double>| (*at - pivot).norm().hi < ONE * self.size;
-        places.first().is_some_and(is_short)
+        positions.first().is_some_and(is_short)
     }
 
     /// Returns the dyad of a ground pivot. It is unique if at least two equations are independent.
     /// Returns `None` if no pin keeps its distance from the pivot.
     pub(super) fn on_pivot(&self, pivot: Vec2) -> Option<FullDyad> {
-        let place = (pivot - self.middle).exactly().scaled(1.0 / self.unit);
+        let position = (pivot - self.middle).exactly().scaled(1.0 / self.unit);
         let rows: Vec<Triple> = self
             .forms
             .iter()
-            .map(|f| form::of_pivot(f, space::point(place)))
+            .map(|f| form::of_pivot(f, space::point(position)))
             .collect();
         let pin = self.pin(space::kernel(&rows)?)?;
-        let places = self.places(pin)?;
-        let by = Partner::Rocker(pivot);
-        let is_held = self.keeps_distance(&places, pivot);
-        is_held.then(|| self.with(by, pin, &places))
+        let positions = self.places(pin)?;
+        let by = PinConstraint::Rocker(pivot);
+        let is_held = self.keeps_distance(&positions, pivot);
+        is_held.then(|| self.with(by, pin, &positions))
     }
 
     /// Returns the dyad of a pin given in the body's frame; `None` if no pivot or slide holds it.
     pub(super) fn on_pin(&self, pin: Vec2) -> Option<FullDyad> {
-        let place = (pin - self.quietest).exactly().scaled(1.0 / self.unit);
+        let position = (pin - self.quietest_point)
+            .exactly()
+            .scaled(1.0 / self.unit);
         let rows: Vec<Triple> = self
             .forms
             .iter()
-            .map(|f| form::of_pin(f, space::point(place)))
+            .map(|f| form::of_pin(f, space::point(position)))
             .collect();
         self.held(pin, space::kernel(&rows)?)
     }
@@ -94,97 +96,100 @@ impl Guidance {
     }
 
     fn pin(&self, pin: Triple) -> Option<Vec2> {
-        let place = Vec2::new(pin[0] / pin[2], pin[1] / pin[2]);
-        let is_near = place.nearest().norm() <= FAR * self.size / self.unit;
-        let pin = place.scaled(self.unit) + self.quietest.exactly();
+        let position = Vec2::new(pin[0] / pin[2], pin[1] / pin[2]);
+        let is_near = position.nearest().norm() <= INFINITE_DISTANCE * self.size / self.unit;
+        let pin = position.scaled(self.unit) + self.quietest_point.exactly();
         (is_near && pin.nearest().is_finite()).then(|| self.plain(pin))
     }
 
     /// Rounds to doubles; coordinates below the rounding error of the size become zero.
-    pub(super) fn plain(&self, place: Vec2<Double>) -> Vec2 {
-        let least = f64::EPSILON * self.size;
-        place
+    pub(super) fn plain(&self, position: Vec2<Double>) -> Vec2 {
+        let minimum = f64::EPSILON * self.size;
+        position
             .nearest()
-            .map(|v| if v.abs() < least { 0.0 } else { v })
+            .map(|v| if v.abs() < minimum { 0.0 } else { v })
     }
 
     /// Returns the pin's position at every pose; `None` if it does not move, since anything holds
     /// it then.
     fn places(&self, pin: Vec2) -> Option<Vec<Vec2<Double>>> {
         let place = |[at, turn]: &[Vec2<Double>; 2]| *at + pin.exactly().turned(*turn);
-        let places: Vec<Vec2<Double>> = self.poses.iter().map(place).collect();
-        let first = *places.first()?;
+        let positions: Vec<Vec2<Double>> = self.poses.iter().map(place).collect();
+        let first = *positions.first()?;
         let moves = |at: &Vec2<Double>| (*at - first).nearest().norm() >= ONE * self.size;
-        places.iter().any(moves).then_some(places)
+        positions.iter().any(moves).then_some(positions)
     }
 
     fn held(&self, pin: Vec2, pivot: Triple) -> Option<FullDyad> {
-        let places = self.places(pin)?;
+        let positions = self.places(pin)?;
         let by = self
-            .slide(&places, pivot)
-            .or_else(|| self.rocker(&places, pivot))?;
-        Some(self.with(by, pin, &places))
+            .slide(&positions, pivot)
+            .or_else(|| self.rocker(&positions, pivot))?;
+        Some(self.with(by, pin, &positions))
     }
 
-    fn with(&self, by: Partner, pin: Vec2, places: &[Vec2<Double>]) -> FullDyad {
-        let places = places.iter().map(|at| at.nearest()).collect();
-        FullDyad { by, pin, places }
+    fn with(&self, by: PinConstraint, pin: Vec2, positions: &[Vec2<Double>]) -> FullDyad {
+        let positions = positions.iter().map(|at| at.nearest()).collect();
+        FullDyad {
+            by,
+            pin,
+            places: positions,
+        }
     }
 
     /// Returns the full dyad of a posed one; `None` if the pin does not move.
     pub(super) fn known(&self, dyad: &PosedDyad) -> Option<FullDyad> {
         let [at, turn] = *self.poses.first()?;
         let pin = (dyad.pin.exactly() - at).turned(turn.conj()).nearest();
-        let places = self.places(pin)?;
-        Some(self.with(dyad.held, pin, &places))
+        let positions = self.places(pin)?;
+        Some(self.with(dyad.held, pin, &positions))
     }
 
     /// Returns `true` if two dyads differ only by rounding.
     pub(super) fn is_same(&self, a: &FullDyad, b: &FullDyad) -> bool {
         let near = |a: Vec2, b: Vec2, size: f64| (a - b).norm() <= ONE * size;
         let is_held_alike = match (a.by, b.by) {
-            (Partner::Rocker(p), Partner::Rocker(q)) => {
+            (PinConstraint::Rocker(p), PinConstraint::Rocker(q)) => {
                 let length = a.places.first().map_or(0.0, |at| (*at - p).norm());
                 near(p, q, self.size.max(length))
             }
             // A pin has at most one line.
-            (Partner::Slide(_), Partner::Slide(_)) => true,
-            (Partner::Rocker(_), Partner::Slide(_)) | (Partner::Slide(_), Partner::Rocker(_)) => {
-                false
-            }
+            (PinConstraint::Slide(_), PinConstraint::Slide(_)) => true,
+            (PinConstraint::Rocker(_), PinConstraint::Slide(_))
+            | (PinConstraint::Slide(_), PinConstraint::Rocker(_)) => false,
         };
         is_held_alike && near(a.pin, b.pin, self.size)
     }
 
     /// Returns a slide if the pivot is far away and the pin's positions are on a line.
-    fn slide(&self, places: &[Vec2<Double>], pivot: Triple) -> Option<Partner> {
+    fn slide(&self, positions: &[Vec2<Double>], pivot: Triple) -> Option<PinConstraint> {
         let [x, y, w] = pivot;
-        let is_far = w.hi.abs() * FAR * (self.size / self.unit) <= x.hi.hypot(y.hi);
+        let is_far = w.hi.abs() * INFINITE_DISTANCE * (self.size / self.unit) <= x.hi.hypot(y.hi);
         // Relative to the first position: for a finite pivot this gives its circle's tangent there.
-        let first = (*places.first()? - self.middle.exactly()).scaled(1.0 / self.unit);
+        let first = (*positions.first()? - self.middle.exactly()).scaled(1.0 / self.unit);
         let normal = Vec2::new(x, y) - first * w;
         let normal = normal / normal.norm();
-        let off = |at: &Vec2<Double>| normal.dot(*at - *places.first().unwrap_or(at)).hi.abs();
-        let is_line = places.iter().all(|at| off(at) <= MISS * self.size);
+        let off = |at: &Vec2<Double>| normal.dot(*at - *positions.first().unwrap_or(at)).hi.abs();
+        let is_line = positions.iter().all(|at| off(at) <= MISS * self.size);
         let along = Double::degrees(-normal.perp()).hi;
         let along = if along.abs() < LEVEL {
             0.0
         } else {
             along.rem_euclid(180.0)
         };
-        (is_far && is_line && along.is_finite()).then_some(Partner::Slide(along))
+        (is_far && is_line && along.is_finite()).then_some(PinConstraint::Slide(along))
     }
 
-    fn rocker(&self, places: &[Vec2<Double>], pivot: Triple) -> Option<Partner> {
-        let place = Vec2::new(pivot[0] / pivot[2], pivot[1] / pivot[2]);
-        let pivot = self.plain(place.scaled(self.unit) + self.middle.exactly());
-        self.keeps_distance(places, pivot)
-            .then_some(Partner::Rocker(pivot))
+    fn rocker(&self, positions: &[Vec2<Double>], pivot: Triple) -> Option<PinConstraint> {
+        let position = Vec2::new(pivot[0] / pivot[2], pivot[1] / pivot[2]);
+        let pivot = self.plain(position.scaled(self.unit) + self.middle.exactly());
+        self.keeps_distance(positions, pivot)
+            .then_some(PinConstraint::Rocker(pivot))
     }
 
     /// Returns `true` if all positions have the same nonzero distance from a pivot.
-    fn keeps_distance(&self, places: &[Vec2<Double>], pivot: Vec2) -> bool {
-        let distances = places.iter().map(|at| (*at - pivot.exactly()).norm());
+    fn keeps_distance(&self, positions: &[Vec2<Double>], pivot: Vec2) -> bool {
+        let distances = positions.iter().map(|at| (*at - pivot.exactly()).norm());
         let distances: Vec<Double> = distances.collect();
         let Some(&first) = distances.first() else {
             return false;

@@ -14,7 +14,7 @@ use super::{five, four};
 
 /// Absolute value of the fourth equation, with coordinates of size one, below which it holds up to
 /// rounding and its sign means nothing.
-const HOLDS: f64 = 1e-10;
+const EQUATION_TOLERANCE: f64 = 1e-10;
 
 /// Returns the dyads in the order of their curve, each isolated one as its own piece. The result is
 /// empty unless there are four equations.
@@ -38,9 +38,9 @@ fn without_first(guidance: &Guidance, forms: &[Form; 4]) -> Vec<Vec<FullDyad>> {
         let dyad = |spot: &CurveSpot| guidance.dyad(spot.pin, spot.pivot);
         pieces.push(piece.spots.iter().filter_map(dyad).collect());
         for pair in piece.spots.windows(2) {
-            let [before, behind] = [rest(&pair[0]), rest(&pair[1])];
-            let is_meant = before.abs().max(behind.abs()) > HOLDS;
-            if is_meant && before * behind * turn(&pair[0], &pair[1]) <= 0.0 {
+            let [before, after] = [rest(&pair[0]), rest(&pair[1])];
+            let is_meant = before.abs().max(after.abs()) > EQUATION_TOLERANCE;
+            if is_meant && before * after * turn(&pair[0], &pair[1]) <= 0.0 {
                 let met = five::refined(forms, pair[1].pin);
                 let met = met.and_then(|(pin, pivot)| guidance.dyad(pin, pivot));
                 let is_new = |new: &FullDyad| !single.iter().any(|old| guidance.is_same(new, old));

@@ -22,7 +22,7 @@ use kinematics::{Double, Vec2};
 /// the three others in each direction.
 const DIRECTIONS: [f64; 3] = [17.0, 71.0, 139.0];
 /// Maximum distance of a pin, in units of the equations.
-const FAR: f64 = 4e6;
+const MAX_PIN_DISTANCE: f64 = 4e6;
 /// A quartic whose coefficients are below this limit, for cubics of size one, is zero up to
 /// double-double rounding.
 const ROUNDING: f64 = 1e-28;
@@ -93,12 +93,12 @@ impl Quartic {
             polynomial::determinant([a, b, c])
         };
         let cubics = [without(0), without(1), without(2), without(3)];
-        let least = cubics.iter().map(size).fold(f64::INFINITY, f64::min);
+        let minimum = cubics.iter().map(size).fold(f64::INFINITY, f64::min);
         let cubics = cubics.map(|c| of_size_one(&c));
         let coefficients = resultant(&cubics);
         (polynomial::largest(&coefficients) > ROUNDING).then_some(Quartic {
             cubics,
-            least,
+            least: minimum,
             coefficients,
         })
     }
@@ -115,7 +115,7 @@ impl Quartic {
     }
 
     fn roots(&self, error: f64) -> Vec<PinLevel> {
-        let roots = polynomial::real_roots(&self.coefficients, FAR);
+        let roots = polynomial::real_roots(&self.coefficients, MAX_PIN_DISTANCE);
         let crossed = roots
             .crossed
             .into_iter()

@@ -44,17 +44,17 @@ fn product(a: &Form, b: &Form) -> Double {
 pub(super) fn independent(mut forms: Vec<Form>, error: f64) -> (Vec<Form>, f64) {
     let mut found: Vec<Form> = Vec::with_capacity(forms.len());
     let length = |form: &Form| product(form, form).sqrt();
-    let most = forms.iter().map(|form| length(form).hi).fold(0.0, f64::max);
-    let mut least = most;
+    let maximum = forms.iter().map(|form| length(form).hi).fold(0.0, f64::max);
+    let mut minimum = maximum;
     while let Some(next) =
         (0..forms.len()).max_by(|&a, &b| length(&forms[a]).hi.total_cmp(&length(&forms[b]).hi))
     {
         let form = forms.swap_remove(next);
         let size = length(&form);
-        if !(size.hi > (NOTHING * error).max(ROUNDING * most)) {
+        if !(size.hi > (NOTHING * error).max(ROUNDING * maximum)) {
             break;
         }
-        least = size.hi;
+        minimum = size.hi;
         let unit = form.map(|row| row.map(|c| c / size));
         for other in &mut forms {
             // Twice, since the first pass leaves its rounding error.
@@ -65,7 +65,7 @@ pub(super) fn independent(mut forms: Vec<Form>, error: f64) -> (Vec<Form>, f64) 
         }
         found.push(unit);
     }
-    (found, error / least)
+    (found, error / minimum)
 }
 
 /// Returns the squared size of the translation part of these normalised forms: all coefficients
@@ -106,6 +106,6 @@ pub(super) fn turned(form: &Form, direction: Vec2<Double>) -> Form {
 
 /// Converts a pin from that frame to the original one.
 pub(super) fn turned_back(pin: Triple, direction: Vec2<Double>) -> Triple {
-    let place = Vec2::new(pin[0], pin[1]).turned(direction);
-    [place.x, place.y, pin[2]]
+    let position = Vec2::new(pin[0], pin[1]).turned(direction);
+    [position.x, position.y, pin[2]]
 }

@@ -23,7 +23,7 @@ use super::trace::{self, CurveSpot, Piece};
 use kinematics::{Double, Vec2};
 
 /// Extent to which an unbounded curve that is not a cubic is followed, in units of the equations.
-const FAR: f64 = 1e3;
+const MAX_CURVE_EXTENT: f64 = 1e3;
 /// Range for the roots of D of a cubic, in units of the equations.
 const MAX_DISTANCE: f64 = 1e9;
 /// Coefficients below this limit are rounding errors, for equations of length one.
@@ -41,10 +41,10 @@ pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<FullDyad>> {
     let slide = slide(guidance);
     let dyads = |piece: &Piece| {
         let dyad = |spot: &CurveSpot| guidance.dyad(spot.pin, spot.pivot);
-        let before = slide.iter().filter(|_| piece.begins_at_slide).cloned();
-        let behind = slide.iter().filter(|_| piece.ends_at_slide).cloned();
+        let before = slide.iter().filter(|_| piece.starts_at_infinity).cloned();
+        let after = slide.iter().filter(|_| piece.ends_at_infinity).cloned();
         let links = piece.spots.iter().filter_map(dyad);
-        before.chain(links).chain(behind).collect()
+        before.chain(links).chain(after).collect()
     };
     let mut pieces: Vec<Vec<FullDyad>> = traced(forms, guidance.offsets())
         .iter()
@@ -172,7 +172,11 @@ impl PinCurve {
 
     /// Returns the intervals with D >= 0, including single points, and the line.
     fn runs(&self) -> Vec<Run> {
-        let within = if self.is_cubic { MAX_DISTANCE } else { FAR };
+        let within = if self.is_cubic {
+            MAX_DISTANCE
+        } else {
+            MAX_CURVE_EXTENT
+        };
         let roots = polynomial::real_roots(&self.discriminant, within);
         let mut ends = vec![Double::exactly(-within)];
         ends.extend(&roots.crossed);

@@ -3,7 +3,7 @@
 use super::dyad::FullDyad;
 use super::guidance::Guidance;
 use super::{family, five, four, three};
-use crate::{OpenReason, Partner, PoseTask, PosedDyad};
+use crate::{OpenReason, PinConstraint, PoseTask, PosedDyad};
 use kinematics::Vec2;
 use std::ops::RangeInclusive;
 
@@ -14,7 +14,7 @@ const MAX_CURVE_SHARE: usize = 200;
 const DYADS_OF_CURVE: usize = 96;
 /// Limits for a continuous family of dyads, in sizes: the maximum distance of pins and pivots, and
 /// the range of the links' lengths.
-const REACH: f64 = 6.0;
+const MAX_DISTANCE_IN_SIZES: f64 = 6.0;
 const LENGTHS: RangeInclusive<f64> = 0.03..=12.0;
 /// Factor of the wide reach on distances and on the range of lengths.
 const WIDE: f64 = 4.0;
@@ -77,8 +77,8 @@ impl Free {
             };
         }
         let times = reach.times(guidance);
-        let handy_within = |dyad: &FullDyad, times| is_handy(guidance, dyad, inside, times);
-        let is_handy = |dyad: &FullDyad| handy_within(dyad, times);
+        let handy_within = |dyad: &FullDyad, times| has_usable_size(guidance, dyad, inside, times);
+        let has_usable_size = |dyad: &FullDyad| handy_within(dyad, times);
         let mut pieces = four::pieces(guidance);
         pieces.extend(family::pieces(guidance));
         let seen = |piece: &Vec<FullDyad>| piece.iter().filter_map(FullDyad::dyad).collect();
@@ -90,13 +90,13 @@ impl Free {
         let choice = if pieces.is_empty() && single.is_empty() {
             let dyads = three::dyads(guidance, task, inside, times);
             DyadChoice {
-                dyads: dyads.into_iter().filter(is_handy).collect(),
+                dyads: dyads.into_iter().filter(has_usable_size).collect(),
                 most: MAX_GRID_SHARE,
             }
         } else {
-            let handy = pieces.into_iter().flatten().filter(is_handy);
+            let handy = pieces.into_iter().flatten().filter(has_usable_size);
             let (slides, links): (Vec<FullDyad>, Vec<FullDyad>) =
-                handy.partition(|dyad| matches!(dyad.by, Partner::Slide(_)));
+                handy.partition(|dyad| matches!(dyad.by, PinConstraint::Slide(_)));
             let mut dyads = thinned(&links);
             dyads.extend(thinned(&slides));
             // The single slide of four poses is isolated on its curve and may lie further away.
@@ -123,9 +123,15 @@ fn thinned(dyads: &[FullDyad]) -> Vec<FullDyad> {
     dyads.iter().step_by(stride).cloned().collect()
 }
 
-fn is_handy(guidance: &Guidance, dyad: &FullDyad, inside: Option<[Vec2; 2]>, times: f64) -> bool {
+fn has_usable_size(
+    guidance: &Guidance,
+    dyad: &FullDyad,
+    inside: Option<[Vec2; 2]>,
+    times: f64,
+) -> bool {
     let size = guidance.size;
-    let is_near = |at: Vec2| (at - guidance.origin()).norm() <= REACH * times * size;
+    let is_near =
+        |at: Vec2| (at - guidance.origin()).norm() <= MAX_DISTANCE_IN_SIZES * times * size;
     let lengths = LENGTHS.start() / times..=LENGTHS.end() * times;
     let is_inside = |at: Vec2| {
         inside.is_none_or(|[a, b]| {
@@ -137,13 +143,13 @@ fn is_handy(guidance: &Guidance, dyad: &FullDyad, inside: Option<[Vec2; 2]>, tim
         return false;
     };
     let is_held_handily = match dyad.by {
-        Partner::Rocker(pivot) => {
+        PinConstraint::Rocker(pivot) => {
             let length = (pin - pivot).norm() / size;
             // In a given box, the distance does not matter.
             let is_near = inside.is_some() || is_near(pivot);
             is_near && is_inside(pivot) && lengths.contains(&length)
         }
-        Partner::Slide(_) => true,
+        PinConstraint::Slide(_) => true,
     };
     is_near(pin) && is_held_handily
 }

@@ -34,7 +34,7 @@ pub(super) struct Guidance {
     /// The ground point to which pivots are relative.
     pub(super) middle: Vec2,
     /// The body point to which pins are relative, in the body's frame.
-    pub(super) quietest: Vec2,
+    pub(super) quietest_point: Vec2,
     /// The independent equations, each normalised and orthogonal to the others; at most four for
     /// five poses.
     pub(super) forms: Vec<Form>,
@@ -58,13 +58,13 @@ impl Guidance {
             return None;
         }
         let unit = 2.0_f64.powi(space::exponent(size)?);
-        let (middle, quietest) = least_moved(task)?;
+        let (middle, quietest) = least_moved_points(task)?;
         let mut guidance = Guidance {
             poses,
             size,
             unit,
             middle,
-            quietest,
+            quietest_point: quietest,
             forms: Vec::new(),
             error: 0.0,
         };
@@ -124,8 +124,11 @@ impl Guidance {
         let count = Double::exactly(self.poses.len() as f64);
         let origins = self.poses.iter().map(|[at, _]| *at / count);
         let middle = origins.fold(Vec2::ZERO.exactly(), |sum, at| sum + at);
-        [self.quietest.exactly(), self.middle.exactly() - middle]
-            .map(|offset: Vec2<Double>| offset.scaled(1.0 / self.unit))
+        [
+            self.quietest_point.exactly(),
+            self.middle.exactly() - middle,
+        ]
+        .map(|offset: Vec2<Double>| offset.scaled(1.0 / self.unit))
     }
 
     /// Returns the independent equations and the effect of the poses' rounding on them; `None` if a
@@ -135,7 +138,8 @@ impl Guidance {
             .poses
             .iter()
             .map(|[at, turn]| {
-                let moved = *at + self.quietest.exactly().turned(*turn) - self.middle.exactly();
+                let moved =
+                    *at + self.quietest_point.exactly().turned(*turn) - self.middle.exactly();
                 form::of_pose(moved.scaled(1.0 / self.unit), *turn)
             })
             .collect();
@@ -158,7 +162,7 @@ impl Guidance {
             place = place.max(pose.at.norm());
         }
         // The pin's positions depend on both.
-        let place = (place + turn * self.quietest.norm()) / self.unit;
+        let place = (place + turn * self.quietest_point.norm()) / self.unit;
         4.0 * U * (turn + place)
     }
 }
@@ -167,24 +171,24 @@ impl Guidance {
 /// distance of a given pivot or pin, or 1.
 fn size(task: &PoseTask) -> f64 {
     let poses = &task.poses;
-    let apart =
+    let distance =
         |from: Vec2, to: &[Vec2]| to.iter().map(|at| (*at - from).norm()).fold(0.0, f64::max);
     let origins: Vec<Vec2> = poses.iter().map(|pose| pose.at).collect();
     let spread = origins
         .iter()
-        .map(|at| apart(*at, &origins))
+        .map(|at| distance(*at, &origins))
         .fold(0.0, f64::max);
     if spread > 0.0 {
         return spread;
     }
     let first = origins.first().copied().unwrap_or_default();
-    let given = apart(first, &task.pivots).max(apart(Vec2::ZERO, &task.pins));
+    let given = distance(first, &task.pivots).max(distance(Vec2::ZERO, &task.pins));
     if given > 0.0 { given } else { 1.0 }
 }
 
 /// Returns a ground point c and a body point w that minimise the sum of `|d_j + e_j w - c|^2`.
 /// Relative to them, the equations depend neither on the ground's origin nor on the body's.
-fn least_moved(task: &PoseTask) -> Option<(Vec2, Vec2)> {
+fn least_moved_points(task: &PoseTask) -> Option<(Vec2, Vec2)> {
     let count = task.poses.len() as f64;
     let turns = || task.poses.iter().map(|pose| angle::unit(pose.angle));
     let places = || task.poses.iter().map(|pose| pose.at);

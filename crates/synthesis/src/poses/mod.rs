@@ -76,9 +76,9 @@ pub(crate) fn propose(
     let (found, is_complete) = match given.as_deref() {
         Some([one, other]) => (pairing.linkage(one, other).into_iter().collect(), true),
         Some(given @ ([] | [_])) => {
-            let of = |dyads: &[FullDyad], most| match given.first() {
-                Some(one) => pairing.with(one, dyads, most),
-                None => pairing.among(dyads, most),
+            let of = |dyads: &[FullDyad], maximum| match given.first() {
+                Some(one) => pairing.with(one, dyads, maximum),
+                None => pairing.best_pairs(dyads, maximum),
             };
             let mut found = of(&free.single, None);
             if let Some(choice) = &free.choice {
@@ -89,7 +89,7 @@ pub(crate) fn propose(
         Some([..]) | None => (Vec::new(), true),
     };
     let reason = match (found.is_empty(), given.is_some()) {
-        (true, false) => Some(OpenReason::Given),
+        (true, false) => Some(OpenReason::GivenNumber),
         (true, true) => Some(guidance.reason_for_none(task, is_complete)),
         (false, _) => free.reason.filter(|_| !is_complete),
     };

@@ -10,7 +10,7 @@ const MAX_STEPS: usize = 160;
 const LAST_STEP: f64 = 1e-31;
 /// An extremum with a value below this part of the sum of all terms' absolute values is returned as
 /// a touched root. The poses verify its solutions and reject false ones.
-const TOUCH: f64 = 1e-6;
+const TOUCH_TOLERANCE: f64 = 1e-6;
 
 /// Returns the value at `x`; the coefficients have rising powers.
 pub(super) fn value(coefficients: &[Double], x: Double) -> Double {
@@ -55,7 +55,7 @@ pub(super) fn deflated(p: &[Double], root: Double) -> Vec<Double> {
 
 /// Returns the largest absolute value of the coefficients.
 pub(super) fn largest(p: &[Double]) -> f64 {
-    p.iter().fold(0.0, |most, c| c.hi.abs().max(most))
+    p.iter().fold(0.0, |maximum, c| c.hi.abs().max(maximum))
 }
 
 /// The real roots of a polynomial.
@@ -84,7 +84,7 @@ pub(super) fn real_roots(p: &[Double], within: f64) -> RealRoots {
     places.sort_by(|a, b| a.hi.total_cmp(&b.hi).then(a.lo.total_cmp(&b.lo)));
     let sizes: Vec<Double> = p.iter().map(|c| c.abs()).collect();
     for &place in &places {
-        if value(p, place).hi.abs() <= TOUCH * value(&sizes, place.abs()).hi {
+        if value(p, place).hi.abs() <= TOUCH_TOLERANCE * value(&sizes, place.abs()).hi {
             roots.touched.push(place);
         }
     }

@@ -7,7 +7,7 @@ use kinematics::{Double, Vec2};
 pub(super) type Triple = [Double; 3];
 
 /// Rows are linearly dependent if their cross product is below this part of its possible size.
-const SAME_ROW: f64 = 1e-13;
+const DEPENDENCE_TOLERANCE: f64 = 1e-13;
 
 pub(super) fn point(at: Vec2<Double>) -> Triple {
     [at.x, at.y, Double::ONE]
@@ -31,13 +31,13 @@ pub(super) fn determinant(rows: [Triple; 3]) -> Double {
 
 /// Returns the largest absolute value of the coordinates.
 pub(super) fn largest(a: &[Double]) -> f64 {
-    a.iter().fold(0.0, |most, c| c.hi.abs().max(most))
+    a.iter().fold(0.0, |maximum, c| c.hi.abs().max(maximum))
 }
 
 /// Scales the largest coordinate to between 1 and 2; `None` if it is zero or not finite.
 pub(super) fn leveled(a: Triple) -> Option<Triple> {
-    let most = largest(&a);
-    let scale = 2.0_f64.powi(-exponent(most)?);
+    let maximum = largest(&a);
+    let scale = 2.0_f64.powi(-exponent(maximum)?);
     let leveled = a.map(|c| c.scaled(scale));
     leveled.iter().all(|c| c.hi.is_finite()).then_some(leveled)
 }
@@ -52,8 +52,8 @@ pub(super) fn exponent(size: f64) -> Option<i32> {
 /// Returns the vector orthogonal to all rows, from the two most independent ones; `None` if all
 /// rows are dependent.
 pub(super) fn kernel(rows: &[Triple]) -> Option<Triple> {
-    let most = rows.iter().map(|row| largest(row)).fold(0.0, f64::max);
-    let mut best = (SAME_ROW * most * most, None);
+    let maximum = rows.iter().map(|row| largest(row)).fold(0.0, f64::max);
+    let mut best = (DEPENDENCE_TOLERANCE * maximum * maximum, None);
     for (k, a) in rows.iter().enumerate() {
         for b in &rows[..k] {
             let common = cross(*a, *b);

@@ -15,7 +15,7 @@ use kinematics::{Double, Vec2};
 const PIVOTS: u8 = 9;
 const PINS: u8 = 7;
 /// Half a side of these boxes, in sizes, if no box is given.
-const REACH: f64 = 1.25;
+const HALF_SIDE: f64 = 1.25;
 /// Number of slide directions in half a turn.
 const DIRECTIONS: u8 = 24;
 
@@ -28,7 +28,7 @@ pub(super) fn dyads(
     inside: Option<[Vec2; 2]>,
     times: f64,
 ) -> Vec<FullDyad> {
-    let reach = Vec2::new(1.0, 1.0) * (REACH * times * guidance.size);
+    let reach = Vec2::new(1.0, 1.0) * (HALF_SIDE * times * guidance.size);
     let count = task.poses.len() as f64;
     let middle = task
         .poses

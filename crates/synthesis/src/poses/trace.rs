@@ -33,9 +33,9 @@ pub(super) struct CurveSpot {
 pub(super) struct Piece {
     pub spots: Vec<CurveSpot>,
     /// Whether the pivot comes from infinity at the beginning.
-    pub begins_at_slide: bool,
+    pub starts_at_infinity: bool,
     /// Whether the pivot goes to infinity at the end.
-    pub ends_at_slide: bool,
+    pub ends_at_infinity: bool,
 }
 
 /// Returns the pieces of a run: `spot` returns the solution at s degrees of it, for s from 0 to
@@ -154,9 +154,9 @@ fn cut(spots: Vec<Option<CurveSpot>>, is_closed: bool) -> Vec<Piece> {
         if let Some(last) = piece.spots.last() {
             let is_slide = passes_infinity(&last.pivot, &spot.pivot);
             if is_slide || passes_infinity(&last.pin, &spot.pin) {
-                piece.ends_at_slide = is_slide;
+                piece.ends_at_infinity = is_slide;
                 pieces.push(std::mem::take(&mut piece));
-                piece.begins_at_slide = is_slide;
+                piece.starts_at_infinity = is_slide;
             }
         }
         piece.spots.push(spot);
@@ -167,7 +167,7 @@ fn cut(spots: Vec<Option<CurveSpot>>, is_closed: bool) -> Vec<Piece> {
             piece.spots.pop();
             piece.spots.append(&mut first.spots);
             first.spots = piece.spots;
-            first.begins_at_slide = piece.begins_at_slide;
+            first.starts_at_infinity = piece.starts_at_infinity;
         }
         Some(_) | None => pieces.push(piece),
     }

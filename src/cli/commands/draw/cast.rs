@@ -4,7 +4,7 @@
 use super::turn::{self, RATE};
 use super::{DrawFormat, DrawnScene, FormatOption, MAX_LEGEND};
 use crate::cli::failure::Failure;
-use crate::cli::picture::{Size, USUAL, lettered};
+use crate::cli::picture::{DEFAULT_SIZE, Size, lettered};
 use crate::drawing::{self, CharCell, Glyphs, Hue, LegendPiece, Raster, Role, WorldView, is_bold};
 use crate::scene::sanitized;
 use crate::wording::Words;
@@ -20,7 +20,7 @@ pub(super) static FORMAT: DrawFormat = DrawFormat {
 };
 
 fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
-    let size @ Size { cols, rows } = drawn.args.size.unwrap_or(USUAL);
+    let size @ Size { cols, rows } = drawn.args.size.unwrap_or(DEFAULT_SIZE);
     let title = json(&sanitized(&drawn.title(), false));
     let mut cast =
         format!("{{\"version\": 2, \"width\": {cols}, \"height\": {rows}, \"title\": {title}}}\n");
@@ -30,15 +30,15 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
         let entries = drawn.overlay.legend(view, 1.0);
         drawing::legend_lines(&entries, glyphs, usize::from(cols), MAX_LEGEND)
     };
-    let lines = u16::try_from(legend_of(&drawn.whole_view(size)).len()).unwrap_or(0);
-    let view = drawn.whole_view(Size {
+    let lines = u16::try_from(legend_of(&drawn.motion_view(size)).len()).unwrap_or(0);
+    let view = drawn.motion_view(Size {
         cols,
         rows: rows.saturating_sub(lines).max(1),
     });
-    let places = turn::places(drawn);
+    let coordinates = turn::places(drawn);
     let (mut labels, mut state) = (drawn.planned_labels(&view, glyphs), drawn.solver.state());
     let mut before = Raster::new();
-    for (k, &at) in places.iter().enumerate() {
+    for (k, &at) in coordinates.iter().enumerate() {
         labels.go(&drawn.links, at);
         let figure = drawn.figure_at(at, &mut state);
         let mut raster = Raster::new();
@@ -48,7 +48,7 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
         if k == 0 {
             text.push_str(&legend(&legend_of(&view), view.rows(), glyphs));
         }
-        if k + 1 == places.len() {
+        if k + 1 == coordinates.len() {
             // The shell continues below the drawing, with its cursor.
             let _ = write!(text, "\x1b[{rows};1H\x1b[?25h");
         }

@@ -91,7 +91,7 @@ impl FormatOption {
         }
     }
 
-    pub(super) fn is_asked(self, args: &DrawArgs) -> bool {
+    pub(super) fn is_requested(self, args: &DrawArgs) -> bool {
         match self {
             FormatOption::Glyphs => args.glyphs.is_some(),
             FormatOption::Width => args.width.is_some(),

@@ -29,16 +29,16 @@ const TYPICAL: usize = 4;
 fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
     let turn = turn::places(drawn);
     // The last position is the first of the next turn.
-    let places = &turn[..turn.len() - 1];
-    let typical = places
+    let coordinates = &turn[..turn.len() - 1];
+    let typical = coordinates
         .iter()
         .copied()
-        .step_by(places.len().div_ceil(TYPICAL));
+        .step_by(coordinates.len().div_ceil(TYPICAL));
     let painted = || -> Result<Vec<u8>, PaintError> {
         let canvas = Canvas::new()?;
         let planned = drawn.planned_labels(&window(drawn), Glyphs::Braille);
         let typical = pictures(drawn, &canvas, &planned, typical);
-        let all = pictures(drawn, &canvas, &planned, places.iter().copied());
+        let all = pictures(drawn, &canvas, &planned, coordinates.iter().copied());
         animation(typical, all, RATE)
     };
     painted().map_err(unpainted)
@@ -46,7 +46,7 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
 
 /// Returns the view, which stays fixed while the linkage moves.
 fn window(drawn: &DrawnScene<'_>) -> WorldView {
-    drawn.document_view(|size| drawn.whole_view(size))
+    drawn.document_view(|size| drawn.motion_view(size))
 }
 
 /// Paints the linkage at each of these driver coordinates.

@@ -13,12 +13,14 @@ mod turn;
 use crate::PointId;
 use crate::cli::choice::{OrAuto, one_of};
 use crate::cli::failure::{Failure, note};
-use crate::cli::output::{OutputArgs, goes_to_terminal, write_to};
+use crate::cli::output::{OutputArgs, write_to, writes_to_terminal};
 use crate::cli::picture::{ASPECT, GLYPHS, Size};
-use crate::cli::place::{PlaceArgs, nothing_hidden, out_of_reach, place};
+use crate::cli::place::{PlaceArgs, check_nothing_hidden, out_of_reach, place};
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene};
-use crate::drawing::{self, Glyphs, Labels, Layers, Overlay, Reach, SvgGround, Wanted, WorldView};
+use crate::drawing::{
+    self, Extents, Glyphs, Labels, Layers, Overlay, OverlayRequest, SvgGround, WorldView,
+};
 use crate::nearest::nearest;
 use crate::quantity::Catalogue;
 use crate::scene::Scene;
@@ -159,7 +161,7 @@ const MAX_LEGEND: usize = 2;
 
 pub(in crate::cli) fn draw(args: &DrawArgs, screen: TextScreen) -> Result<(), Failure> {
     check_options(args)?;
-    if args.format.is_binary && goes_to_terminal(args.output.output.as_deref()) {
+    if args.format.is_binary && writes_to_terminal(args.output.output.as_deref()) {
         return Err(Failure::Usage(words().no_text(args.format.name)));
     }
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
@@ -181,7 +183,7 @@ pub(in crate::cli) fn draw(args: &DrawArgs, screen: TextScreen) -> Result<(), Fa
     let drawn = DrawnScene::new(args, &scene, &solver, &state, &wanted);
     let bytes = (args.format.write)(&drawn)?;
     write_to(args.output.output.as_deref(), |out| out.write_all(&bytes))?;
-    nothing_hidden(&scene, &state)
+    check_nothing_hidden(&scene, &state)
 }
 
 /// All formats, in the order of the help.
@@ -196,8 +198,10 @@ static FORMATS: [&DrawFormat; 6] = [
 
 /// Returns an error if the command line has an option that its format does not support.
 fn check_options(args: &DrawArgs) -> Result<(), Failure> {
-    let mut asked = FormatOption::ALL.into_iter().filter(|o| o.is_asked(args));
-    match asked.find(|option| !args.format.takes_it(*option)) {
+    let mut requested = FormatOption::ALL
+        .into_iter()
+        .filter(|o| o.is_requested(args));
+    match requested.find(|option| !args.format.takes_it(*option)) {
         None => Ok(()),
         Some(option) => {
             let others = FORMATS.iter().filter(|f| f.takes_it(option));
@@ -220,8 +224,8 @@ struct DrawnScene<'a> {
     state: &'a State,
     overlay: Overlay,
     /// The extents of the linkage, and those including the tips of arrows.
-    links: Reach,
-    reach: Reach,
+    links: Extents,
+    reach: Extents,
     /// `true` if the drawing shows parts of the whole motion.
     whole: bool,
 }
@@ -232,16 +236,16 @@ impl<'a> DrawnScene<'a> {
         scene: &'a Scene,
         solver: &'a Solver,
         state: &'a State,
-        wanted: &Wanted,
+        wanted: &OverlayRequest,
     ) -> Self {
-        let links = Reach::of(scene, solver);
+        let links = Extents::of(scene, solver);
         let overlay = Overlay::of(scene, solver, &links, wanted);
         DrawnScene {
             args,
             scene,
             solver,
             state,
-            reach: overlay.reach(&links).unwrap_or_else(|| links.clone()),
+            reach: overlay.extents(&links).unwrap_or_else(|| links.clone()),
             links,
             overlay,
             whole: wanted.ghosts > 0 || !wanted.traces.is_empty(),
@@ -283,14 +287,14 @@ impl<'a> DrawnScene<'a> {
     /// Returns the view that shows the linkage as large as possible, including its overlay.
     fn view(&self, Size { cols, rows }: Size) -> WorldView {
         if self.whole {
-            self.whole_view(Size { cols, rows })
+            self.motion_view(Size { cols, rows })
         } else {
             WorldView::along(&self.reach, self.state.at(), cols, rows, ASPECT)
         }
     }
 
     /// Returns the view of the whole motion.
-    fn whole_view(&self, Size { cols, rows }: Size) -> WorldView {
+    fn motion_view(&self, Size { cols, rows }: Size) -> WorldView {
         WorldView::fit(&self.reach, cols, rows, ASPECT)
     }
 
@@ -299,7 +303,7 @@ impl<'a> DrawnScene<'a> {
         let cols = DOCUMENT_COLUMNS;
         match self.args.size {
             Some(size) => view(size),
-            None => WorldView::snug(DOCUMENT_ROWS, |rows| view(Size { cols, rows })),
+            None => WorldView::lowest_window(DOCUMENT_ROWS, |rows| view(Size { cols, rows })),
         }
     }
 
@@ -333,11 +337,11 @@ fn layers(args: &DrawArgs) -> Layers {
         points: args.names != NamesChoice::None,
         links: args.names == NamesChoice::All,
         centres: args.centres,
-        lit: None,
+        highlighted: None,
     }
 }
 
-fn wanted(args: &DrawArgs, scene: &Scene) -> Result<Wanted, Failure> {
+fn wanted(args: &DrawArgs, scene: &Scene) -> Result<OverlayRequest, Failure> {
     let arrows = |scene: &Scene| drawing::usual_arrows(&scene.mechanism);
     // A picture shows the traces that the scene names; a drawing for CAD only those asked for.
     let traces = match args.traces.as_deref() {
@@ -345,7 +349,7 @@ fn wanted(args: &DrawArgs, scene: &Scene) -> Result<Wanted, Failure> {
         Some([none]) if none == NONE => Vec::new(),
         names => points(scene, "--traces", names, drawing::usual_traces)?,
     };
-    Ok(Wanted {
+    Ok(OverlayRequest {
         is_timed: false,
         traces,
         velocities: points(scene, "--velocities", args.velocities.as_deref(), arrows)?,
@@ -383,10 +387,10 @@ fn point(scene: &Scene, option: &str, name: &str) -> Result<PointId, Failure> {
     scene.mechanism.point_ids().find(named).ok_or_else(|| {
         let names = scene.mechanism.point_ids();
         let names = names.filter_map(|id| scene.point_name(id));
-        let mend = match nearest(name, names) {
-            Some(meant) => words().did_you_mean(meant),
+        let fix = match nearest(name, names) {
+            Some(intended) => words().did_you_mean(intended),
             None => words().check_names_points().into(),
         };
-        Failure::Usage(words().no_point(option, name, &mend))
+        Failure::Usage(words().no_point(option, name, &fix))
     })
 }

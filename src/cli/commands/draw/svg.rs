@@ -47,9 +47,9 @@ fn to_scale(drawn: &DrawnScene<'_>, usual: WorldView, scale: f64) -> (WorldView,
     let view = match drawn.args.size {
         Some(_) => usual,
         None => {
-            let wish = f64::from(usual.cols()) * per_column(&usual) / COLUMN_ON_PAPER;
-            let cols = wish.clamp(MIN_COLUMNS, MAX_COLUMNS) as u16;
-            WorldView::snug(cols, |rows| drawn.view(Size { cols, rows }))
+            let requested = f64::from(usual.cols()) * per_column(&usual) / COLUMN_ON_PAPER;
+            let cols = requested.clamp(MIN_COLUMNS, MAX_COLUMNS) as u16;
+            WorldView::lowest_window(cols, |rows| drawn.view(Size { cols, rows }))
         }
     };
     (view, Some(per_column(&view) / drawing::COLUMN))

@@ -19,7 +19,7 @@ pub(super) fn places(drawn: &DrawnScene<'_>) -> Vec<f64> {
 }
 
 fn places_over(range: Range, from: f64, pictures: u32) -> Vec<f64> {
-    let mut places: Vec<f64> = match range {
+    let mut coordinates: Vec<f64> = match range {
         Range::Full { period } => {
             // A turn has the same duration whether or not the motion repeats after one.
             let turns = (period / TURN).round().max(1.0);
@@ -29,16 +29,16 @@ fn places_over(range: Range, from: f64, pictures: u32) -> Vec<f64> {
         Range::Limited { low, high } => {
             // Harmonic, as if driven by a crank: slow near the limits, where it reverses.
             let half = (high - low) / 2.0;
-            let begun = ((low + half - from) / half).clamp(-1.0, 1.0).acos();
-            let begun = if begun.is_finite() { begun } else { 0.0 };
-            let along = |share: f64| low + half - half * (begun + TAU * share).cos();
+            let started = ((low + half - from) / half).clamp(-1.0, 1.0).acos();
+            let started = if started.is_finite() { started } else { 0.0 };
+            let along = |share: f64| low + half - half * (started + TAU * share).cos();
             let along = |share| along(share).clamp(low, high);
             shares(f64::from(pictures)).map(along).collect()
         }
     };
-    places[0] = from;
-    places.push(from);
-    places
+    coordinates[0] = from;
+    coordinates.push(from);
+    coordinates
 }
 
 /// Returns the fractions `k / count` from 0, below 1.
@@ -79,18 +79,27 @@ mod tests {
                 2.8,
             ),
         ] {
-            let places = places_over(range, from, 90);
-            assert_eq!(places.len(), count);
-            assert_eq!([places[0], places[count - 1]], [from, from]);
+            let coordinates = places_over(range, from, 90);
+            assert_eq!(coordinates.len(), count);
+            assert_eq!([coordinates[0], coordinates[count - 1]], [from, from]);
             if let Range::Limited { low, high } = range {
-                assert!(places.iter().all(|at| (low..=high).contains(at)));
-                let least = places.iter().copied().fold(f64::INFINITY, f64::min);
-                let most = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-                assert!(least < low + 0.1 && most > high - 0.1, "{least} to {most}");
+                assert!(coordinates.iter().all(|at| (low..=high).contains(at)));
+                let minimum = coordinates.iter().copied().fold(f64::INFINITY, f64::min);
+                let maximum = coordinates
+                    .iter()
+                    .copied()
+                    .fold(f64::NEG_INFINITY, f64::max);
+                assert!(
+                    minimum < low + 0.1 && maximum > high - 0.1,
+                    "{minimum} to {maximum}"
+                );
             }
-            let apart = |pair: &[f64]| (pair[1] - pair[0]).abs();
-            let mut steps = places[..count - 1].windows(2);
-            assert!(steps.all(|pair| apart(pair) <= step + 1e-9), "{places:?}");
+            let distance = |pair: &[f64]| (pair[1] - pair[0]).abs();
+            let mut steps = coordinates[..count - 1].windows(2);
+            assert!(
+                steps.all(|pair| distance(pair) <= step + 1e-9),
+                "{coordinates:?}"
+            );
         }
     }
 }

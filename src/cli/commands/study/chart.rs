@@ -1,10 +1,10 @@
 //! Draws the chart of a study: curves over one value, maps over two.
 
-use super::{ReadyStudy, StudyArgs, StudyFormat, judge};
+use super::{ReadyStudy, StudyArgs, StudyFormat, report_invalid_designs};
 use crate::Vec2;
 use crate::cli::commands::plot::{CHARACTER, SVG};
 use crate::cli::failure::{Failure, note};
-use crate::cli::output::{goes_to_terminal, write_text};
+use crate::cli::output::{write_text, writes_to_terminal};
 use crate::cli::picture::{self, ASPECT, Size};
 use crate::cli::progress::Progress;
 use crate::cli::screen::TextScreen;
@@ -31,27 +31,29 @@ pub(super) fn draw(
     let mut summary = DesignSummary::new(columns.len());
     let mut reason = String::new();
     let mut found: Vec<Vec<Option<f64>>> = vec![Vec::new(); columns.len()];
-    let mut progress = Progress::new(count, words().designs(), screen, goes_to_terminal(path));
+    let mut progress = Progress::new(count, words().designs(), screen, writes_to_terminal(path));
     let gathered: Result<(), Failure> = ready.run(0..count).each(&mut |rows| {
         for row in &rows {
             summary.note(row);
             if summary.valued == 0 && reason.is_empty() {
                 reason = table.reason(row);
             }
-            for (figure, values) in found.iter_mut().enumerate() {
-                values.push(row.figure(figure));
+            for (index, values) in found.iter_mut().enumerate() {
+                values.push(row.figure(index));
             }
         }
-        progress.tell(summary.rows);
+        progress.report_progress(summary.rows);
         Ok(())
     });
     progress.end();
     gathered?;
-    judge(&summary, &reason, true, screen)?;
+    report_invalid_designs(&summary, &reason, true, screen)?;
     let titles = columns.iter().map(|c| [c.name.as_str(), c.unit.as_str()]);
     let figures: Vec<([&str; 2], Vec<Option<f64>>)> = titles.zip(found).collect();
     let text = match &axes[..] {
-        [(title, places)] => over_one(args, &Plot::over(*title, places, &figures), ready)?,
+        [(title, coordinates)] => {
+            over_one(args, &Plot::over(*title, coordinates, &figures), ready)?
+        }
         [along, up] => {
             let map = |(title, heights): &([&str; 2], Vec<Option<f64>>)| {
                 GridMap::new(*title, along.clone(), up.clone(), heights)
@@ -116,7 +118,7 @@ fn over_one(args: &StudyArgs, plot: &Plot, ready: &ReadyStudy) -> Result<String,
         cols,
         rows: match args.size {
             Some(_) => rows,
-            None => rows.max(plot.least_rows()),
+            None => rows.max(plot.min_rows()),
         },
         glyphs: picture::glyphs(args.glyphs),
         aspect: ASPECT,

@@ -6,7 +6,7 @@ mod rows;
 use crate::cli::choice::{OrAuto, one_of};
 use crate::cli::failure::{Failure, note};
 use crate::cli::formats::{CsvArgs, OutputFormat, positive};
-use crate::cli::output::{self, OutputArgs, goes_to_terminal, write_to};
+use crate::cli::output::{self, OutputArgs, write_to, writes_to_terminal};
 use crate::cli::picture::{GLYPHS, Size};
 use crate::cli::progress::Progress;
 use crate::cli::screen::TextScreen;
@@ -181,7 +181,7 @@ pub(in crate::cli) fn study(args: &StudyArgs, screen: TextScreen) -> Result<(), 
         lines.iter().for_each(|line| note(line, screen));
     }
     let is_whole = args.part.is_none() && !args.resume;
-    judge(&rows.summary, &rows.reason, is_whole, screen)
+    report_invalid_designs(&rows.summary, &rows.reason, is_whole, screen)
 }
 
 /// Parses the varied values.
@@ -242,12 +242,12 @@ impl ReadyStudy {
 
 impl<'a> StudyRows<'a> {
     fn new(table: &'a DesignTable, count: u64, path: Option<&Path>, screen: TextScreen) -> Self {
-        let beside = goes_to_terminal(path);
+        let nearby = writes_to_terminal(path);
         StudyRows {
             table,
             summary: DesignSummary::new(table.columns().1.len()),
             reason: String::new(),
-            progress: Progress::new(count, words().designs(), screen, beside),
+            progress: Progress::new(count, words().designs(), screen, nearby),
         }
     }
 
@@ -261,7 +261,7 @@ impl<'a> StudyRows<'a> {
                 self.reason = self.table.reason(row);
             }
         }
-        self.progress.tell(self.summary.rows);
+        self.progress.report_progress(self.summary.rows);
         text
     }
 }
@@ -285,7 +285,7 @@ fn grow<'a>(
     let (mut file, done) = match args.resume {
         true => resumed(ready, table, designs.clone(), path, screen)?,
         false => (
-            AppendFile::begin(path, &head, output::records()).map_err(failed)?,
+            AppendFile::create(path, &head, output::records()).map_err(failed)?,
             0,
         ),
     };
@@ -335,7 +335,7 @@ fn resumed(
     rows::verify(ready, table, designs.start, path, grown.lines)?;
     let done = grown.lines;
     note(&words().file_goes_on(&shown, done, all), screen);
-    Ok((grown.go_on().map_err(failed)?, done))
+    Ok((grown.resume().map_err(failed)?, done))
 }
 
 /// Writes rows to standard output, or to a file replaced only after all rows are complete.
@@ -360,7 +360,7 @@ fn write<'a>(
 }
 
 /// Reports invalid designs. A complete study without any values is an error.
-pub(super) fn judge(
+pub(super) fn report_invalid_designs(
     summary: &DesignSummary,
     reason: &str,
     is_whole: bool,

@@ -82,8 +82,8 @@ fn blocks(rows: u64) -> Vec<Range<u64>> {
         return std::iter::once(0..rows).collect();
     }
     let count = CHECKED / BLOCK;
-    let begin = |i: u64| i * (rows - BLOCK) / (count - 1);
-    (0..count).map(|i| begin(i)..begin(i) + BLOCK).collect()
+    let start = |i: u64| i * (rows - BLOCK) / (count - 1);
+    (0..count).map(|i| start(i)..start(i) + BLOCK).collect()
 }
 
 #[cfg(test)]

@@ -48,13 +48,15 @@ impl MotorReport {
     pub(crate) fn nothing(&self, why: &DutyError) -> String {
         match why {
             DutyError::NothingActs => words().nothing_acts().into(),
-            DutyError::Withheld(hidden) => words().no_figures(&hidden.text(&self.driver_unit)),
+            DutyError::WithheldReason(hidden) => {
+                words().no_figures(&hidden.text(&self.driver_unit))
+            }
         }
     }
 
     fn add_duty(&self, duty: &Duty, page: &mut Page) {
         let cycle = &duty.cycle;
-        page.text_below(self.asked_text(duty));
+        page.text_below(self.demand_sentence(duty));
         for text in self.singular_texts(duty) {
             page.text_below(text);
         }
@@ -67,12 +69,12 @@ impl MotorReport {
     }
 
     /// Describes the demand on the motor in a sentence.
-    fn asked_text(&self, duty: &Duty) -> String {
+    fn demand_sentence(&self, duty: &Duty) -> String {
         let cycle = &duty.cycle;
         let unit = self.effort_unit();
         let sized = |value| format!("{} {unit}", significant(value, DIGITS));
         let course = self.course_text(duty);
-        let asked = match (cycle.all.worst(), cycle.all.rms) {
+        let requested = match (cycle.all.worst(), cycle.all.rms) {
             (Some(worst), Some(_)) if is_constant(&cycle.all) => {
                 words().asks_throughout(&sized(worst.value))
             }
@@ -81,14 +83,14 @@ impl MotorReport {
             }
             _ => words().asks_too_much(self.effort()),
         };
-        words().driver_asks(&course, &self.driver, &asked)
+        words().driver_asks(&course, &self.driver, &requested)
     }
 
     /// Describes the cycle.
     fn course_text(&self, duty: &Duty) -> String {
         let course = &duty.cycle.course;
         let speed = self.speed_text(self.speed.abs());
-        match (course.goes_round, duty.turns()) {
+        match (course.is_periodic, duty.turns()) {
             (true, 1.0) => words().over_a_turn(&speed),
             (true, turns) => words().over_turns(turns, &speed),
             (false, _) => {
@@ -100,7 +102,7 @@ impl MotorReport {
 
     /// Returns the word for the driver's effort in the current language.
     fn effort(&self) -> &'static str {
-        match self.turns {
+        match self.is_rotary {
             true => words().torque(),
             false => words().force(),
         }
@@ -108,12 +110,12 @@ impl MotorReport {
 
     /// Returns the word for the driver's effort in files for other programs.
     pub(in crate::report) fn effort_word(&self) -> &'static str {
-        if self.turns { "torque" } else { "force" }
+        if self.is_rotary { "torque" } else { "force" }
     }
 
     /// Formats a speed of the driver in the scene's unit; a speed of rotation also in rpm.
     fn speed_text(&self, speed: f64) -> String {
-        if self.turns {
+        if self.is_rotary {
             let rpm = trimmed(speed * RPM);
             format!("{} rad/s ({rpm} rpm)", concise(speed, DIGITS))
         } else {
@@ -128,7 +130,7 @@ impl MotorReport {
         };
         let (mut texts, cycle) = (Vec::new(), &duty.cycle);
         let all = &duty.cycle.all;
-        if let (Some(work), Some(put_in)) = (all.work(), all.put_in)
+        if let (Some(work), Some(put_in)) = (all.work(), all.supplied)
             && work < -NOTHING * put_in
         {
             let work = significant(-work, DIGITS);
@@ -136,7 +138,7 @@ impl MotorReport {
         }
         if !duty.dead_points.is_empty() {
             let places = listed(&duty.dead_points);
-            texts.push(match duty.runs_dead {
+            texts.push(match duty.reaches_dead_point {
                 true => words().dead_points_run_into(&places),
                 false => words().dead_points_passed(&places),
             });
@@ -176,7 +178,7 @@ impl MotorReport {
             (words().inertia(), inertia),
         ];
         let parts = parts.into_iter();
-        let acting = parts.filter(|(_, effect)| !effect.is_nothing_beside(&cycle.parts));
+        let acting = parts.filter(|(_, effect)| !effect.is_rounding_of(&cycle.parts));
         let all = std::iter::once((words().label_all(), &cycle.all));
         let (names, columns): (Vec<&str>, Vec<&DriveEffort>) = all.chain(acting).unzip();
         let what = self.effort();
@@ -184,7 +186,7 @@ impl MotorReport {
         let larger = |a: Option<Peak>, b: Option<Peak>| Some(a?.value.abs().max(b?.value.abs()));
         let torque = |e: &DriveEffort| larger(e.largest, e.least);
         let power = |e: &DriveEffort| larger(e.largest_power, e.least_power);
-        let energy = |e: &DriveEffort| Some(e.put_in? + e.given_back?);
+        let energy = |e: &DriveEffort| Some(e.supplied? + e.returned?);
         let peak = |peak: Option<Peak>, size| figure(cleaned(peak.map(|p| p.value), size));
         let place = |e: &DriveEffort, peak: Option<Peak>| match peak {
             Some(_) if is_constant(e) => String::new(),
@@ -196,14 +198,14 @@ impl MotorReport {
         };
         let at = format!("    {} [{}]", words().at(), self.driver_unit);
         let largest = indented(words().label_largest());
-        let least = indented(words().label_least());
+        let minimum = indented(words().label_least());
         let mean = indented(words().label_mean());
         let cells = |cell: &dyn Fn(&DriveEffort) -> String| -> Vec<String> {
             columns.iter().map(|effect| cell(effect)).collect()
         };
         table.row(largest.as_str(), cells(&|e| peak(e.largest, torque(e))));
         table.row(at.as_str(), cells(&|e| place(e, e.largest)));
-        table.row(least.as_str(), cells(&|e| peak(e.least, torque(e))));
+        table.row(minimum.as_str(), cells(&|e| peak(e.least, torque(e))));
         table.row(at.as_str(), cells(&|e| place(e, e.least)));
         table.row(mean.as_str(), cells(&|e| figure(cleaned(e.mean, e.rms))));
         table.row(indented(words().label_rms()), cells(&|e| figure(e.rms)));
@@ -211,18 +213,18 @@ impl MotorReport {
             .rows
             .push(Row::Part(format!("{} [W]", words().power())));
         table.row(largest, cells(&|e| peak(e.largest_power, power(e))));
-        table.row(least, cells(&|e| peak(e.least_power, power(e))));
+        table.row(minimum, cells(&|e| peak(e.least_power, power(e))));
         table.row(mean, cells(&|e| figure(mean_power(e))));
         table
             .rows
             .push(Row::Part(format!("{} [J]", words().label_energy())));
         table.row(
             indented(words().label_put_in()),
-            cells(&|e| figure(cleaned(e.put_in, energy(e)))),
+            cells(&|e| figure(cleaned(e.supplied, energy(e)))),
         );
         table.row(
             indented(words().label_given_back()),
-            cells(&|e| figure(cleaned(e.given_back, energy(e)))),
+            cells(&|e| figure(cleaned(e.returned, energy(e)))),
         );
         table.row(
             indented(words().label_work()),
@@ -248,15 +250,16 @@ impl MotorReport {
             None => return,
         };
         let unit = self.effort_unit();
-        let (scale, speeds) = if self.turns {
+        let (scale, speeds) = if self.is_rotary {
             (RPM, "rpm")
         } else {
             (1.0, "m/s")
         };
-        let torque = |asked: &MotorDemand| verdict(asked, 1.0, unit);
-        let speed = |asked: &MotorDemand| verdict(asked, scale, speeds);
+        let torque = |requested: &MotorDemand| verdict(requested, 1.0, unit);
+        let speed = |requested: &MotorDemand| verdict(requested, scale, speeds);
         let flywheel = self.with_flywheel();
-        let flywheel = flywheel.map(|asked| words().about_the_mean(&verdict(&asked, 1.0, unit)));
+        let flywheel =
+            flywheel.map(|requested| words().about_the_mean(&verdict(&requested, 1.0, unit)));
         let gear = self.fit.geared.filter(|_| is_enough == Some(false));
         let gear = gear.map(|gear| {
             let ratio = concise(gear.ratio, 4);
@@ -265,7 +268,7 @@ impl MotorReport {
                 false => words().gear_not_enough(&ratio),
             }
         });
-        let told = [
+        let text = [
             (words().rated_for_rms(), self.fit.rated.as_ref().map(torque)),
             (words().peak(), self.fit.peak.as_ref().map(torque)),
             (words().speed(), self.fit.speed.as_ref().map(speed)),
@@ -273,7 +276,7 @@ impl MotorReport {
             (words().with_a_gear(), gear),
         ];
         page.heading(words().motor_is(&verdict_text));
-        page.add(known(told));
+        page.add(known(text));
     }
 
     fn add_evenness(&self, duty: &Duty, page: &mut Page) {
@@ -291,17 +294,17 @@ impl MotorReport {
             let (inertia, left) = (concise(inertia, DIGITS), significant(fluctuation, 4));
             rough(words().flywheel_leaves(&inertia, &left), fluctuation)
         });
-        let wished = evenness.wished.map(|(fluctuation, inertia)| {
-            let (wished, inertia) = (concise(fluctuation, DIGITS), significant(inertia, DIGITS));
-            rough(words().takes_a_flywheel(&wished, &inertia), fluctuation)
+        let requested = evenness.requested.map(|(fluctuation, inertia)| {
+            let (requested, inertia) = (concise(fluctuation, DIGITS), significant(inertia, DIGITS));
+            rough(words().takes_a_flywheel(&requested, &inertia), fluctuation)
         });
-        let told = [
+        let text = [
             (words().label_energy(), Some(energy)),
             (words().flywheel(), flywheel),
-            (words().fluctuation(), wished),
+            (words().fluctuation(), requested),
         ];
         page.heading(words().evenness());
-        page.add(known(told));
+        page.add(known(text));
     }
 
     fn add_shaking(&self, cycle: &Cycle, page: &mut Page) {
@@ -328,12 +331,12 @@ impl MotorReport {
             }
         });
         page.heading(words().on_frame_with_loads());
-        let told = [(words().force(), force), (words().moment(), moment)];
-        page.add(indented_facts(told));
+        let text = [(words().force(), force), (words().moment(), moment)];
+        page.add(indented_facts(text));
     }
 
     fn place(&self, peak: &Peak) -> String {
-        let at = if self.turns {
+        let at = if self.is_rotary {
             format!("{:.DECIMALS$}", peak.at)
         } else {
             significant(peak.at, DIGITS)
@@ -346,7 +349,7 @@ impl MotorReport {
     }
 
     fn short_place(&self, peak: &Peak) -> String {
-        match (self.turns, peak.back) {
+        match (self.is_rotary, peak.back) {
             (true, false) => format!("{:.DECIMALS$}", peak.at),
             (false, false) => significant(peak.at, DIGITS),
             // Fewer decimals leave space for the word.

@@ -6,13 +6,13 @@ use crate::page::{Content, Page};
 use crate::report::cycle::page::indented;
 use crate::report::motor::{MotorReport, RamReport, end_word};
 use crate::report::text::number::{concise, significant};
-use crate::study::motor::Passing;
+use crate::study::motor::SlidePassing;
 use crate::wording::words;
 
 impl MotorReport {
     pub(super) fn add_ram(&self, report: &RamReport, page: &mut Page) {
         let ram = &report.ram;
-        let (unit, way) = (self.unit, &self.driver_unit);
+        let (unit, path) = (self.unit, &self.driver_unit);
         let mut list: Vec<(&str, String)> = Vec::new();
         let end = match ram.end.is_known {
             true => words().works_at(end_word(ram.end.end)),
@@ -31,12 +31,12 @@ impl MotorReport {
         for (label, centre) in ends.into_iter().chain(others) {
             let at = format!("{:.ALL_DECIMALS$}", centre.at);
             let position = concise(centre.position, 9);
-            list.push((label, words().centre_at(&at, way, &position, unit)));
+            list.push((label, words().centre_at(&at, path, &position, unit)));
         }
-        let [closing, opening] = ram.ways;
+        let [closing, opening] = ram.travels;
         let times = |gone: f64| {
             let seconds = ram.seconds.map(|s| s * gone / (closing + opening));
-            timed(format!("{} {way}", significant(gone, DIGITS)), seconds)
+            timed(format!("{} {path}", significant(gone, DIGITS)), seconds)
         };
         list.push((words().closes_in(), times(closing)));
         list.push((words().opens_in(), times(opening)));
@@ -52,7 +52,10 @@ impl MotorReport {
         if let Some((tolerance, dwell)) = &report.dwell {
             let tolerance = format!("{} {unit}", concise(*tolerance, DIGITS));
             let text = dwell.map_or_else(none, |d| {
-                let gone = timed(format!("{} {way}", significant(d.way, DIGITS)), d.seconds);
+                let gone = timed(
+                    format!("{} {path}", significant(d.travel, DIGITS)),
+                    d.seconds,
+                );
                 let [from, to] = [d.from, d.to].map(|at| format!("{at:.DECIMALS$}"));
                 words().dwells_within(&gone, &from, &to, &tolerance)
             });
@@ -73,9 +76,9 @@ impl MotorReport {
             return;
         };
         let sized = |v: f64| figure(Some(v).filter(|v| v.is_finite()));
-        let ways = [words().closing(), words().opening_way()];
-        let mut table = columns_of(indented(&label), ways);
-        let mut row = |label: String, cell: &dyn Fn(&Passing) -> String| {
+        let paths = [words().closing(), words().opening_way()];
+        let mut table = columns_of(indented(&label), paths);
+        let mut row = |label: String, cell: &dyn Fn(&SlidePassing) -> String| {
             table.row(label, both.iter().map(cell));
         };
         let driver = format!("    {} [{}]", words().driver(), self.driver_unit);

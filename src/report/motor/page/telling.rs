@@ -15,40 +15,44 @@ pub(super) const LABEL: usize = 18;
 const FIGURE: usize = 10;
 
 /// Returns labelled texts, indented below a heading.
-pub(super) fn indented_facts<'l>(told: impl IntoIterator<Item = (&'l str, String)>) -> Content {
-    let told = told.into_iter();
-    facts(told.map(|(label, text)| (indented(label), text)))
+pub(super) fn indented_facts<'l>(
+    shown_text: impl IntoIterator<Item = (&'l str, String)>,
+) -> Content {
+    let shown_text = shown_text.into_iter();
+    facts(shown_text.map(|(label, text)| (indented(label), text)))
 }
 
 /// Returns labelled texts, indented below a heading; skips missing ones.
-pub(super) fn known<'l>(told: impl IntoIterator<Item = (&'l str, Option<String>)>) -> Content {
-    let told = told.into_iter();
-    indented_facts(told.filter_map(|(label, text)| Some((label, text?))))
+pub(super) fn known<'l>(
+    shown_text: impl IntoIterator<Item = (&'l str, Option<String>)>,
+) -> Content {
+    let shown_text = shown_text.into_iter();
+    indented_facts(shown_text.filter_map(|(label, text)| Some((label, text?))))
 }
 
 /// Formats a travel of the driver, with its duration if known.
-pub(super) fn timed(way: String, seconds: Option<f64>) -> String {
+pub(super) fn timed(path: String, seconds: Option<f64>) -> String {
     match seconds {
-        Some(seconds) => words().in_seconds(&way, &significant(seconds, DIGITS)),
-        None => way,
+        Some(seconds) => words().in_seconds(&path, &significant(seconds, DIGITS)),
+        None => path,
     }
 }
 
 /// Returns labelled texts.
-pub(super) fn facts(told: impl IntoIterator<Item = (String, String)>) -> Content {
+pub(super) fn facts(shown_text: impl IntoIterator<Item = (String, String)>) -> Content {
     let mut facts = Facts {
         names: LABEL + 1,
         ..Facts::default()
     };
-    for (label, text) in told {
-        facts.tell(&label, [text]);
+    for (label, text) in shown_text {
+        facts.add(&label, [text]);
     }
     Content::Facts(facts)
 }
 
 /// Creates a table whose first columns are the most important: a narrow screen omits the last ones.
-pub(super) fn columns_of<'h>(title: String, heads: impl IntoIterator<Item = &'h str>) -> Table {
-    Table::new(title, heads).set(Setting {
+pub(super) fn columns_of<'h>(title: String, headers: impl IntoIterator<Item = &'h str>) -> Table {
+    Table::new(title, headers).set(Setting {
         names: LABEL,
         least: vec![FIGURE],
         rest: Rest::LeftOut,
@@ -80,12 +84,16 @@ pub(super) fn cleaned(value: Option<f64>, size: Option<f64>) -> Option<f64> {
 
 /// Compares a motor's rating with the demand, and shows the excess or the covered fraction. `scale`
 /// converts the values to `unit`.
-pub(super) fn verdict(asked: &MotorDemand, scale: f64, unit: &str) -> String {
-    let [wants, has, left] =
-        [asked.asked, asked.has, asked.lacks().abs()].map(|v| trimmed(v * scale));
+pub(super) fn verdict(requested: &MotorDemand, scale: f64, unit: &str) -> String {
+    let [wants, has, left] = [
+        requested.required,
+        requested.capacity,
+        requested.deficit().abs(),
+    ]
+    .map(|v| trimmed(v * scale));
     let [has, left] = [has, left].map(|size| format!("{size} {unit}"));
-    let share = asked.has / asked.asked;
-    match (asked.is_enough(), share.is_finite()) {
+    let share = requested.capacity / requested.required;
+    match (requested.is_enough(), share.is_finite()) {
         (true, true) => words().has_left_by_times(&has, &wants, &left, &significant(share, 3)),
         (true, false) => words().has_left(&has, &wants, &left),
         (false, _) => words().has_a_share(&has, &wants, &percent(share)),
@@ -103,19 +111,19 @@ fn percent(share: f64) -> String {
 /// Returns `true` if the effort is constant up to rounding errors.
 pub(super) fn is_constant(effect: &DriveEffort) -> bool {
     let both = effect.largest.zip(effect.least);
-    both.is_some_and(|(most, least)| {
-        let size = most.value.abs().max(least.value.abs());
-        most.value - least.value <= NOTHING * size
+    both.is_some_and(|(maximum, minimum)| {
+        let size = maximum.value.abs().max(minimum.value.abs());
+        maximum.value - minimum.value <= NOTHING * size
     })
 }
 
 /// Qualifies the text on a fluctuation: a large one is only approximate, and one beyond the limit
 /// is impossible.
-pub(super) fn rough(says: String, fluctuation: f64) -> String {
+pub(super) fn rough(text: String, fluctuation: f64) -> String {
     match fluctuation {
-        share if share > MAX_FLUCTUATION => words().impossible(&says),
-        share if share > SMALL_FLUCTUATION => words().roughly(&says),
-        _ => says,
+        share if share > MAX_FLUCTUATION => words().impossible(&text),
+        share if share > SMALL_FLUCTUATION => words().roughly(&text),
+        _ => text,
     }
 }
 
@@ -133,7 +141,7 @@ mod tests {
 
     #[test]
     fn share_below_one_is_shown_below_100_percent() {
-        for (share, told) in [
+        for (share, text) in [
             (0.998, "99.8"),
             (0.9999, "99.9"),
             (0.5, "50"),
@@ -141,7 +149,7 @@ mod tests {
             (0.0567, "5.7"),
             (0.0, "0"),
         ] {
-            assert_eq!(percent(share), told);
+            assert_eq!(percent(share), text);
         }
     }
 }

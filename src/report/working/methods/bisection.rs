@@ -8,7 +8,7 @@ use super::problem::longest;
 use super::reduced::{ReducedLoop, figure};
 use crate::page::UNIT;
 use crate::report::error_text;
-use crate::study::{Bisection, SoughtKind};
+use crate::study::{Bisection, UnknownKind};
 use crate::wording::words;
 
 /// Bisects an interval of one unknown of a group, and returns the errors of the midpoints; `None`
@@ -21,7 +21,7 @@ pub(super) fn halve(
 ) -> Option<Vec<f64>> {
     let solution = Solution::new(context, stage).filter(|_| has_form(stage));
     let Some(solution) = solution else {
-        draft.page.text(why_not(stage));
+        draft.page.text(reason_against(stage));
         return None;
     };
     if !context.has_positions() && !solution.is_known() {
@@ -32,29 +32,29 @@ pub(super) fn halve(
     let f = context.figures;
     let others = stage.unknowns.iter();
     let mut others = others.filter(|unknown| **unknown != reduced.unknown);
-    if others.any(|unknown| guesses.said(*unknown).is_some()) {
+    if others.any(|unknown| guesses.given_values(*unknown).is_some()) {
         draft.page.text(words().guess_of_removed(&reduced.symbol));
     }
-    let [a, b] = begins(&reduced, guesses);
+    let [a, b] = start_interval(&reduced, guesses);
     let size = match reduced.kind {
-        SoughtKind::Angle => 180.0,
-        SoughtKind::Length => reduced.reach,
+        UnknownKind::Angle => 180.0,
+        UnknownKind::Length => reduced.reach,
     };
     let places = i32::try_from(f.digits).unwrap_or(i32::MAX);
     let finest = size * 10.0_f64.powi(-places);
     let halved = Bisection::of(a, b, finest, |x| reduced.value(x));
     let unit = match reduced.kind {
-        SoughtKind::Angle => "deg",
-        SoughtKind::Length => f.unit,
+        UnknownKind::Angle => "deg",
+        UnknownKind::Length => f.unit,
     };
     let [from, to] = [a, b].map(|v| format!("{} {UNIT}{unit}", f.angle(v)));
     let largest = longest(context).powi(2);
     let [low, high] = halved
         .ends
-        .map(|v| format!("{} {UNIT}{}^2", f.beside(v, largest), f.unit));
-    let is_said = guesses.said(reduced.unknown).is_some();
+        .map(|v| format!("{} {UNIT}{}^2", f.format_or_zero(v, largest), f.unit));
+    let is_said = guesses.given_values(reduced.unknown).is_some();
     if !is_said {
-        draft.page.text(least(context, &reduced));
+        draft.page.text(describe_minimum(context, &reduced));
     }
     draft
         .page
@@ -64,7 +64,7 @@ pub(super) fn halve(
     if let (Some(right), false) = (reduced.right, is_said)
         && reduced.are_one(right)
     {
-        at_the_root(context, draft, &reduced, [a, b]);
+        write_end_root(context, draft, &reduced, [a, b]);
         return None;
     }
     if halved.root().is_none() {
@@ -90,7 +90,7 @@ pub(super) fn halve(
 }
 
 /// Describes the minimum of f, with a root on either side.
-fn least(context: &Context<'_>, reduced: &ReducedLoop<'_>) -> String {
+fn describe_minimum(context: &Context<'_>, reduced: &ReducedLoop<'_>) -> String {
     let [middle, _] = reduced.interval(None);
     let (f, symbol) = (context.figures, &reduced.symbol);
     match reduced.along {
@@ -100,7 +100,7 @@ fn least(context: &Context<'_>, reduced: &ReducedLoop<'_>) -> String {
 }
 
 /// Writes the result for an interval that begins or ends at the only root.
-fn at_the_root(
+fn write_end_root(
     context: &Context<'_>,
     draft: &mut Draft,
     reduced: &ReducedLoop<'_>,
@@ -124,7 +124,7 @@ fn write_root(context: &Context<'_>, draft: &mut Draft, reduced: &ReducedLoop<'_
     draft.page.equation([
         symbol.to_owned(),
         reduced.formula.clone(),
-        figure(f, SoughtKind::Angle, follows),
+        figure(f, UnknownKind::Angle, follows),
     ]);
 }
 
@@ -135,7 +135,7 @@ fn has_form(stage: &Stage) -> bool {
     )
 }
 
-fn why_not(stage: &Stage) -> String {
+fn reason_against(stage: &Stage) -> String {
     match stage.form {
         ProblemForm::Guides(..) => words().two_guides_are_linear().into(),
         _ => words().nothing_to_halve(stage.unknowns.len()),
@@ -143,8 +143,8 @@ fn why_not(stage: &Stage) -> String {
 }
 
 /// Returns the given interval, the one around a given value, or the one that contains the assembly.
-fn begins(reduced: &ReducedLoop<'_>, guesses: &Guesses) -> [f64; 2] {
-    match guesses.said(reduced.unknown) {
+fn start_interval(reduced: &ReducedLoop<'_>, guesses: &Guesses) -> [f64; 2] {
+    match guesses.given_values(reduced.unknown) {
         None => reduced.interval(reduced.right),
         Some([from, to]) if from == to => {
             let (at, half) = (from + reduced.ahead, reduced.reach / 2.0);
@@ -197,7 +197,7 @@ fn conclude(
         draft.page.text(words().assemblies_are_one());
         return;
     }
-    let is_right = reduced.is_beside(root, right);
+    let is_right = reduced.is_same_side(root, right);
     let [from, to] = reduced.interval(Some(2.0 * reduced.middle - root));
     let [from, to] = [from, to].map(|v| figure(f, reduced.kind, v));
     draft.page.text(match is_right {

@@ -5,7 +5,7 @@ use super::super::polygon::{Loop, Term};
 use super::super::solution::Solution;
 use super::super::stages::{ProblemForm, Stage};
 use super::paper::{DrawingSheet, read_off};
-use super::{heading, sought};
+use super::{groups_with_unknowns, heading};
 use crate::wording::words;
 use crate::{Vec2, angle};
 
@@ -19,7 +19,7 @@ pub(super) fn construct(context: &Context<'_>, draft: &mut Draft) {
     draft.page.text(words().scale_of_sheet(&sheet.scale()));
     let drawing = Construction { context, sheet };
     drawing.given(draft);
-    for stage in sought(context) {
+    for stage in groups_with_unknowns(context) {
         draft.page.section(heading(context, stage));
         match Solution::new(context, stage) {
             Some(solution) => drawing.group(draft, stage, &solution),
@@ -31,7 +31,7 @@ pub(super) fn construct(context: &Context<'_>, draft: &mut Draft) {
 }
 
 /// Maximum sine of the angle between lines that count as tangent.
-const TOUCHING: f64 = 1e-6;
+const TANGENT_TOLERANCE: f64 = 1e-6;
 
 struct Construction<'a> {
     context: &'a Context<'a>,
@@ -39,7 +39,7 @@ struct Construction<'a> {
 }
 
 /// The two possible positions of a point on two lines.
-struct TwoMeetings<'a> {
+struct TwoIntersections<'a> {
     name: &'a str,
     assembly: Vec2,
     other: Vec2,
@@ -77,7 +77,7 @@ impl Construction<'_> {
     fn place(&self, name: &str, at: Vec2, which: String) -> [String; 6] {
         let f = self.context.figures;
         let size = at.norm();
-        let [x, y] = [at.x, at.y].map(|v| f.beside(v, size));
+        let [x, y] = [at.x, at.y].map(|v| f.format_or_zero(v, size));
         let [on_x, on_y] = [at.x, at.y].map(|v| self.sheet.length(v));
         [name.to_owned(), x, y, on_x, on_y, which]
     }
@@ -137,7 +137,7 @@ impl Construction<'_> {
             (at - from).cross(m) / m.norm2(),
         );
         let mirrored = from + m * along + Vec2::new(-m.y, m.x) * across;
-        let crossing = TwoMeetings {
+        let crossing = TwoIntersections {
             name: x,
             assembly: at,
             other: mirrored,
@@ -186,7 +186,7 @@ impl Construction<'_> {
             .text(words().draw_a_circle(pivot, &own.length, &radius));
         let u = member.reading.u;
         let foot = at + u * u.dot(centre - at);
-        let crossing = TwoMeetings {
+        let crossing = TwoIntersections {
             name: x,
             assembly: at,
             other: foot * 2.0 - at,
@@ -216,7 +216,7 @@ impl Construction<'_> {
         );
         let member = solution.member(slide);
         let m = solution.known.norm();
-        let [t, e] = solution.beside_guide(arm, slide, m);
+        let [t, e] = solution.side_components(arm, slide, m);
         if e == 0.0 {
             draft.page.text(words().draw_through(p, q));
         } else {
@@ -270,9 +270,9 @@ impl Construction<'_> {
     }
 
     /// Writes the intersections of two lines, and returns their uncertainty on the sheet.
-    fn cross(&self, draft: &mut Draft, of: &TwoMeetings<'_>) -> f64 {
+    fn cross(&self, draft: &mut Draft, of: &TwoIntersections<'_>) -> f64 {
         let blur = self.sheet.blur(of.sine);
-        if of.sine.abs() <= TOUCHING {
+        if of.sine.abs() <= TANGENT_TOLERANCE {
             draft.page.text(words().they_touch_in(of.name));
             self.places(draft, vec![self.place(of.name, of.assembly, String::new())]);
             return f64::INFINITY;
@@ -321,12 +321,12 @@ impl Construction<'_> {
 
     /// Returns the start and the end of an arm of a loop.
     fn ends(&self, of: &Loop, arm: &[Term]) -> Option<[Vec2; 2]> {
-        let places = self.nodes(of)?;
+        let positions = self.nodes(of)?;
         let count = of.terms.len();
         let place = |term: &Term| of.terms.iter().position(|t| t == term);
-        let begin = places[place(arm.first()?)?];
-        let end = places[(place(arm.last()?)? + 1) % count];
-        Some([begin, end])
+        let start = positions[place(arm.first()?)?];
+        let end = positions[(place(arm.last()?)? + 1) % count];
+        Some([start, end])
     }
 
     /// Returns the start of each term of a loop, computed from a named point along the vectors;
@@ -344,14 +344,14 @@ impl Construction<'_> {
             .enumerate()
             .find_map(|(i, term)| Some((i, point(term)?)))?;
         let mut at = self.context.state.position(point);
-        let mut places = vec![Vec2::ZERO; count];
+        let mut positions = vec![Vec2::ZERO; count];
         for step in 0..count {
-            let place = (first + step) % count;
-            places[place] = at;
-            let term = of.terms[place];
+            let index = (first + step) % count;
+            positions[index] = at;
+            let term = of.terms[index];
             let vector = self.context.readings[term.side].vector();
             at += if term.reversed { -vector } else { vector };
         }
-        Some(places)
+        Some(positions)
     }
 }

@@ -11,7 +11,7 @@ use crate::nearest::did_you_mean;
 use crate::page::UNIT;
 use crate::scene::{Unit, with_point};
 use crate::solver::{Order, Workspace};
-use crate::study::SoughtKind;
+use crate::study::UnknownKind;
 use crate::wording::words;
 use crate::{Body, LinkId, PointId, Vec2, angle};
 use std::fmt;
@@ -102,7 +102,7 @@ impl FromStr for Guess {
 /// The guesses for a scene.
 pub(super) struct Guesses {
     /// The given values: in degrees of the link, or in the scene's unit.
-    said: Vec<(LoopUnknown, [f64; 2])>,
+    given_values: Vec<(LoopUnknown, [f64; 2])>,
     /// The state at the opening of the scene.
     opening: Workspace,
 }
@@ -124,31 +124,34 @@ impl Guesses {
         let mut opening = context.solver.state();
         let start = context.scene.mechanism.driver().start;
         let _ = context.solver.solve(start, Order::Position, &mut opening);
-        let mut said: Vec<(LoopUnknown, [f64; 2])> = Vec::new();
+        let mut text: Vec<(LoopUnknown, [f64; 2])> = Vec::new();
         for guess in guesses {
-            let found = meant(context, guess)?;
-            if said.iter().any(|(unknown, _)| *unknown == found.0) {
+            let found = resolve_guess(context, guess)?;
+            if text.iter().any(|(unknown, _)| *unknown == found.0) {
                 return Err(words().guessed_twice(&guess.name));
             }
             if method == PositionMethod::Newton && guess.between[0] != guess.between[1] {
                 return Err(words().guess_is_one_value(&guess.name));
             }
-            said.push(found);
+            text.push(found);
         }
-        Ok(Guesses { said, opening })
+        Ok(Guesses {
+            given_values: text,
+            opening,
+        })
     }
 
     /// Returns the given values of an unknown, if any: in degrees of the link, or in the scene's
     /// unit.
-    pub(super) fn said(&self, unknown: LoopUnknown) -> Option<[f64; 2]> {
-        let said = self.said.iter().find(|(of, _)| *of == unknown);
-        said.map(|(_, between)| *between)
+    pub(super) fn given_values(&self, unknown: LoopUnknown) -> Option<[f64; 2]> {
+        let text = self.given_values.iter().find(|(of, _)| *of == unknown);
+        text.map(|(_, between)| *between)
     }
 
     /// Returns the initial value: the given one, or one as read from a sketch. In degrees, or in
     /// the scene's unit.
     pub(super) fn one(&self, context: &Context<'_>, unknown: LoopUnknown) -> f64 {
-        if let Some([value, _]) = self.said(unknown) {
+        if let Some([value, _]) = self.given_values(unknown) {
             return value;
         }
         match unknown {
@@ -167,37 +170,39 @@ impl Guesses {
     fn rough_angle(&self, context: &Context<'_>, link: LinkId) -> f64 {
         let of = context.scene.mechanism.link(link);
         let members = &of.members;
-        let apart = |a: PointId, b: PointId| {
+        let distance = |a: PointId, b: PointId| {
             let local = of.local(b)? - of.local(a)?;
             (local.norm() > 0.0).then_some((a, b, local))
         };
-        let own = of.ends.and_then(|(from, to)| apart(from, to));
+        let own = of.ends.and_then(|(from, to)| distance(from, to));
         let pair = own.or_else(|| {
             let first = members.first()?.point;
-            members.iter().find_map(|member| apart(first, member.point))
+            members
+                .iter()
+                .find_map(|member| distance(first, member.point))
         });
-        let told = pair.and_then(|(a, b, local)| {
+        let value = pair.and_then(|(a, b, local)| {
             let between = self.rough(context, b) - self.rough(context, a);
             let far = between.norm() > 0.1 * local.norm();
             far.then(|| angle::degrees(between) - angle::degrees(local))
         });
         let exact = || self.opening.known().angle(link);
-        angle::wrapped(told.filter(|t| t.is_finite()).unwrap_or_else(exact))
+        angle::wrapped(value.filter(|t| t.is_finite()).unwrap_or_else(exact))
     }
 
     fn rough(&self, context: &Context<'_>, point: PointId) -> Vec2 {
         let start = context.scene.mechanism.start().iter();
-        let said = start
+        let text = start
             .filter(|(of, _)| *of == point)
             .map(|&(_, at)| at)
             .next();
-        said.unwrap_or_else(|| self.opening.known().position(point))
+        text.unwrap_or_else(|| self.opening.known().position(point))
     }
 }
 
 /// Returns the unknowns of the named vector or link, each with the angle between the vector and the
 /// link; `None` for an unknown name.
-fn sought_of(context: &Context<'_>, name: &str) -> Option<Vec<(LoopUnknown, f64)>> {
+fn unknowns_of(context: &Context<'_>, name: &str) -> Option<Vec<(LoopUnknown, f64)>> {
     let is_sought = |unknown: &(LoopUnknown, f64)| {
         let mut stages = context.stages.iter().filter(|stage| stage.group.is_some());
         stages.any(|stage| stage.unknowns.contains(&unknown.0))
@@ -230,23 +235,23 @@ fn sought_of(context: &Context<'_>, name: &str) -> Option<Vec<(LoopUnknown, f64)
 
 /// Returns the unknown meant by a guess, and its values: in degrees of the link, or in the scene's
 /// unit.
-fn meant(context: &Context<'_>, guess: &Guess) -> Result<(LoopUnknown, [f64; 2]), String> {
-    let Some(found) = sought_of(context, &guess.name) else {
-        let mend = did_you_mean(&guess.name, vectors(context));
-        let mend = mend.unwrap_or_else(|| words().sought_are(&sought_names(context)));
-        return Err(words().guess_of_nothing(&guess.name, &mend));
+fn resolve_guess(context: &Context<'_>, guess: &Guess) -> Result<(LoopUnknown, [f64; 2]), String> {
+    let Some(found) = unknowns_of(context, &guess.name) else {
+        let fix = did_you_mean(&guess.name, vectors(context));
+        let fix = fix.unwrap_or_else(|| words().sought_are(&unknown_names(context)));
+        return Err(words().guess_of_nothing(&guess.name, &fix));
     };
     let fits = |(unknown, _): &(LoopUnknown, f64)| match guess.unit {
         None => true,
-        Some(GuessUnit::Length(_)) => kind(*unknown) == SoughtKind::Length,
-        Some(GuessUnit::Degrees | GuessUnit::Radians) => kind(*unknown) == SoughtKind::Angle,
+        Some(GuessUnit::Length(_)) => kind(*unknown) == UnknownKind::Length,
+        Some(GuessUnit::Degrees | GuessUnit::Radians) => kind(*unknown) == UnknownKind::Angle,
     };
     let fitting: Vec<_> = found.iter().copied().filter(fits).collect();
     let unit = context.figures.unit;
     let (unknown, ahead) = match (&fitting[..], found.is_empty()) {
-        (_, true) => return Err(words().not_sought(&guess.name, &sought_names(context))),
+        (_, true) => return Err(words().not_sought(&guess.name, &unknown_names(context))),
         ([], false) => {
-            let is_angle = found.iter().any(|(u, _)| kind(*u) == SoughtKind::Angle);
+            let is_angle = found.iter().any(|(u, _)| kind(*u) == UnknownKind::Angle);
             let unit = if is_angle { "deg" } else { unit };
             return Err(words().other_unit(&guess.name, unit));
         }
@@ -267,19 +272,19 @@ fn vectors<'a>(context: &'a Context<'_>) -> impl Iterator<Item = &'a str> {
 }
 
 /// Lists the names of the vectors with an unknown.
-fn sought_names(context: &Context<'_>) -> String {
-    let is_sought = |name: &&str| sought_of(context, name).is_some_and(|found| !found.is_empty());
+fn unknown_names(context: &Context<'_>) -> String {
+    let is_sought = |name: &&str| unknowns_of(context, name).is_some_and(|found| !found.is_empty());
     let names: Vec<&str> = vectors(context).filter(is_sought).collect();
     names.join(", ")
 }
 
 /// Formats values of unknowns: `θ3 = 30 deg, θ4 = 290 deg`.
-pub(super) fn told(context: &Context<'_>, values: &[(LoopUnknown, f64)]) -> String {
+pub(super) fn format_unknowns(context: &Context<'_>, values: &[(LoopUnknown, f64)]) -> String {
     let f = context.figures;
     let one = |&(unknown, value): &(LoopUnknown, f64)| {
         let unit = match kind(unknown) {
-            SoughtKind::Angle => "deg",
-            SoughtKind::Length => f.unit,
+            UnknownKind::Angle => "deg",
+            UnknownKind::Length => f.unit,
         };
         format!(
             "{} = {} {UNIT}{unit}",

@@ -138,7 +138,7 @@ impl PositionMethod {
             return WorkedMethod::of(draft.page);
         }
         let mut curves = Vec::new();
-        for stage in sought(context) {
+        for stage in groups_with_unknowns(context) {
             draft.page.section(heading(context, stage));
             let errors = match self {
                 PositionMethod::Bisection => bisection::halve(context, &mut draft, stage, guesses),
@@ -147,7 +147,7 @@ impl PositionMethod {
             let mark = mark(context, stage);
             curves.extend(errors.map(|errors| ErrorCurve { mark, errors }));
         }
-        if sought(context).next().is_none() {
+        if groups_with_unknowns(context).next().is_none() {
             draft.page.text(words().nothing_sought());
         }
         let page = draft.page;
@@ -156,7 +156,7 @@ impl PositionMethod {
 }
 
 /// Returns the groups with unknowns, in solution order.
-fn sought<'a>(context: &Context<'a>) -> impl Iterator<Item = &'a Stage> + use<'a> {
+fn groups_with_unknowns<'a>(context: &Context<'a>) -> impl Iterator<Item = &'a Stage> + use<'a> {
     let is_sought = |stage: &&Stage| {
         stage.group.is_some()
             && !matches!(stage.form, ProblemForm::Nothing)
@@ -174,7 +174,7 @@ fn heading(context: &Context<'_>, stage: &Stage) -> String {
 /// Returns the mark of a group's errors in a chart: its number, or a star if there is only one
 /// group.
 fn mark(context: &Context<'_>, stage: &Stage) -> char {
-    if sought(context).count() == 1 {
+    if groups_with_unknowns(context).count() == 1 {
         return '*';
     }
     let number = stage.group.map_or(0, |group| group + 1);

@@ -4,12 +4,12 @@ use super::super::draft::{Context, Draft};
 use super::super::equations::{Multiplier, in_figures, in_symbols};
 use super::super::place::pieces;
 use super::super::stages::Stage;
-use super::guess::{Guesses, told};
+use super::guess::{Guesses, format_unknowns};
 use super::problem::{LoopProblem, kind};
 use crate::page::Head;
 use crate::report::error_text;
 use crate::solver::Condition;
-use crate::study::{NewtonIteration, NewtonOutcome, NewtonTrace, SoughtKind};
+use crate::study::{NewtonIteration, NewtonOutcome, NewtonTrace, UnknownKind};
 use crate::wording::words;
 
 /// Maximum number of unknowns with a full table; beyond it, only magnitudes of residuals, steps and
@@ -19,7 +19,7 @@ const MAX_FULL_TABLE: usize = 2;
 const MAX_COLUMNS: usize = 6;
 
 /// Minimum number of steps in which quadratic convergence is visible.
-const FEW: usize = 3;
+const MIN_STEPS: usize = 3;
 
 /// Iterates a group, and returns the errors if there is an assembly.
 pub(super) fn iterate(
@@ -41,10 +41,13 @@ pub(super) fn iterate(
     let start: Vec<_> = start.collect();
     let guess: Vec<f64> = start.iter().map(|&(u, v)| inside(kind(u), v)).collect();
     let trace = problem.system.newton(&guess, problem.right.as_deref());
-    let is_said = stage.unknowns.iter().any(|&u| guesses.said(u).is_some());
+    let is_said = stage
+        .unknowns
+        .iter()
+        .any(|&u| guesses.given_values(u).is_some());
     draft.page.text(match is_said {
-        true => words().begins_at_guess(&told(context, &start)),
-        false => words().begins_at_start(&told(context, &start)),
+        true => words().begins_at_guess(&format_unknowns(context, &start)),
+        false => words().begins_at_start(&format_unknowns(context, &start)),
     });
     let table = IterationTable {
         context,
@@ -53,7 +56,7 @@ pub(super) fn iterate(
     };
     table.equations(draft, stage);
     if problem.names.len() <= MAX_FULL_TABLE {
-        table.whole(draft);
+        table.write_coupled_steps(draft);
         table.matrices(draft);
     } else {
         table.sizes(draft);
@@ -66,18 +69,18 @@ pub(super) fn iterate(
 }
 
 /// Converts degrees to radians for the method; lengths stay unchanged.
-pub(super) fn inside(kind: SoughtKind, value: f64) -> f64 {
+pub(super) fn inside(kind: UnknownKind, value: f64) -> f64 {
     match kind {
-        SoughtKind::Angle => value.to_radians(),
-        SoughtKind::Length => value,
+        UnknownKind::Angle => value.to_radians(),
+        UnknownKind::Length => value,
     }
 }
 
 /// Converts radians to degrees for display; lengths stay unchanged.
-fn outside(kind: SoughtKind, value: f64) -> f64 {
+fn outside(kind: UnknownKind, value: f64) -> f64 {
     match kind {
-        SoughtKind::Angle => value.to_degrees(),
-        SoughtKind::Length => value,
+        UnknownKind::Angle => value.to_degrees(),
+        UnknownKind::Length => value,
     }
 }
 
@@ -88,10 +91,10 @@ struct IterationTable<'a> {
 }
 
 impl IterationTable<'_> {
-    fn unit(&self, place: usize) -> &'static str {
-        match self.problem.system.kinds[place] {
-            SoughtKind::Angle => "deg",
-            SoughtKind::Length => self.context.figures.unit,
+    fn unit(&self, index: usize) -> &'static str {
+        match self.problem.system.kinds[index] {
+            UnknownKind::Angle => "deg",
+            UnknownKind::Length => self.context.figures.unit,
         }
     }
 
@@ -150,7 +153,7 @@ impl IterationTable<'_> {
         }
     }
 
-    fn whole(&self, draft: &mut Draft) {
+    fn write_coupled_steps(&self, draft: &mut Draft) {
         let head = |name: String, unit: &str| Head {
             name,
             unit: unit.to_owned(),
@@ -158,10 +161,10 @@ impl IterationTable<'_> {
         let names = || self.problem.names.iter().enumerate();
         let unit = self.context.figures.unit;
         let values = names().map(|(i, name)| head(name.clone(), self.unit(i)));
-        let mut heads: Vec<Head> = values.collect();
-        heads.extend(self.functions().into_iter().map(|f| head(f, unit)));
-        heads.extend(names().map(|(i, name)| head(format!("d{name}"), self.unit(i))));
-        heads.push(head(words().error_of_iteration().into(), ""));
+        let mut headers: Vec<Head> = values.collect();
+        headers.extend(self.functions().into_iter().map(|f| head(f, unit)));
+        headers.extend(names().map(|(i, name)| head(format!("d{name}"), self.unit(i))));
+        headers.push(head(words().error_of_iteration().into(), ""));
         let row = |(k, i): (usize, &NewtonIteration)| {
             let mut row = vec![k.to_string()];
             row.extend(self.values(&i.values));
@@ -171,7 +174,7 @@ impl IterationTable<'_> {
             row
         };
         let rows = self.trace.iterations.iter().enumerate().map(row);
-        draft.table_of_units("k", heads, rows.collect());
+        draft.table_of_units("k", headers, rows.collect());
     }
 
     /// Writes the matrix of every iteration in one line, in the scene's unit and per rad.
@@ -186,11 +189,14 @@ impl IterationTable<'_> {
         }
         head.push("det J".into());
         let row = |(k, i): (usize, &NewtonIteration)| {
-            let size = i.jacobian.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+            let size = i
+                .jacobian
+                .iter()
+                .fold(0.0_f64, |maximum, v| maximum.max(v.abs()));
             let f = self.context.figures;
             let mut row = vec![k.to_string()];
-            row.extend(i.jacobian.iter().map(|&v| f.beside(v, size)));
-            row.push(f.beside(i.determinant, size * size));
+            row.extend(i.jacobian.iter().map(|&v| f.format_or_zero(v, size)));
+            row.push(f.format_or_zero(i.determinant, size * size));
             row
         };
         let rows = self.trace.iterations.iter().enumerate().map(row);
@@ -209,7 +215,7 @@ impl IterationTable<'_> {
             let largest = i
                 .residuals
                 .iter()
-                .fold(0.0_f64, |most, f| most.max(f.abs()));
+                .fold(0.0_f64, |maximum, f| maximum.max(f.abs()));
             let step = i
                 .step
                 .as_deref()
@@ -239,8 +245,8 @@ impl IterationTable<'_> {
             .chunks(n)
             .zip(self.functions())
             .map(|(row, name)| {
-                let size = row.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-                let cells = row.iter().map(|&v| f.beside(v, size));
+                let size = row.iter().fold(0.0_f64, |maximum, v| maximum.max(v.abs()));
+                let cells = row.iter().map(|&v| f.format_or_zero(v, size));
                 std::iter::once(name).chain(cells).collect()
             });
         draft.wide_table(head.collect(), rows.collect());
@@ -252,11 +258,11 @@ impl IterationTable<'_> {
         let condition = self.context.state.condition();
         let is_dead = condition == Condition::DeadPoint;
         match self.trace.outcome {
-            NewtonOutcome::Found | NewtonOutcome::Unsettled if is_dead => {
+            NewtonOutcome::Found | NewtonOutcome::MinimumError if is_dead => {
                 words().newton_at_dead_point(steps)
             }
             // At a change point errors are halved rather than squared.
-            NewtonOutcome::Found if steps < FEW || condition != Condition::Ok => {
+            NewtonOutcome::Found if steps < MIN_STEPS || condition != Condition::Ok => {
                 words().newton_found(steps)
             }
             NewtonOutcome::Found => {
@@ -269,7 +275,7 @@ impl IterationTable<'_> {
             NewtonOutcome::OtherAssembly => words().newton_other(steps),
             NewtonOutcome::Diverged => words().newton_diverged(steps),
             NewtonOutcome::Singular(_) => words().newton_singular(steps),
-            NewtonOutcome::Unsettled => words().newton_unsettled(steps),
+            NewtonOutcome::MinimumError => words().newton_unsettled(steps),
         }
     }
 }

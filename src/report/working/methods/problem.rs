@@ -5,7 +5,7 @@ use super::super::sides::{Side, SideShape, Turns};
 use super::super::stages::{LoopUnknown, Stage};
 use super::super::symbols;
 use crate::angle;
-use crate::study::{LoopSum, LoopSystem, SoughtKind, SoughtVector, VectorPart};
+use crate::study::{LoopSum, LoopSystem, UnknownKind, UnknownVector, VectorPart};
 
 /// The equations of a group's loops.
 pub(super) struct LoopProblem {
@@ -42,10 +42,10 @@ impl LoopProblem {
     }
 }
 
-pub(in crate::report::working) fn kind(unknown: LoopUnknown) -> SoughtKind {
+pub(in crate::report::working) fn kind(unknown: LoopUnknown) -> UnknownKind {
     match unknown {
-        LoopUnknown::Angle(_) | LoopUnknown::Direction(_) => SoughtKind::Angle,
-        LoopUnknown::Travel(_) | LoopUnknown::Length(_) => SoughtKind::Length,
+        LoopUnknown::Angle(_) | LoopUnknown::Direction(_) => UnknownKind::Angle,
+        LoopUnknown::Travel(_) | LoopUnknown::Length(_) => UnknownKind::Length,
     }
 }
 
@@ -67,8 +67,8 @@ fn right(context: &Context<'_>, unknown: LoopUnknown) -> Option<f64> {
         LoopUnknown::Angle(link) => Some(angle::radians(context.state.angle(link))),
         LoopUnknown::Travel(slide) => {
             let is_it = |side: &Side| side.shape == SideShape::Slide(slide);
-            let place = context.polygon.sides.iter().position(is_it)?;
-            context.readings.get(place).map(|reading| reading.r)
+            let index = context.polygon.sides.iter().position(is_it)?;
+            context.readings.get(index).map(|reading| reading.r)
         }
         LoopUnknown::Length(_) | LoopUnknown::Direction(_) => None,
     }
@@ -101,7 +101,7 @@ fn sum(context: &Context<'_>, stage: &Stage, number: usize) -> Option<LoopSum> {
         if member.sought == [false, false] {
             sum.known += member.reading.vector() * sign;
         } else {
-            sum.sought.push(SoughtVector {
+            sum.sought.push(UnknownVector {
                 sign,
                 length,
                 angle,

@@ -9,7 +9,7 @@ use super::super::sides::{SideShape, Turns};
 use super::super::solution::{DyadArm, Solution};
 use super::super::stages::{LoopUnknown, ProblemForm, Stage};
 use crate::page::UNIT;
-use crate::study::{SoughtKind, half_turn};
+use crate::study::{UnknownKind, half_turn};
 use crate::wording::words;
 use crate::{Vec2, angle};
 
@@ -22,7 +22,7 @@ const IN_LINE: f64 = 1e-6;
 pub(super) struct ReducedLoop<'a> {
     pub(super) symbol: String,
     pub(super) unknown: LoopUnknown,
-    pub(super) kind: SoughtKind,
+    pub(super) kind: UnknownKind,
     /// The value of x at which the unknown is 0.
     pub(super) ahead: f64,
     /// The minimum of f.
@@ -34,14 +34,14 @@ pub(super) struct ReducedLoop<'a> {
     pub(super) along: Option<&'static str>,
     /// The formula of the other unknown, in terms of x.
     pub(super) formula: String,
-    way: ReducedWay<'a>,
+    reduction: ReductionKind<'a>,
 }
 
 /// Factor of the interval's width. An arm along the guide itself has its root at its full length,
 /// so the interval must extend farther.
-const BEYOND: f64 = 1.5;
+const INTERVAL_FACTOR: f64 = 1.5;
 
-enum ReducedWay<'a> {
+enum ReductionKind<'a> {
     /// |m - a u(x)|^2 - b^2, with the angle of b.
     Turn {
         m: Vec2,
@@ -67,14 +67,14 @@ enum ReducedWay<'a> {
 impl ReducedLoop<'_> {
     /// Returns f(x).
     pub(super) fn value(&self, x: f64) -> f64 {
-        match &self.way {
-            ReducedWay::Turn { m, a, b } => {
+        match &self.reduction {
+            ReductionKind::Turn { m, a, b } => {
                 (*m - angle::unit(x + a.ahead) * a.value).norm2() - b.value * b.value
             }
-            ReducedWay::Along { known, u, arm } => {
+            ReductionKind::Along { known, u, arm } => {
                 (*known + *u * x).norm2() - arm.value * arm.value
             }
-            ReducedWay::Reach { m, sign, t, e, .. } => {
+            ReductionKind::Reach { m, sign, t, e, .. } => {
                 (sign * x + t) * (sign * x + t) + e * e - m.norm2()
             }
         }
@@ -82,16 +82,16 @@ impl ReducedLoop<'_> {
 
     /// Returns the other unknown for a given x: the symbol of an angle, and its value in degrees.
     pub(super) fn follows(&self, x: f64) -> (&str, f64) {
-        match &self.way {
-            ReducedWay::Turn { m, a, b } => {
+        match &self.reduction {
+            ReductionKind::Turn { m, a, b } => {
                 let rest = *m - angle::unit(x + a.ahead) * a.value;
                 (&b.theta, angle::wrapped(angle::degrees(rest) - b.ahead))
             }
-            ReducedWay::Along { known, u, arm } => {
+            ReductionKind::Along { known, u, arm } => {
                 let rest = -(*known + *u * x);
                 (&arm.theta, angle::wrapped(angle::degrees(rest) - arm.ahead))
             }
-            ReducedWay::Reach {
+            ReductionKind::Reach {
                 m,
                 sign,
                 t,
@@ -108,7 +108,7 @@ impl ReducedLoop<'_> {
     }
 
     /// Returns `true` if x and `other` are on the same side of the middle.
-    pub(super) fn is_beside(&self, x: f64, other: f64) -> bool {
+    pub(super) fn is_same_side(&self, x: f64, other: f64) -> bool {
         self.off(x) * self.off(other) > 0.0
     }
 
@@ -117,8 +117,8 @@ impl ReducedLoop<'_> {
     pub(super) fn are_one(&self, right: f64) -> bool {
         let off = self.off(right).abs();
         match self.kind {
-            SoughtKind::Angle => off.min(180.0 - off) <= IN_LINE * 180.0,
-            SoughtKind::Length => off <= IN_LINE * self.reach,
+            UnknownKind::Angle => off.min(180.0 - off) <= IN_LINE * 180.0,
+            UnknownKind::Length => off <= IN_LINE * self.reach,
         }
     }
 
@@ -127,27 +127,27 @@ impl ReducedLoop<'_> {
     pub(super) fn error(&self, x: f64, longest: f64) -> Option<f64> {
         let off = x - self.right?;
         Some(match self.kind {
-            SoughtKind::Angle => half_turn(off.to_radians()).abs(),
-            SoughtKind::Length => off.abs() / longest,
+            UnknownKind::Angle => half_turn(off.to_radians()).abs(),
+            UnknownKind::Length => off.abs() / longest,
         })
     }
 
     /// Returns the offset of x from the middle; an angle within half a turn.
     fn off(&self, x: f64) -> f64 {
         match self.kind {
-            SoughtKind::Angle => half_turn((x - self.middle).to_radians()).to_degrees(),
-            SoughtKind::Length => x - self.middle,
+            UnknownKind::Angle => half_turn((x - self.middle).to_radians()).to_degrees(),
+            UnknownKind::Length => x - self.middle,
         }
     }
 
     /// Returns the interval on the side of another value, or by default the one above the middle.
-    pub(super) fn interval(&self, beside: Option<f64>) -> [f64; 2] {
+    pub(super) fn interval(&self, extra: Option<f64>) -> [f64; 2] {
         let from = match self.kind {
             // Signed, so that the interval of half a turn below it stays below 360.
-            SoughtKind::Angle => half_turn(self.middle.to_radians()).to_degrees(),
-            SoughtKind::Length => self.middle,
+            UnknownKind::Angle => half_turn(self.middle.to_radians()).to_degrees(),
+            UnknownKind::Length => self.middle,
         };
-        if beside.is_some_and(|x| self.off(x) < 0.0) {
+        if extra.is_some_and(|x| self.off(x) < 0.0) {
             [from - self.reach, from]
         } else {
             [from, from + self.reach]
@@ -203,12 +203,12 @@ impl<'a> Solution<'a> {
             formula: less(f, formula, two.ahead),
             symbol: one.theta.clone(),
             unknown: LoopUnknown::Angle(link),
-            kind: SoughtKind::Angle,
+            kind: UnknownKind::Angle,
             ahead: if first.len() == 1 { ahead } else { 0.0 },
             middle: angle::wrapped(angle::degrees(m) - one.ahead),
             reach: angle::TURN / 2.0,
             right: self.context.has_positions().then_some(one.solved),
-            way: ReducedWay::Turn { m, a: one, b: two },
+            reduction: ReductionKind::Turn { m, a: one, b: two },
         })
     }
 
@@ -245,12 +245,12 @@ impl<'a> Solution<'a> {
             formula: less(self.figures, formula, arm.ahead),
             symbol: name.clone(),
             unknown: LoopUnknown::Travel(id),
-            kind: SoughtKind::Length,
+            kind: UnknownKind::Length,
             ahead: 0.0,
             middle: -self.known.dot(u),
-            reach: BEYOND * arm.value,
+            reach: INTERVAL_FACTOR * arm.value,
             right: self.context.has_positions().then_some(member.reading.r),
-            way: ReducedWay::Along {
+            reduction: ReductionKind::Along {
                 known: self.known,
                 u,
                 arm,
@@ -270,14 +270,14 @@ impl<'a> Solution<'a> {
         };
         let [mx, my] = self.write_m(draft);
         let size = self.write_length(draft, self.diagonal(), [&mx, &my]);
-        let [t, e] = self.beside_guide(arm, slide, size);
+        let [t, e] = self.side_components(arm, slide, size);
         let sign = if slide.reversed { -1.0 } else { 1.0 };
         let name = &member.side.name;
-        let written = |symbol, v: f64| Expression::known(symbol, f.beside(v, size), v);
+        let written = |symbol, v: f64| Expression::known(symbol, f.format_or_zero(v, size), v);
         let mut along =
             Expression::known(name.as_str(), name.clone(), f64::NAN).minus_if(slide.reversed);
         if t != 0.0 || e != 0.0 {
-            let [t, e] = [t, e].map(|v| f.beside(v, size));
+            let [t, e] = [t, e].map(|v| f.format_or_zero(v, size));
             draft.page.text(words().others_turn_with(name, &t, &e));
             along = along + written("t", 0.0);
         }
@@ -286,8 +286,10 @@ impl<'a> Solution<'a> {
             0.0 => square,
             e => square + written("e", e).squared(),
         };
-        let whole = square - written(self.diagonal(), size).squared();
-        draft.page.equation([format!("f({name})"), whole.symbols()]);
+        let complete = square - written(self.diagonal(), size).squared();
+        draft
+            .page
+            .equation([format!("f({name})"), complete.symbols()]);
         let m = self.diagonal();
         let [left, ahead] = match (t == 0.0 && e == 0.0, slide.reversed) {
             (true, false) => ["0".to_owned(), name.clone()],
@@ -300,12 +302,12 @@ impl<'a> Solution<'a> {
             formula: format!("atan2({m}y, {m}x) - atan2({left}, {ahead})"),
             symbol: name.clone(),
             unknown: LoopUnknown::Travel(id),
-            kind: SoughtKind::Length,
+            kind: UnknownKind::Length,
             ahead: 0.0,
             middle: -sign * t,
-            reach: BEYOND * size,
+            reach: INTERVAL_FACTOR * size,
             right: self.context.has_positions().then_some(member.reading.r),
-            way: ReducedWay::Reach {
+            reduction: ReductionKind::Reach {
                 m: -self.known,
                 sign,
                 t,
@@ -334,9 +336,9 @@ fn turning(context: &Context<'_>, arm: &[Term]) -> Option<(crate::LinkId, f64)> 
 }
 
 /// Formats a value: an angle within a turn, or a length.
-pub(super) fn figure(figures: Figures, kind: SoughtKind, value: f64) -> String {
+pub(super) fn figure(figures: Figures, kind: UnknownKind, value: f64) -> String {
     match kind {
-        SoughtKind::Angle => format!("{} deg", figures.direction(value)),
-        SoughtKind::Length => format!("{} {UNIT}{}", figures.number(value), figures.unit),
+        UnknownKind::Angle => format!("{} deg", figures.direction(value)),
+        UnknownKind::Length => format!("{} {UNIT}{}", figures.number(value), figures.unit),
     }
 }

@@ -25,42 +25,42 @@ pub(super) struct KnownSum {
 
 /// The kind of sum over the forces on a link.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Reckoning {
+pub(super) enum BalanceKind {
     /// Moments about a point, in N m.
     About(Vec2),
     /// Forces along a unit vector, in N.
     Along(Vec2),
 }
 
-impl Reckoning {
+impl BalanceKind {
     /// Returns the contribution of a force.
     pub(super) fn of(self, context: &Context<'_>, row: &BodyForce) -> f64 {
         match self {
-            Reckoning::About(place) => {
+            BalanceKind::About(position) => {
                 let metres = context.scene.mechanism.metres();
-                let arm = row.at.map_or(Vec2::ZERO, |at| (at - place) * metres);
+                let arm = row.at.map_or(Vec2::ZERO, |at| (at - position) * metres);
                 arm.cross(row.force) + row.couple
             }
-            Reckoning::Along(unit) => unit.dot(row.force),
+            BalanceKind::Along(unit) => unit.dot(row.force),
         }
     }
 
     /// Returns the maximum possible contribution of a force there.
-    pub(super) fn most(self, context: &Context<'_>, row: &BodyForce) -> f64 {
+    pub(super) fn max_contribution(self, context: &Context<'_>, row: &BodyForce) -> f64 {
         match self {
-            Reckoning::About(place) => {
+            BalanceKind::About(position) => {
                 let metres = context.scene.mechanism.metres();
-                let arm = row.at.map_or(0.0, |at| (at - place).norm() * metres);
+                let arm = row.at.map_or(0.0, |at| (at - position).norm() * metres);
                 arm * row.force.norm() + row.couple.abs()
             }
-            Reckoning::Along(_) => row.force.norm(),
+            BalanceKind::Along(_) => row.force.norm(),
         }
     }
 
     pub(super) fn unit(self) -> &'static str {
         match self {
-            Reckoning::About(_) => "N m",
-            Reckoning::Along(_) => "N",
+            BalanceKind::About(_) => "N m",
+            BalanceKind::Along(_) => "N",
         }
     }
 }
@@ -69,7 +69,7 @@ impl Reckoning {
 pub(super) fn known<'a>(
     context: &Context<'_>,
     given: impl IntoIterator<Item = &'a BodyForce>,
-    reckoning: Reckoning,
+    reckoning: BalanceKind,
 ) -> KnownSum {
     let nothing = KnownSum {
         value: 0.0,
@@ -77,7 +77,7 @@ pub(super) fn known<'a>(
     };
     given.into_iter().fold(nothing, |sum, row| KnownSum {
         value: sum.value + reckoning.of(context, row),
-        size: sum.size + reckoning.most(context, row),
+        size: sum.size + reckoning.max_contribution(context, row),
     })
 }
 
@@ -87,7 +87,7 @@ pub(super) fn write_known(
     context: &Context<'_>,
     draft: &mut Draft,
     (link, given): (LinkId, &[&BodyForce]),
-    (symbol, reckoning): (&str, Reckoning),
+    (symbol, reckoning): (&str, BalanceKind),
     about: &str,
 ) -> KnownSum {
     let f = context.figures;
@@ -96,7 +96,7 @@ pub(super) fn write_known(
     let mut written = WrittenSum::default();
     let mut terms = 0;
     for row in given {
-        let figure = f.beside(reckoning.of(context, row), sum.size);
+        let figure = f.format_or_zero(reckoning.of(context, row), sum.size);
         if figure != "0" {
             written.push_figure(&figure);
             terms += 1;
@@ -104,7 +104,7 @@ pub(super) fn write_known(
     }
     let value = format!(
         "{} {UNIT}{}",
-        f.beside(sum.value, sum.size),
+        f.format_or_zero(sum.value, sum.size),
         reckoning.unit()
     );
     match terms {
@@ -121,7 +121,7 @@ fn table(
     context: &Context<'_>,
     draft: &mut Draft,
     (link, given): (LinkId, &[&BodyForce]),
-    (reckoning, size): (Reckoning, f64),
+    (reckoning, size): (BalanceKind, f64),
     about: &str,
 ) {
     if given.is_empty() {
@@ -130,23 +130,23 @@ fn table(
     let f = context.figures;
     let largest = given.iter().map(|row| row.force.norm()).fold(0.0, f64::max);
     let place = match reckoning {
-        Reckoning::About(place) => Some(place),
-        Reckoning::Along(_) => None,
+        BalanceKind::About(place) => Some(place),
+        BalanceKind::Along(_) => None,
     };
     let row = |row: &&BodyForce| {
         let mut cells = vec![
             row.name.clone(),
-            f.beside(row.force.x, largest),
-            f.beside(row.force.y, largest),
+            f.format_or_zero(row.force.x, largest),
+            f.format_or_zero(row.force.y, largest),
         ];
         if let Some(place) = place {
             let arm = row.at.map(|at| at - place);
             let along = |pick: fn(Vec2) -> f64| {
-                arm.map_or("-".into(), |arm| f.beside(pick(arm), arm.norm()))
+                arm.map_or("-".into(), |arm| f.format_or_zero(pick(arm), arm.norm()))
             };
             cells.extend([along(|arm| arm.x), along(|arm| arm.y)]);
         }
-        cells.push(f.beside(reckoning.of(context, row), size));
+        cells.push(f.format_or_zero(reckoning.of(context, row), size));
         cells
     };
     let name = context.scene.link_name(link);

@@ -11,13 +11,13 @@ use super::draft::{Context, Draft};
 use super::forces::point_name;
 use super::free_body::BodyJoint::{Driver, Guide, Pin};
 use super::free_body::{BodyForce, guided, on_link};
-use crate::solver::Acted;
+use crate::solver::LoadAction;
 use crate::wording::words;
 use crate::{Body, LinkId, PointId, SlideId, Slider, Vec2};
 use body::GroupBody;
 
 /// Writes the reactions of all groups.
-pub(super) fn reactions(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
+pub(super) fn reactions(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
     let count = context.solver.plan().groups.len();
     let groups: Vec<String> = (0..count).rev().map(|k| context.group_text(k)).collect();
     draft.page.text(words().order_of_groups(&groups.join("; ")));
@@ -41,13 +41,13 @@ struct Ranks<'a> {
 
 impl Ranks<'_> {
     /// Returns the links of the group; `None` if a force on them is indeterminate.
-    fn bodies(&self, acted: &[Acted]) -> Option<Vec<GroupBody>> {
+    fn bodies(&self, acted: &[LoadAction]) -> Option<Vec<GroupBody>> {
         let group = self.context.solver.plan().groups.get(self.number)?;
         let links = group.links.iter();
         links.map(|&link| self.body(link, acted)).collect()
     }
 
-    fn body(&self, link: LinkId, acted: &[Acted]) -> Option<GroupBody> {
+    fn body(&self, link: LinkId, acted: &[LoadAction]) -> Option<GroupBody> {
         let mut body = GroupBody {
             link,
             given: Vec::new(),
@@ -65,10 +65,10 @@ impl Ranks<'_> {
     fn sort(&self, row: BodyForce, body: &mut GroupBody) -> Option<()> {
         match row.joint {
             None => body.given.push(row),
-            Some(Pin(point)) if self.is_handed_on(self.others(body.link, point)) => {
+            Some(Pin(point)) if self.is_in_later_groups(self.others(body.link, point)) => {
                 body.given.push(row);
             }
-            Some(Guide(slide)) if self.is_handed_on(self.across(body.link, slide)) => {
+            Some(Guide(slide)) if self.is_in_later_groups(self.across(body.link, slide)) => {
                 body.given.push(row);
             }
             Some(Pin(point)) => match self.only_guide(body.link, point) {
@@ -118,7 +118,7 @@ impl Ranks<'_> {
 
     /// Returns `true` if all of these bodies belong to later groups, whose reactions are known.
     /// Without bodies, only loads act there.
-    fn is_handed_on(&self, others: Vec<Body>) -> bool {
+    fn is_in_later_groups(&self, others: Vec<Body>) -> bool {
         let groups = &self.context.solver.plan().groups;
         let is_later = |body: &Body| match body {
             Body::Ground => false,

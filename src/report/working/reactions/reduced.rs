@@ -6,7 +6,7 @@ use super::super::expression::Expression;
 use super::super::figures::{Figures, WrittenSum};
 use super::super::forces::point_name;
 use super::super::free_body::{BodyForce, BodyJoint};
-use super::body::{GroupBody, KnownSum, Reckoning, write_known};
+use super::body::{BalanceKind, GroupBody, KnownSum, write_known};
 use crate::page::UNIT;
 use crate::wording::words;
 use crate::{Body, PointId, Slider, Vec2};
@@ -26,13 +26,13 @@ pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBod
 
 /// An equation of a link without its outer reaction.
 struct OuterFree {
-    reckoning: Reckoning,
+    reckoning: BalanceKind,
     /// The name of the sum of known terms: `M1`, or `S1` along a guide.
     sum: String,
     /// The header of the column of its terms.
     about: String,
     /// The description: moments about B, forces along the guide of r6.
-    told: String,
+    description: String,
     /// The description of its arm or unit vector.
     vector: String,
 }
@@ -43,27 +43,27 @@ fn free_of(context: &Context<'_>, outer: &BodyForce, number: usize, at: &str) ->
         BodyJoint::Pin(point) => {
             let name = point_name(context, point);
             Some(OuterFree {
-                reckoning: Reckoning::About(context.state.position(point)),
+                reckoning: BalanceKind::About(context.state.position(point)),
                 sum: format!("M{number}"),
                 about: format!("{} [N m]", words().moment_about(name)),
-                told: words().moments_about(name),
+                description: words().moments_about(name),
                 vector: words().arm_from_to(name, at),
             })
         }
         BodyJoint::Guide(slide) => {
             let given = context.scene.mechanism.slide(slide);
-            let turns = matches!(given.slider, Slider::Pin(_));
-            if turns || context.scene.mechanism.is_pushed(slide) {
+            let is_rotary = matches!(given.slider, Slider::Pin(_));
+            if is_rotary || context.scene.mechanism.is_pushed(slide) {
                 return None;
             }
             let name = context.scene.slide_name(slide);
             let guide = context.state.travel(slide).guide;
             let at = context.figures.direction(crate::angle::degrees(guide));
             Some(OuterFree {
-                reckoning: Reckoning::Along(guide),
+                reckoning: BalanceKind::Along(guide),
                 sum: format!("S{number}"),
                 about: format!("{} [N]", words().force_along()),
-                told: words().forces_along_guide(name, &at),
+                description: words().forces_along_guide(name, &at),
                 vector: words().unit_vector_along(&at),
             })
         }
@@ -75,7 +75,7 @@ fn free_of(context: &Context<'_>, outer: &BodyForce, number: usize, at: &str) ->
 /// values.
 fn shares(
     f: Figures,
-    reckoning: Reckoning,
+    reckoning: BalanceKind,
     at: Vec2,
     letter: char,
     metres: f64,
@@ -84,13 +84,13 @@ fn shares(
         Expression::known(format!("{letter}{axis}"), component(f, value, size), value)
     };
     match reckoning {
-        Reckoning::About(place) => {
-            let e = (at - place) * metres;
+        BalanceKind::About(position) => {
+            let e = (at - position) * metres;
             let size = e.norm();
             // e x F = ex Fy - ey Fx.
             ([-named('y', e.y, size), named('x', e.x, size)], e)
         }
-        Reckoning::Along(t) => ([named('x', t.x, 1.0), named('y', t.y, 1.0)], t),
+        BalanceKind::Along(t) => ([named('x', t.x, 1.0), named('y', t.y, 1.0)], t),
     }
 }
 
@@ -98,7 +98,7 @@ fn shares(
 fn component(f: Figures, value: f64, size: f64) -> String {
     match value.abs() == 1.0 && size == 1.0 {
         true => f.given(value),
-        false => f.beside(value, size),
+        false => f.format_or_zero(value, size),
     }
 }
 
@@ -131,11 +131,11 @@ fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) 
     let metres = context.scene.mechanism.metres();
     let at = context.state.position(inner);
     let link = context.scene.link_name(bodies[0].link);
-    let told = [first, second].map(|equation| equation.told.as_str());
+    let lines = [first, second].map(|equation| equation.description.as_str());
     draft.page.text(words().dyad_by_two_sums(
         point,
         link,
-        told,
+        lines,
         context.scene.link_name(bodies[1].link),
     ));
     let mut sums = [KnownSum {
@@ -144,10 +144,10 @@ fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) 
     }; 2];
     let mut rows = Vec::new();
     let letters = match (first.reckoning, second.reckoning) {
-        (Reckoning::Along(_), Reckoning::Along(_)) => ['t', 's'],
-        (Reckoning::Along(_), Reckoning::About(_)) => ['t', 'e'],
-        (Reckoning::About(_), Reckoning::Along(_)) => ['e', 't'],
-        (Reckoning::About(_), Reckoning::About(_)) => ['e', 'g'],
+        (BalanceKind::Along(_), BalanceKind::Along(_)) => ['t', 's'],
+        (BalanceKind::Along(_), BalanceKind::About(_)) => ['t', 'e'],
+        (BalanceKind::About(_), BalanceKind::Along(_)) => ['e', 't'],
+        (BalanceKind::About(_), BalanceKind::About(_)) => ['e', 'g'],
     };
     for (k, equation) in [first, second].into_iter().enumerate() {
         let name = (equation.sum.as_str(), equation.reckoning);
@@ -160,8 +160,8 @@ fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) 
         sums[k] = write_known(context, draft, (link, &given), name, &equation.about);
         let (share, v) = shares(f, equation.reckoning, at, letters[k], metres);
         let unit = match equation.reckoning {
-            Reckoning::About(_) => METRE,
-            Reckoning::Along(_) => "",
+            BalanceKind::About(_) => METRE,
+            BalanceKind::Along(_) => "",
         };
         write_vector(context, draft, letters[k], v, unit);
         rows.push((share, v.norm()));
@@ -169,8 +169,12 @@ fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) 
     // Loads on the pin belong to the second link, on which -F acts.
     let right = [(first, true), (second, false)].map(|(equation, negative)| {
         let sum = sums[usize::from(!negative)];
-        Expression::known(&*equation.sum, f.beside(sum.value, sum.size), sum.value)
-            .minus_if(negative)
+        Expression::known(
+            &*equation.sum,
+            f.format_or_zero(sum.value, sum.size),
+            sum.value,
+        )
+        .minus_if(negative)
     });
     draft.page.text(words().so_that());
     for ((share, _), right) in rows.iter().zip(&right) {
@@ -261,8 +265,8 @@ fn joined<'a>(context: &Context<'_>, bodies: [&'a GroupBody; 2]) -> Option<Inner
 const DETERMINANT: &str = "Δ";
 
 /// Returns the unit of the determinant: an arm has a length, a unit vector has none.
-fn unit_of_determinant(of: [Reckoning; 2]) -> &'static str {
-    let arms = of.iter().filter(|of| matches!(of, Reckoning::About(_)));
+fn unit_of_determinant(of: [BalanceKind; 2]) -> &'static str {
+    let arms = of.iter().filter(|of| matches!(of, BalanceKind::About(_)));
     ["", METRE, METRE_SQUARED][arms.count()]
 }
 
@@ -309,30 +313,30 @@ fn cramer(
     let lost = largest * other / value.abs();
     let sizes = (sums[0].size * other + sums[1].size * largest) / value.abs() * (1.0 + lost);
     for (name, formula, solved) in [("Fx", x, solved.x), ("Fy", y, solved.y)] {
-        let worked = draft.worked(name, &formula, |v| {
-            format!("{} {UNIT}N", f.beside(v, sizes))
+        let computed = draft.worked(name, &formula, |v| {
+            format!("{} {UNIT}N", f.format_or_zero(v, sizes))
         });
         let link = context.scene.link_name(body.link);
         let symbol = words().part_at(name, link, point_name(context, inner));
-        draft.agree(&symbol, worked, solved, sizes);
+        draft.agree(&symbol, computed, solved, sizes);
     }
 }
 
 /// Returns the product of two coefficients, with the sign in front.
 fn product(a: &Expression, b: &Expression) -> Expression {
-    let bare = |of: &Expression| match of {
+    let plain = |of: &Expression| match of {
         Expression::Minus(of) => (true, (**of).clone()),
         of => (false, of.clone()),
     };
-    let ((one, a), (two, b)) = (bare(a), bare(b));
+    let ((one, a), (two, b)) = (plain(a), plain(b));
     (a * b).minus_if(one != two)
 }
 
 /// Writes the reaction of an outer joint or guide, from the sums of forces.
 fn outer_reaction(context: &Context<'_>, draft: &mut Draft, body: &GroupBody, outer: &BodyForce) {
     let all = || {
-        let sought = body.sought.iter().filter(|row| row.joint != outer.joint);
-        body.given.iter().chain(sought)
+        let unknowns = body.sought.iter().filter(|row| row.joint != outer.joint);
+        body.given.iter().chain(unknowns)
     };
     match outer.joint {
         Some(BodyJoint::Pin(point)) => {
@@ -341,7 +345,7 @@ fn outer_reaction(context: &Context<'_>, draft: &mut Draft, body: &GroupBody, ou
                 point_name(context, point),
             );
             for (axis, unit) in [("x", Vec2::new(1.0, 0.0)), ("y", Vec2::new(0.0, 1.0))] {
-                let along = Reckoning::Along(unit);
+                let along = BalanceKind::Along(unit);
                 let name = format!("{link}.{point}.f{axis}");
                 balance(context, draft, all(), (along, &name), unit.dot(outer.force));
             }
@@ -359,11 +363,11 @@ fn outer_reaction(context: &Context<'_>, draft: &mut Draft, body: &GroupBody, ou
                 context,
                 draft,
                 all(),
-                (Reckoning::Along(n), &normal),
+                (BalanceKind::Along(n), &normal),
                 n.dot(outer.force),
             );
             if let (Some(at), Slider::Link { .. }) = (outer.at, given.slider) {
-                let about = Reckoning::About(at);
+                let about = BalanceKind::About(at);
                 balance(context, draft, all(), (about, &moment), outer.couple);
             }
         }
@@ -376,25 +380,34 @@ fn balance<'a>(
     context: &Context<'_>,
     draft: &mut Draft,
     rows: impl Iterator<Item = &'a BodyForce>,
-    (reckoning, name): (Reckoning, &str),
+    (reckoning, name): (BalanceKind, &str),
     solved: f64,
 ) {
     let f = context.figures;
-    let both = |row| (reckoning.of(context, row), reckoning.most(context, row));
-    let (terms, most): (Vec<f64>, Vec<f64>) = rows.map(both).unzip();
+    let both = |row| {
+        (
+            reckoning.of(context, row),
+            reckoning.max_contribution(context, row),
+        )
+    };
+    let (terms, maximum): (Vec<f64>, Vec<f64>) = rows.map(both).unzip();
     // Large forces across the guide contribute rounding errors even if their component along it is
     // small.
-    let size = most.iter().sum::<f64>();
+    let size = maximum.iter().sum::<f64>();
     let mut sum = WrittenSum::default();
     for term in &terms {
-        let figure = f.beside(*term, size);
+        let figure = f.format_or_zero(*term, size);
         if figure != "0" {
             sum.push_figure(&figure);
         }
     }
-    let worked = -terms.iter().sum::<f64>();
-    draft.agree(name, worked, solved, size);
-    let value = format!("{} {UNIT}{}", f.beside(worked, size), reckoning.unit());
+    let computed = -terms.iter().sum::<f64>();
+    draft.agree(name, computed, solved, size);
+    let value = format!(
+        "{} {UNIT}{}",
+        f.format_or_zero(computed, size),
+        reckoning.unit()
+    );
     let sum = sum.text();
     match sum.contains(' ') {
         false => draft.page.equation([name.to_owned(), value]),
@@ -445,11 +458,17 @@ fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool 
         Some(BodyJoint::Pin(point)) => words().reaction_at(point_name(context, point)),
         Some(BodyJoint::Driver) | None => return false,
     };
-    draft.page.text(words().one_sum(&equation.told, &reaction));
+    draft
+        .page
+        .text(words().one_sum(&equation.description, &reaction));
     let name = (equation.sum.as_str(), equation.reckoning);
     let given: Vec<&BodyForce> = body.given.iter().collect();
     let sum = write_known(context, draft, (body.link, &given), name, &equation.about);
-    let known = Expression::known(&*equation.sum, f.beside(sum.value, sum.size), sum.value);
+    let known = Expression::known(
+        &*equation.sum,
+        f.format_or_zero(sum.value, sum.size),
+        sum.value,
+    );
     match single.joint {
         Some(BodyJoint::Guide(slide)) => {
             let n = context.state.travel(slide).guide.perp();
@@ -469,12 +488,13 @@ fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool 
                 .page
                 .text(words().vector_is('n', &words().unit_vector_along(&across)));
             write_vector(context, draft, 'n', n, "");
-            let unit =
-                |axis: char, v: f64| Expression::known(format!("n{axis}"), f.beside(v, 1.0), v);
+            let unit = |axis: char, v: f64| {
+                Expression::known(format!("n{axis}"), f.format_or_zero(v, 1.0), v)
+            };
             let metres = context.scene.mechanism.metres();
             let letter = match equation.reckoning {
-                Reckoning::About(_) => 'e',
-                Reckoning::Along(_) => 't',
+                BalanceKind::About(_) => 'e',
+                BalanceKind::Along(_) => 't',
             };
             let (share, v) = shares(f, equation.reckoning, at, letter, metres);
             let unit_of_v = if letter == 'e' { METRE } else { "" };
@@ -488,16 +508,18 @@ fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool 
             }
             let formula = -known / Expression::known(DETERMINANT, f.number(value), value);
             let size = sum.size / value.abs() * (1.0 + v.norm() / value.abs());
-            let worked = draft.worked("N", &formula, |v| format!("{} {UNIT}N", f.beside(v, size)));
+            let computed = draft.worked("N", &formula, |v| {
+                format!("{} {UNIT}N", f.format_or_zero(v, size))
+            });
             let solved = n.dot(single.force);
-            draft.agree(&words().across(&single.name), worked, solved, size);
+            draft.agree(&words().across(&single.name), computed, solved, size);
         }
         _ => {
             let formula = -known;
-            let worked = draft.found("M", &formula, |v| {
-                format!("{} {UNIT}N m", f.beside(v, sum.size))
+            let computed = draft.found("M", &formula, |v| {
+                format!("{} {UNIT}N m", f.format_or_zero(v, sum.size))
             });
-            draft.agree("driver.torque", worked, single.couple, sum.size);
+            draft.agree("driver.torque", computed, single.couple, sum.size);
         }
     }
     outer_reaction(context, draft, body, outer);

@@ -4,7 +4,7 @@ use super::super::draft::{Context, Draft};
 use super::super::figures::{WrittenSum, factor};
 use super::super::forces::point_name;
 use super::super::free_body::{BodyForce, BodyJoint};
-use super::body::{GroupBody, Reckoning, known};
+use super::body::{BalanceKind, GroupBody, known};
 use crate::page::UNIT;
 use crate::wording::words;
 use crate::{PointId, Slider, Vec2};
@@ -13,9 +13,9 @@ use crate::{PointId, Slider, Vec2};
 const MAX_LINKS: usize = 8;
 
 /// An unknown: its value times unit forces on the links.
-struct SoughtForce {
+struct UnknownForce {
     symbol: String,
-    told: String,
+    description: String,
     value: f64,
     unit: &'static str,
     /// The unit force or couple on each link, by the link's index in the group.
@@ -29,11 +29,11 @@ pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBod
         return;
     }
     let f = context.figures;
-    let sought = sought(context, bodies);
-    draft.page.text(words().reactions_at_once(sought.len()));
-    let rows = sought.iter().map(|one| {
+    let unknowns = unknown_forces(context, bodies);
+    draft.page.text(words().reactions_at_once(unknowns.len()));
+    let rows = unknowns.iter().map(|one| {
         let value = format!("{} {UNIT}{}", f.number(one.value), one.unit);
-        [one.symbol.clone(), one.told.clone(), value]
+        [one.symbol.clone(), one.description.clone(), value]
     });
     let rows: Vec<[String; 3]> = rows.collect();
     draft.table(
@@ -53,19 +53,19 @@ pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBod
         let at = point_name(context, about);
         draft.page.text(words().sums_of_link(name, at));
         for (reckoning, what) in [
-            (Reckoning::Along(Vec2::new(1.0, 0.0)), "x"),
-            (Reckoning::Along(Vec2::new(0.0, 1.0)), "y"),
-            (Reckoning::About(context.state.position(about)), "M"),
+            (BalanceKind::Along(Vec2::new(1.0, 0.0)), "x"),
+            (BalanceKind::Along(Vec2::new(0.0, 1.0)), "y"),
+            (BalanceKind::About(context.state.position(about)), "M"),
         ] {
-            let equation = SumOfLink::of(context, (k, body), &sought, reckoning);
-            equation.write(context, draft, &sought);
+            let equation = SumOfLink::of(context, (k, body), &unknowns, reckoning);
+            equation.write(context, draft, &unknowns);
             let link = context.scene.link_name(body.link);
-            let left = equation.left(&sought);
+            let left = equation.left(&unknowns);
             draft.agree(&words().sum_on(what, link), left, 0.0, equation.size);
             equations.push(equation);
         }
     }
-    one_by_one(context, draft, &sought, &equations);
+    one_by_one(context, draft, &unknowns, &equations);
 }
 
 /// Returns the reference point of moments: preferably a pin with an unknown reaction, which then
@@ -91,9 +91,9 @@ struct SumOfLink {
 impl SumOfLink {
     fn of(
         context: &Context<'_>,
-        (place, body): (usize, &GroupBody),
-        sought: &[SoughtForce],
-        reckoning: Reckoning,
+        (index, body): (usize, &GroupBody),
+        unknowns: &[UnknownForce],
+        reckoning: BalanceKind,
     ) -> SumOfLink {
         let known = known(context, &body.given, reckoning);
         let mut sum = SumOfLink {
@@ -101,12 +101,12 @@ impl SumOfLink {
             known: known.value,
             size: known.size,
         };
-        for (number, one) in sought.iter().enumerate() {
-            for (_, unit) in one.acts.iter().filter(|(k, _)| *k == place) {
+        for (number, one) in unknowns.iter().enumerate() {
+            for (_, unit) in one.acts.iter().filter(|(k, _)| *k == index) {
                 let share = reckoning.of(context, unit);
-                sum.size += reckoning.most(context, unit) * one.value.abs();
+                sum.size += reckoning.max_contribution(context, unit) * one.value.abs();
                 // Smaller coefficients are rounding errors of a unit force's arm or direction.
-                if context.figures.beside(share, 1.0) != "0" {
+                if context.figures.format_or_zero(share, 1.0) != "0" {
                     sum.shares.push((number, share));
                 }
             }
@@ -115,27 +115,27 @@ impl SumOfLink {
     }
 
     /// Returns the residual of the sum.
-    fn left(&self, sought: &[SoughtForce]) -> f64 {
+    fn left(&self, unknowns: &[UnknownForce]) -> f64 {
         let terms = self
             .shares
             .iter()
-            .map(|(k, share)| share * sought[*k].value);
+            .map(|(k, share)| share * unknowns[*k].value);
         self.known + terms.sum::<f64>()
     }
 
     /// Writes the equation: `0.5·F1x - 0.2·F1y + 3.1 = 0`.
-    fn write(&self, context: &Context<'_>, draft: &mut Draft, sought: &[SoughtForce]) {
+    fn write(&self, context: &Context<'_>, draft: &mut Draft, unknowns: &[UnknownForce]) {
         let f = context.figures;
         let mut written = WrittenSum::default();
         for &(number, share) in &self.shares {
-            let symbol = &sought[number].symbol;
+            let symbol = &unknowns[number].symbol;
             match share {
                 1.0 => written.push(false, symbol),
                 -1.0 => written.push(true, symbol),
                 _ => written.push_figure(&format!("{}·{symbol}", f.number(share))),
             }
         }
-        let rest = f.beside(self.known, self.size);
+        let rest = f.format_or_zero(self.known, self.size);
         if rest != "0" {
             written.push_figure(&rest);
         }
@@ -150,10 +150,10 @@ impl SumOfLink {
 fn one_by_one(
     context: &Context<'_>,
     draft: &mut Draft,
-    sought: &[SoughtForce],
+    unknowns: &[UnknownForce],
     equations: &[SumOfLink],
 ) {
-    let mut found = vec![false; sought.len()];
+    let mut found = vec![false; unknowns.len()];
     let mut is_begun = false;
     loop {
         let next = equations.iter().find_map(|equation| {
@@ -171,9 +171,9 @@ fn one_by_one(
             is_begun = true;
         }
         found[number] = true;
-        alone(context, draft, sought, (equation, number, share));
+        write_single_unknown(context, draft, unknowns, (equation, number, share));
     }
-    let rest = sought.iter().zip(&found).filter(|(_, found)| !**found);
+    let rest = unknowns.iter().zip(&found).filter(|(_, found)| !**found);
     let rest: Vec<&str> = rest.map(|(one, _)| one.symbol.as_str()).collect();
     if !rest.is_empty() {
         draft.page.text(words().others_at_once(&rest.join(", ")));
@@ -181,47 +181,47 @@ fn one_by_one(
 }
 
 /// Writes the solution of one unknown: `N = -(0.5·3.2 - 7.1)/2 = 2.75 N`.
-fn alone(
+fn write_single_unknown(
     context: &Context<'_>,
     draft: &mut Draft,
-    sought: &[SoughtForce],
+    unknowns: &[UnknownForce],
     (equation, number, share): (&SumOfLink, usize, f64),
 ) {
     let f = context.figures;
-    let one = &sought[number];
+    let one = &unknowns[number];
     let mut sum = WrittenSum::default();
     let mut rest = equation.known;
     for &(k, share) in equation.shares.iter().filter(|(k, _)| *k != number) {
-        let value = sought[k].value;
+        let value = unknowns[k].value;
         rest += share * value;
-        let figure = f.beside(value, equation.size);
+        let figure = f.format_or_zero(value, equation.size);
         match share {
             _ if figure == "0" => {}
             1.0 => sum.push_figure(&figure),
-            -1.0 => sum.push_figure(&f.beside(-value, equation.size)),
+            -1.0 => sum.push_figure(&f.format_or_zero(-value, equation.size)),
             _ => sum.push_figure(&format!("{}·{}", f.number(share), factor(&figure))),
         }
     }
-    let known = f.beside(equation.known, equation.size);
+    let known = f.format_or_zero(equation.known, equation.size);
     if known != "0" {
         sum.push_figure(&known);
     }
-    let worked = -rest / share;
+    let computed = -rest / share;
     let size = equation.size / share.abs();
-    draft.agree(&one.symbol, worked, one.value, size);
+    draft.agree(&one.symbol, computed, one.value, size);
     let formula = match share {
         1.0 => format!("-({})", sum.text()),
         -1.0 => sum.text(),
         _ => format!("-({})/{}", sum.text(), factor(&f.number(share))),
     };
-    let value = format!("{} {UNIT}{}", f.beside(worked, size), one.unit);
+    let value = format!("{} {UNIT}{}", f.format_or_zero(computed, size), one.unit);
     draft.page.equation([one.symbol.clone(), formula, value]);
 }
 
 /// Returns all unknowns, each once: the reaction of a pin between two links of the group acts on
 /// both.
-fn sought(context: &Context<'_>, bodies: &[GroupBody]) -> Vec<SoughtForce> {
-    let mut all: Vec<SoughtForce> = Vec::new();
+fn unknown_forces(context: &Context<'_>, bodies: &[GroupBody]) -> Vec<UnknownForce> {
+    let mut all: Vec<UnknownForce> = Vec::new();
     let mut done: Vec<BodyJoint> = Vec::new();
     for (k, body) in bodies.iter().enumerate() {
         for row in &body.sought {
@@ -262,9 +262,9 @@ fn is_shared_by_two(bodies: &[GroupBody], joint: BodyJoint) -> bool {
 /// Adds the components of a reaction on a link, and the opposite ones on another link.
 fn components(
     context: &Context<'_>,
-    (place, row): (usize, &BodyForce),
+    (index, row): (usize, &BodyForce),
     opposite: Option<usize>,
-    all: &mut Vec<SoughtForce>,
+    all: &mut Vec<UnknownForce>,
 ) {
     let number = all.iter().filter(|one| one.symbol.starts_with('F')).count() / 2 + 1;
     let unit = |force: Vec2, couple: f64| BodyForce {
@@ -274,13 +274,13 @@ fn components(
         couple,
         joint: None,
     };
-    let mut add = |symbol: String, told: String, value: f64, unit_force: (Vec2, f64)| {
+    let mut add = |symbol: String, text: String, value: f64, unit_force: (Vec2, f64)| {
         let (force, couple) = unit_force;
-        let mut acts = vec![(place, unit(force, couple))];
+        let mut acts = vec![(index, unit(force, couple))];
         acts.extend(opposite.map(|j| (j, unit(-force, -couple))));
-        all.push(SoughtForce {
+        all.push(UnknownForce {
             symbol,
-            told,
+            description: text,
             value,
             unit: if couple == 0.0 { "N" } else { "N m" },
             acts,
@@ -289,10 +289,10 @@ fn components(
     match row.joint {
         Some(BodyJoint::Pin(_)) => {
             for (axis, unit) in [("x", Vec2::new(1.0, 0.0)), ("y", Vec2::new(0.0, 1.0))] {
-                let told = format!("{} {axis}", row.name);
+                let text = format!("{} {axis}", row.name);
                 add(
                     format!("F{number}{axis}"),
-                    told,
+                    text,
                     unit.dot(row.force),
                     (unit, 0.0),
                 );
@@ -301,16 +301,16 @@ fn components(
         Some(BodyJoint::Guide(slide)) => {
             let name = context.scene.slide_name(slide);
             let n = context.state.travel(slide).guide.perp();
-            let told = words().across(&row.name);
-            add(format!("N_{name}"), told, n.dot(row.force), (n, 0.0));
+            let text = words().across(&row.name);
+            add(format!("N_{name}"), text, n.dot(row.force), (n, 0.0));
             if context.scene.mechanism.is_pushed(slide) {
                 let t = context.state.travel(slide).guide;
-                let told = words().along(&row.name);
-                add(format!("D_{name}"), told, t.dot(row.force), (t, 0.0));
+                let text = words().along(&row.name);
+                add(format!("D_{name}"), text, t.dot(row.force), (t, 0.0));
             }
             if let Slider::Link { .. } = context.scene.mechanism.slide(slide).slider {
-                let told = words().moment_of(&row.name);
-                add(format!("M_{name}"), told, row.couple, (Vec2::ZERO, 1.0));
+                let text = words().moment_of(&row.name);
+                add(format!("M_{name}"), text, row.couple, (Vec2::ZERO, 1.0));
             }
         }
         Some(BodyJoint::Driver) => {

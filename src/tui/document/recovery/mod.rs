@@ -9,10 +9,10 @@ mod subject;
 
 pub(crate) use record::SessionRun;
 
-use crate::files::{DraftFile, is_held, limited, make_private, open_to_read};
+use crate::files::{DraftFile, create_private_folder, is_held, limited, open_to_read};
 use crate::scene::MAX_FILE_SIZE;
 use crate::tui::Origin;
-use crate::tui::document::gathered::GatheredEdits;
+use crate::tui::document::gathered::StagedEdits;
 use crate::wording::words;
 use record::{MAX_HEADER_LEN, Record, sum};
 use std::fs::{self, File};
@@ -37,7 +37,7 @@ pub(crate) struct UnsavedEdits {
     /// The edited text.
     pub(crate) text: String,
     /// The staged edits.
-    pub(crate) waiting: GatheredEdits,
+    pub(crate) waiting: StagedEdits,
 }
 
 /// Edits left by an earlier session.
@@ -52,12 +52,12 @@ pub(crate) struct Generation {
     pub(crate) is_older: bool,
     /// The file that records them.
     pub(crate) file: PathBuf,
-    made: u64,
+    created: u64,
 }
 
 /// Another running session on the same scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Alive {
+pub(crate) struct OtherSession {
     pub(crate) process: u32,
     pub(crate) host: String,
     /// The time when it opened the scene or edited it last.
@@ -66,8 +66,8 @@ pub(crate) struct Alive {
 
 /// The records of other sessions on a scene.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Others {
-    pub(crate) alive: Vec<Alive>,
+pub(crate) struct OtherSessions {
+    pub(crate) alive: Vec<OtherSession>,
     /// Edits of ended sessions, the latest first.
     pub(crate) left: Vec<Generation>,
 }
@@ -78,7 +78,7 @@ impl UnsavedEdits {
     pub(crate) fn of(text: &str) -> UnsavedEdits {
         UnsavedEdits {
             text: text.to_owned(),
-            waiting: GatheredEdits::default(),
+            waiting: StagedEdits::default(),
         }
     }
 
@@ -101,7 +101,7 @@ pub(crate) struct Recovery {
     /// `true` if the file holds edits.
     kept: bool,
     /// `true` if a failure to record edits was reported.
-    told: bool,
+    failure_reported: bool,
     /// Restored edits of earlier sessions.
     taken: Vec<RestoredEdits>,
 }
@@ -132,7 +132,7 @@ impl Recovery {
             subject: RecoverySubject::of(origin, text),
             held: None,
             kept: false,
-            told: false,
+            failure_reported: false,
             taken: Vec::new(),
         };
         recovery.announce();
@@ -140,34 +140,34 @@ impl Recovery {
     }
 
     /// Returns the records of other sessions on this scene, whose text is `present`.
-    pub(crate) fn others(&self, present: &str) -> Others {
-        let mut others = Others::default();
+    pub(crate) fn others(&self, present: &str) -> OtherSessions {
+        let mut others = OtherSessions::default();
         let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
         for entry in entries.take(MAX_FILES) {
             let path = entry.path();
             if path.extension().is_some_and(|end| end == ENDS) {
-                self.judge(path, present, &mut others);
+                self.classify_record(path, present, &mut others);
             }
         }
         others
             .left
-            .sort_by(|a, b| b.made.cmp(&a.made).then(b.file.cmp(&a.file)));
+            .sort_by(|a, b| b.created.cmp(&a.created).then(b.file.cmp(&a.file)));
         others
     }
 
-    fn judge(&self, path: PathBuf, present: &str, others: &mut Others) {
+    fn classify_record(&self, path: PathBuf, present: &str, others: &mut OtherSessions) {
         let Some((record, held)) = read_record(&path) else {
             return;
         };
         if record.session == self.session {
             return;
         }
-        let is_alive = held.unwrap_or_else(|| !record.session.is_gone());
+        let is_alive = held.unwrap_or_else(|| !record.session.has_ended());
         match record.edits {
             _ if is_alive => {
                 // Scenes without a file are private to each session.
                 if self.subject.is_file() && self.subject.is(&record.subject) {
-                    others.alive.push(Alive {
+                    others.alive.push(OtherSession {
                         process: record.session.process,
                         host: record.session.host,
                         time: record::stamp(record.time),
@@ -183,7 +183,7 @@ impl Recovery {
                     is_stale: record.base != sum(present.as_bytes()),
                     is_older: self.subject.written.is_some_and(|at| at > record.time),
                     file: path,
-                    made: record.time,
+                    created: record.time,
                 });
             }
             Some(_) => {}
@@ -205,7 +205,7 @@ impl Recovery {
                 self.kept = true;
                 None
             }
-            Err(_) if std::mem::replace(&mut self.told, true) => None,
+            Err(_) if std::mem::replace(&mut self.failure_reported, true) => None,
             Err(error) => Some(words().edits_not_kept(&self.folder.display(), &error)),
         }
     }
@@ -217,7 +217,7 @@ impl Recovery {
         saved: &str,
         now: SystemTime,
     ) -> io::Result<()> {
-        make_private(&self.folder)?;
+        create_private_folder(&self.folder)?;
         let record = Record {
             subject: self.subject.clone(),
             session: self.session.clone(),

@@ -15,7 +15,7 @@
 
 use super::UnsavedEdits;
 use super::subject::{Identity, RecoverySubject};
-use crate::tui::document::gathered::GatheredEdits;
+use crate::tui::document::gathered::StagedEdits;
 use rustix::system::uname;
 use std::fmt::Write;
 use std::fs;
@@ -50,7 +50,7 @@ pub(crate) struct SessionRun {
 
 impl SessionRun {
     /// Creates the record of this process, started at `now`.
-    pub(crate) fn begun(now: SystemTime) -> SessionRun {
+    pub(crate) fn started_at(now: SystemTime) -> SessionRun {
         let start = now.duration_since(UNIX_EPOCH).unwrap_or(Duration::ZERO);
         SessionRun {
             process: std::process::id(),
@@ -66,7 +66,7 @@ impl SessionRun {
 
     /// Returns `true` if the process is known to have ended, for systems where locks are
     /// unavailable.
-    pub(super) fn is_gone(&self) -> bool {
+    pub(super) fn has_ended(&self) -> bool {
         this_host() == self.host && !fs::exists(format!("/proc/{}", self.process)).unwrap_or(true)
     }
 }
@@ -147,11 +147,11 @@ impl Record {
             host: session.next()?.to_owned(),
         };
         let time = line("time")?.parse().ok()?;
-        let mut waiting = GatheredEdits::default();
+        let mut waiting = StagedEdits::default();
         while let Some(waits) = line("waits") {
             let (name, text) = waits.split_once(' ')?;
             let text_of = |digits| String::from_utf8(of_digits(digits)?).ok();
-            waiting.put(&text_of(name)?, text_of(text)?, "");
+            waiting.stage(&text_of(name)?, text_of(text)?, "");
         }
         let edits = || UnsavedEdits {
             text: text.to_owned(),
@@ -249,7 +249,7 @@ mod tests {
         let edits = |text: &str, waiting: &[(&str, &str)]| {
             let mut edits = UnsavedEdits::of(text);
             for (name, text) in waiting {
-                edits.waiting.put(name, (*text).to_owned(), "");
+                edits.waiting.stage(name, (*text).to_owned(), "");
             }
             Some(edits)
         };
@@ -266,7 +266,7 @@ mod tests {
                     file,
                     written: None,
                 },
-                session: SessionRun::begun(SystemTime::now()),
+                session: SessionRun::started_at(SystemTime::now()),
                 base: 7,
                 time: 99,
                 edits,

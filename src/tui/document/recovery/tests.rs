@@ -17,9 +17,9 @@ fn four_bar() -> Origin {
     Origin::Preset("four-bar".into())
 }
 
-/// Creates the record of a session that started at `begun`, on a scene.
-fn session(folder: &Path, begun: u64, origin: &Origin) -> Recovery {
-    Recovery::new(folder, &SessionRun::begun(at(begun)), origin, "old")
+/// Creates the record of a session that started at `started`, on a scene.
+fn session(folder: &Path, started: u64, origin: &Origin) -> Recovery {
+    Recovery::new(folder, &SessionRun::started_at(at(started)), origin, "old")
 }
 
 #[test]
@@ -27,7 +27,7 @@ fn edits_are_offered_only_to_their_scene() {
     let folder = folder("recovery");
     let mut one = session(&folder.join("deep/er"), 1, &four_bar());
     let folder = folder.join("deep/er");
-    assert_eq!(one.others("old"), Others::default());
+    assert_eq!(one.others("old"), OtherSessions::default());
     assert_eq!(
         one.keep(UnsavedEdits::of("new\nlines\n"), "old", at(1_795_269_780)),
         None
@@ -43,12 +43,12 @@ fn edits_are_offered_only_to_their_scene() {
     assert_eq!(edits.left[0].time, "2026-11-21 14:03 UTC");
     assert!(!edits.left[0].is_stale && !edits.left[0].is_older);
     assert!(found(&four_bar(), "other").left[0].is_stale);
-    assert_eq!(found(&four_bar(), "new\nlines\n"), Others::default());
+    assert_eq!(found(&four_bar(), "new\nlines\n"), OtherSessions::default());
     assert_eq!(
         found(&Origin::File("four-bar".into()), "old"),
-        Others::default()
+        OtherSessions::default()
     );
-    assert_eq!(found(&Origin::Stdin, "old"), Others::default());
+    assert_eq!(found(&Origin::Stdin, "old"), OtherSessions::default());
     fs::remove_dir_all(folder.parent().unwrap().parent().unwrap()).unwrap();
 }
 
@@ -83,7 +83,7 @@ fn edits_are_found_by_any_path_of_a_file() {
     assert_eq!(session(&folder, 9, &of(file)).others("old").left.len(), 1);
     fs::write(folder.join("other.toml"), "old").unwrap();
     let other = session(&folder, 9, &of(folder.join("other.toml")));
-    assert_eq!(other.others("old"), Others::default());
+    assert_eq!(other.others("old"), OtherSessions::default());
     fs::remove_dir_all(folder).unwrap();
 }
 
@@ -154,7 +154,7 @@ fn open_sessions_are_listed_and_leave_no_record() {
     let two = session(&kept, 2, &origin);
     assert_eq!(one.others("old").alive.len(), 1);
     drop(two);
-    assert_eq!(one.others("old"), Others::default());
+    assert_eq!(one.others("old"), OtherSessions::default());
     drop(one);
     assert_eq!(fs::read_dir(&kept).unwrap().count(), 0);
     fs::remove_dir_all(folder).unwrap();
@@ -165,12 +165,12 @@ fn unwritable_folder_is_reported_once() {
     let folder = folder("recovery-none");
     fs::write(&folder, "a file").unwrap();
     let mut recovery = session(&folder, 1, &Origin::Stdin);
-    let said = recovery
+    let text = recovery
         .keep(UnsavedEdits::of("text"), "old", at(0))
         .unwrap();
     assert!(
-        said.starts_with("edits are not kept for recovery: "),
-        "{said}"
+        text.starts_with("edits are not kept for recovery: "),
+        "{text}"
     );
     assert_eq!(recovery.keep(UnsavedEdits::of("text"), "old", at(0)), None);
     fs::remove_file(folder).unwrap();

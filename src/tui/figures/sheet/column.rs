@@ -39,7 +39,7 @@ pub(super) struct Column {
 }
 
 /// The mark behind a computed value; all others are given by the scene.
-pub(crate) const FOUND: char = '*';
+pub(crate) const COMPUTED_MARK: char = '*';
 
 pub(super) const VECTOR_FIGURES: [(ColumnFigure, bool); 6] = [
     (ColumnFigure::Length(0), true),
@@ -69,14 +69,14 @@ impl Column {
     pub(super) fn new(
         samples: &[Tables],
         part: SheetPart,
-        (figure, opens): (ColumnFigure, bool),
+        (column, opens): (ColumnFigure, bool),
     ) -> Column {
         let first = samples.first();
-        let found = |t: &Tables| figure.entries(t, part).any(|entry| !entry.given);
+        let found = |t: &Tables| column.entries(t, part).any(|entry| !entry.given);
         Column {
-            figure,
-            unit: figure.unit(first.map_or("", |t| t.unit)),
-            format: figure.format(samples, part),
+            figure: column,
+            unit: column.unit(first.map_or("", |t| t.unit)),
+            format: column.format(samples, part),
             opens,
             starred: part == SheetPart::Vectors && first.is_some_and(found),
         }
@@ -146,7 +146,7 @@ impl Column {
         };
         let found = entry.value.is_some() && !entry.given;
         if self.starred {
-            cell.text.push(if found { FOUND } else { ' ' });
+            cell.text.push(if found { COMPUTED_MARK } else { ' ' });
         }
         cell
     }
@@ -156,7 +156,7 @@ impl Column {
         if self.starred {
             text.push(' ');
         }
-        Cell::sure(text)
+        Cell::proved(text)
     }
 }
 
@@ -171,8 +171,12 @@ impl ColumnFigure {
             ColumnFigure::AlongY(order) => ["y", "vy", "ay"][order],
             ColumnFigure::Size(order) => ["r", "v", "a"][order],
             ColumnFigure::Bearing(order) => {
-                let say = words();
-                [say.direction_r(), say.direction_v(), say.direction_a()][order]
+                let wording = words();
+                [
+                    wording.direction_r(),
+                    wording.direction_v(),
+                    wording.direction_a(),
+                ][order]
             }
         }
     }
@@ -204,13 +208,13 @@ impl ColumnFigure {
     /// Returns the format for this quantity in all rows over the motion. The components and
     /// magnitude of one order share a format, so that they can be compared by eye.
     fn format(self, samples: &[Tables], part: SheetPart) -> Format {
-        let figure = match self {
+        let column = match self {
             ColumnFigure::Turning(0) | ColumnFigure::Bearing(_) => return Format::ANGLE,
             ColumnFigure::AlongX(order) | ColumnFigure::AlongY(order) => ColumnFigure::Size(order),
             other => other,
         };
         let of_sample = |tables: &Tables| {
-            let entries = figure.entries(tables, part);
+            let entries = column.entries(tables, part);
             entries
                 .filter_map(|e| e.value)
                 .map(f64::abs)
@@ -247,7 +251,7 @@ impl ColumnFigure {
     }
 
     fn point_entry(self, point: &PointRow) -> Entry {
-        let (order, figure) = match self {
+        let (order, index) = match self {
             ColumnFigure::AlongX(order) => (order, 0),
             ColumnFigure::AlongY(order) => (order, 1),
             ColumnFigure::Size(order) => (order, 2),
@@ -255,6 +259,6 @@ impl ColumnFigure {
             ColumnFigure::Length(_) | ColumnFigure::Turning(_) => return Entry::NONE,
         };
         let plane = point.motion[order].as_ref();
-        plane.map_or(Entry::NONE, |plane| plane.entries(point.fixed)[figure])
+        plane.map_or(Entry::NONE, |plane| plane.entries(point.fixed)[index])
     }
 }

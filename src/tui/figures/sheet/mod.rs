@@ -11,7 +11,7 @@ use names::short_names;
 use std::ops::Range;
 
 use crate::wording::words;
-pub(crate) use column::FOUND;
+pub(crate) use column::COMPUTED_MARK;
 
 /// The two parts of the tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -130,10 +130,10 @@ impl Sheet {
             let opens = |c: usize| columns.get(c).is_none_or(|column| column.opens);
             ColumnLayout::fit(&SETTING, self.names(), widths.collect(), opens, width)
         };
-        let [behind, below] = [Units::Behind, Units::Below].map(fit);
-        let is_same = behind.ranges().eq(below.ranges());
-        if is_same && behind.fits(width) {
-            (behind, Units::Behind)
+        let [after, below] = [Units::Behind, Units::Below].map(fit);
+        let is_same = after.ranges().eq(below.ranges());
+        if is_same && after.fits(width) {
+            (after, Units::Behind)
         } else {
             (below, Units::Below)
         }
@@ -253,7 +253,7 @@ impl Placed<'_> {
     }
 
     /// Returns the line of a row with text in place of values.
-    pub(crate) fn told(&self, row: (SheetPart, usize), words: &str) -> Line {
+    pub(crate) fn text_line(&self, row: (SheetPart, usize), words: &str) -> Line {
         let (part, row) = row;
         let name = self.sheet.rows[part as usize].get(row);
         let mut line = Line::of(TextRole::Name, name.map_or("", String::as_str));
@@ -334,8 +334,8 @@ mod tests {
                         let mut end = 0;
                         for span in &line.spans {
                             // Every value follows a blank.
-                            let begin = span.at + usize::from(end == 0);
-                            assert!(begin > end, "{}: {}", tables.scene, span.text);
+                            let start = span.at + usize::from(end == 0);
+                            assert!(start > end, "{}: {}", tables.scene, span.text);
                             end = span.at + span.text.chars().count();
                         }
                         assert!(end <= width, "{}: {end} of {width}", tables.scene);

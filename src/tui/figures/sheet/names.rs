@@ -12,10 +12,10 @@ const CUT: char = '~';
 pub(super) fn short_names(names: &[&str]) -> Vec<String> {
     const HEAD: usize = MAX_NAME_LEN - 1;
     const INNER: usize = MAX_NAME_LEN - 2;
-    let mut heads = HashMap::new();
+    let mut headers = HashMap::new();
     let mut parts = HashMap::new();
     for name in names {
-        *heads.entry(name.get(..HEAD)).or_insert(0) += 1;
+        *headers.entry(name.get(..HEAD)).or_insert(0) += 1;
         for at in 0..name.len() {
             *parts.entry(name.get(at..at + INNER)).or_insert(0) += 1;
         }
@@ -26,7 +26,7 @@ pub(super) fn short_names(names: &[&str]) -> Vec<String> {
             return name.chars().take(MAX_NAME_LEN).collect();
         }
         let last = name.len() - INNER;
-        if heads[&name.get(..HEAD)] == 1 {
+        if headers[&name.get(..HEAD)] == 1 {
             return format!("{}{CUT}", &name[..HEAD]);
         }
         let different = |at: &usize| parts[&name.get(*at..at + INNER)] == 1;

@@ -17,18 +17,18 @@ use std::time::{Duration, Instant};
 
 /// Timeout after a lone ESC. The rest of an arrow key arrives within a millisecond, even at 9,600
 /// baud.
-const ESCAPE_PATIENCE: Duration = Duration::from_millis(25);
+const ESCAPE_TIMEOUT: Duration = Duration::from_millis(25);
 /// Timeout for any other incomplete key: long enough for a network, too short to be noticed.
-const SEQUENCE_PATIENCE: Duration = Duration::from_millis(100);
+const SEQUENCE_TIMEOUT: Duration = Duration::from_millis(100);
 /// Timeout within an unrequested string. Its rest must not be taken for keys, so a network may
 /// stall longer.
-const STRING_PATIENCE: Duration = Duration::from_millis(250);
+const STRING_TIMEOUT: Duration = Duration::from_millis(250);
 /// Timeout within a paste, which may arrive in pieces.
-const PASTE_PATIENCE: Duration = Duration::from_secs(1);
+const PASTE_TIMEOUT: Duration = Duration::from_secs(1);
 /// Minimum pause before a Ctrl-C pressed during a paste: pasted bytes follow each other faster.
-const PRESSED: Duration = Duration::from_millis(50);
+const MIN_CTRL_C_PAUSE: Duration = Duration::from_millis(50);
 /// Maximum pause between pasted bytes; a held key repeats only thirty times a second.
-const HEELS: Duration = Duration::from_millis(25);
+const MAX_PASTE_PAUSE: Duration = Duration::from_millis(25);
 /// Maximum length of a key in bytes.
 const MAX_KEY_LEN: usize = 8;
 /// Maximum duration of a paste. A longer one lacks its end sequence.
@@ -66,7 +66,7 @@ pub(crate) enum TerminalInput {
 
 /// The state of the parser: the incomplete input.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-enum Unfinished {
+enum PendingInput {
     /// No incomplete input.
     #[default]
     Ground,
@@ -93,7 +93,7 @@ enum Unfinished {
 /// The parser with its clock.
 #[derive(Debug, Default)]
 pub(crate) struct Keyboard {
-    state: Unfinished,
+    state: PendingInput,
     /// Bytes of the incomplete character, parameters or paste.
     held: Vec<u8>,
     /// The last eight bytes of a paste, the latest in the lowest byte.
@@ -113,16 +113,16 @@ pub(crate) struct Keyboard {
 impl Keyboard {
     /// Parses bytes that arrived at `now` and appends the resulting input.
     pub(crate) fn feed(&mut self, bytes: &[u8], now: Instant, inputs: &mut Vec<TerminalInput>) {
-        if self.state == Unfinished::Paste && bytes == ANSWER {
+        if self.state == PendingInput::Paste && bytes == ANSWER {
             // An answer may arrive between keys or pieces of a paste; it belongs to neither.
             inputs.push(TerminalInput::Answer);
             return;
         }
         if self.overdue && self.is_typed(bytes, now) {
-            self.begin(Unfinished::Ground);
+            self.start_sequence(PendingInput::Ground);
         }
-        self.settle_alone(now, inputs);
-        if self.state == Unfinished::Paste && !self.overdue && self.comes_alone(bytes, now) {
+        self.interpret_separate(now, inputs);
+        if self.state == PendingInput::Paste && !self.overdue && self.is_separate_key(bytes, now) {
             self.alone.extend_from_slice(bytes);
             self.last_byte = Some(now);
             return;
@@ -135,15 +135,15 @@ impl Keyboard {
 
     /// Interprets bytes that arrived separately within a paste: as keys if no bytes followed at
     /// once, or else as part of the paste.
-    fn settle_alone(&mut self, now: Instant, inputs: &mut Vec<TerminalInput>) {
+    fn interpret_separate(&mut self, now: Instant, inputs: &mut Vec<TerminalInput>) {
         if self.alone.is_empty() {
             return;
         }
         let bytes = std::mem::take(&mut self.alone);
         let then = self.last_byte.unwrap_or(now);
-        if now.saturating_duration_since(then) >= HEELS {
+        if now.saturating_duration_since(then) >= MAX_PASTE_PAUSE {
             self.pasted(inputs);
-            self.begin(Unfinished::Ground);
+            self.start_sequence(PendingInput::Ground);
         }
         for byte in bytes {
             self.take(byte, then, inputs);
@@ -152,31 +152,31 @@ impl Keyboard {
 
     /// Returns `true` if bytes within a paste may be a key: few bytes, after a pause, that do not
     /// end the paste.
-    fn comes_alone(&self, bytes: &[u8], now: Instant) -> bool {
+    fn is_separate_key(&self, bytes: &[u8], now: Instant) -> bool {
         let pause = self
             .last_byte
             .map(|then| now.saturating_duration_since(then));
         let is_key = bytes.len() <= MAX_KEY_LEN && !bytes.contains(&CTRL_C);
         let has_begun = |end: usize| self.held.ends_with(&PASTE_ENDS[..end]);
         let ends = (1..PASTE_ENDS.len()).any(has_begun) || has_end(bytes);
-        is_key && pause >= Some(HEELS) && !ends
+        is_key && pause >= Some(MAX_PASTE_PAUSE) && !ends
     }
 
     /// Returns the time to call [`Keyboard::give_up`], if input is incomplete.
     #[must_use]
     pub(crate) fn deadline(&self) -> Option<Instant> {
         let patience = match self.state {
-            _ if !self.alone.is_empty() => HEELS,
-            Unfinished::Ground => return None,
-            Unfinished::Escape => ESCAPE_PATIENCE,
-            Unfinished::Csi
-            | Unfinished::Ss3
-            | Unfinished::Console
-            | Unfinished::Skipped(_)
-            | Unfinished::Character(_) => SEQUENCE_PATIENCE,
-            Unfinished::Report | Unfinished::Text => STRING_PATIENCE,
-            Unfinished::Paste if self.overdue => return None,
-            Unfinished::Paste => PASTE_PATIENCE,
+            _ if !self.alone.is_empty() => MAX_PASTE_PAUSE,
+            PendingInput::Ground => return None,
+            PendingInput::Escape => ESCAPE_TIMEOUT,
+            PendingInput::Csi
+            | PendingInput::Ss3
+            | PendingInput::Console
+            | PendingInput::Skipped(_)
+            | PendingInput::Character(_) => SEQUENCE_TIMEOUT,
+            PendingInput::Report | PendingInput::Text => STRING_TIMEOUT,
+            PendingInput::Paste if self.overdue => return None,
+            PendingInput::Paste => PASTE_TIMEOUT,
         };
         Some(self.last_byte? + patience)
     }
@@ -185,22 +185,22 @@ impl Keyboard {
     /// delivered as it is, and anything else is dropped.
     pub(crate) fn give_up(&mut self, inputs: &mut Vec<TerminalInput>) {
         if let Some(then) = self.last_byte.filter(|_| !self.alone.is_empty()) {
-            self.settle_alone(then + HEELS, inputs);
+            self.interpret_separate(then + MAX_PASTE_PAUSE, inputs);
             return;
         }
         match self.state {
-            Unfinished::Escape => inputs.push(TerminalInput::Key(Key::Escape)),
-            Unfinished::Paste => {
+            PendingInput::Escape => inputs.push(TerminalInput::Key(Key::Escape)),
+            PendingInput::Paste => {
                 self.pasted(inputs);
                 self.overdue = true;
                 return;
             }
             _ => {}
         }
-        self.begin(Unfinished::Ground);
+        self.start_sequence(PendingInput::Ground);
     }
 
-    fn begin(&mut self, state: Unfinished) {
+    fn start_sequence(&mut self, state: PendingInput) {
         self.state = state;
         self.held.clear();
         self.alone.clear();
@@ -212,7 +212,7 @@ impl Keyboard {
     fn is_typed(&self, bytes: &[u8], now: Instant) -> bool {
         let is_alone = self
             .last_byte
-            .is_none_or(|then| now - then.min(now) >= PRESSED);
+            .is_none_or(|then| now - then.min(now) >= MIN_CTRL_C_PAUSE);
         is_alone && bytes.len() <= MAX_KEY_LEN && !has_end(bytes)
     }
 
@@ -227,7 +227,7 @@ impl Keyboard {
     }
 
     fn take(&mut self, byte: u8, now: Instant, inputs: &mut Vec<TerminalInput>) {
-        if self.state == Unfinished::Paste {
+        if self.state == PendingInput::Paste {
             self.paste(byte, now, inputs);
             return;
         }
@@ -237,43 +237,43 @@ impl Keyboard {
             ESC => {
                 let reported = self.report();
                 self.give_up(inputs);
-                self.begin(Unfinished::Escape);
+                self.start_sequence(PendingInput::Escape);
                 self.reported = reported;
             }
             CTRL_C => {
-                self.begin(Unfinished::Ground);
+                self.start_sequence(PendingInput::Ground);
                 inputs.push(TerminalInput::Key(Key::Ctrl('c')));
             }
-            _ if CANCELS.contains(&byte) && self.state != Unfinished::Ground => {
-                self.begin(Unfinished::Ground);
+            _ if CANCELS.contains(&byte) && self.state != PendingInput::Ground => {
+                self.start_sequence(PendingInput::Ground);
             }
-            _ => self.go_on(byte, now, inputs),
+            _ => self.dispatch_byte(byte, now, inputs),
         }
     }
 
-    fn go_on(&mut self, byte: u8, now: Instant, inputs: &mut Vec<TerminalInput>) {
+    fn dispatch_byte(&mut self, byte: u8, now: Instant, inputs: &mut Vec<TerminalInput>) {
         match self.state {
-            Unfinished::Ground | Unfinished::Paste => self.ground(byte, inputs),
-            Unfinished::Escape => self.escape(byte, inputs),
-            Unfinished::Csi => self.csi(byte, now, inputs),
-            Unfinished::Ss3 => self.ss3(byte, inputs),
-            Unfinished::Character(rest) => self.character(byte, rest, inputs),
-            Unfinished::Console => {
-                self.begin(Unfinished::Ground);
+            PendingInput::Ground | PendingInput::Paste => self.ground(byte, inputs),
+            PendingInput::Escape => self.escape(byte, inputs),
+            PendingInput::Csi => self.csi(byte, now, inputs),
+            PendingInput::Ss3 => self.ss3(byte, inputs),
+            PendingInput::Character(rest) => self.character(byte, rest, inputs),
+            PendingInput::Console => {
+                self.start_sequence(PendingInput::Ground);
                 if let b'A'..=b'E' = byte {
                     inputs.push(TerminalInput::Key(Key::Function(byte - b'A' + 1)));
                 }
             }
-            Unfinished::Skipped(rest) => self.begin(match rest {
-                0 | 1 => Unfinished::Ground,
-                _ => Unfinished::Skipped(rest - 1),
+            PendingInput::Skipped(rest) => self.start_sequence(match rest {
+                0 | 1 => PendingInput::Ground,
+                _ => PendingInput::Skipped(rest - 1),
             }),
-            Unfinished::Report | Unfinished::Text if byte == BELL => {
+            PendingInput::Report | PendingInput::Text if byte == BELL => {
                 inputs.extend(self.report().map(TerminalInput::Ground));
-                self.begin(Unfinished::Ground);
+                self.start_sequence(PendingInput::Ground);
             }
-            Unfinished::Report => self.hold(byte),
-            Unfinished::Text => {}
+            PendingInput::Report => self.hold(byte),
+            PendingInput::Text => {}
         }
     }
 
@@ -282,19 +282,19 @@ impl Keyboard {
             0x00..0x20 | 0x7f => inputs.extend(control(byte).map(TerminalInput::Key)),
             0x20..0x7f => inputs.push(TerminalInput::Key(Key::Char(char::from(byte)))),
             // 8-bit control characters, which start no character in UTF-8.
-            0x8f => self.begin(Unfinished::Ss3),
-            0x9b => self.begin(Unfinished::Csi),
-            0x9d => self.begin(Unfinished::Report),
-            0x90 | 0x98 | 0x9e | 0x9f => self.begin(Unfinished::Text),
-            0xc2..=0xdf => self.begin_character(byte, 1),
-            0xe0..=0xef => self.begin_character(byte, 2),
-            0xf0..=0xf4 => self.begin_character(byte, 3),
+            0x8f => self.start_sequence(PendingInput::Ss3),
+            0x9b => self.start_sequence(PendingInput::Csi),
+            0x9d => self.start_sequence(PendingInput::Report),
+            0x90 | 0x98 | 0x9e | 0x9f => self.start_sequence(PendingInput::Text),
+            0xc2..=0xdf => self.start_character(byte, 1),
+            0xe0..=0xef => self.start_character(byte, 2),
+            0xf0..=0xf4 => self.start_character(byte, 3),
             _ => {}
         }
     }
 
-    fn begin_character(&mut self, byte: u8, rest: u8) {
-        self.begin(Unfinished::Character(rest));
+    fn start_character(&mut self, byte: u8, rest: u8) {
+        self.start_sequence(PendingInput::Character(rest));
         self.held.push(byte);
     }
 
@@ -302,13 +302,13 @@ impl Keyboard {
         // An invalid continuation byte, probably of another encoding: the incomplete character is
         // dropped.
         if byte & 0xc0 != 0x80 {
-            self.begin(Unfinished::Ground);
+            self.start_sequence(PendingInput::Ground);
             self.ground(byte, inputs);
             return;
         }
         self.held.push(byte);
         if rest > 1 {
-            self.state = Unfinished::Character(rest - 1);
+            self.state = PendingInput::Character(rest - 1);
             return;
         }
         let text = std::str::from_utf8(&self.held).ok();
@@ -318,7 +318,7 @@ impl Keyboard {
                 .filter(|c| !c.is_control())
                 .map(|c| TerminalInput::Key(Key::Char(c))),
         );
-        self.begin(Unfinished::Ground);
+        self.start_sequence(PendingInput::Ground);
     }
 
     fn escape(&mut self, byte: u8, inputs: &mut Vec<TerminalInput>) {
@@ -326,45 +326,45 @@ impl Keyboard {
         let reported = self.reported.take().filter(|_| byte == b'\\');
         inputs.extend(reported.map(TerminalInput::Ground));
         match byte {
-            b'[' => self.begin(Unfinished::Csi),
-            b'O' => self.begin(Unfinished::Ss3),
-            b']' => self.begin(Unfinished::Report),
-            b'P' | b'_' | b'^' | b'X' => self.begin(Unfinished::Text),
+            b'[' => self.start_sequence(PendingInput::Csi),
+            b'O' => self.start_sequence(PendingInput::Ss3),
+            b']' => self.start_sequence(PendingInput::Report),
+            b'P' | b'_' | b'^' | b'X' => self.start_sequence(PendingInput::Text),
             // The end of a string, or a key with Alt, which is ignored: a slow line joins Esc with
             // the next key.
-            0xc2..=0xdf => self.begin(Unfinished::Skipped(1)),
-            0xe0..=0xef => self.begin(Unfinished::Skipped(2)),
-            0xf0..=0xf4 => self.begin(Unfinished::Skipped(3)),
-            _ => self.begin(Unfinished::Ground),
+            0xc2..=0xdf => self.start_sequence(PendingInput::Skipped(1)),
+            0xe0..=0xef => self.start_sequence(PendingInput::Skipped(2)),
+            0xf0..=0xf4 => self.start_sequence(PendingInput::Skipped(3)),
+            _ => self.start_sequence(PendingInput::Ground),
         }
     }
 
     fn csi(&mut self, byte: u8, now: Instant, inputs: &mut Vec<TerminalInput>) {
         match byte {
             0x20..0x40 => self.hold(byte),
-            b'[' if self.held.is_empty() => self.begin(Unfinished::Console),
-            b'M' if self.held.is_empty() => self.begin(Unfinished::Skipped(MOUSE)),
+            b'[' if self.held.is_empty() => self.start_sequence(PendingInput::Console),
+            b'M' if self.held.is_empty() => self.start_sequence(PendingInput::Skipped(MOUSE)),
             b'~' if self.held == PASTE_BEGINS => {
-                self.begin(Unfinished::Paste);
+                self.start_sequence(PendingInput::Paste);
                 (self.recent, self.since) = (0, Some(now));
             }
             b'n' if self.held == b"0" => {
-                self.begin(Unfinished::Ground);
+                self.start_sequence(PendingInput::Ground);
                 inputs.push(TerminalInput::Answer);
             }
             b'M' | b'm' if let Some(report) = self.held.strip_prefix(b"<") => {
                 inputs.extend(mouse(report, byte).map(TerminalInput::Mouse));
-                self.begin(Unfinished::Ground);
+                self.start_sequence(PendingInput::Ground);
             }
             0x40..0x7f => {
                 if self.held.len() < MAX_SEQUENCE_LEN {
                     inputs.extend(csi(&self.held, byte).map(TerminalInput::Key));
                 }
-                self.begin(Unfinished::Ground);
+                self.start_sequence(PendingInput::Ground);
             }
             // A byte invalid in any sequence: the sequence was noise, and this is a key.
             _ => {
-                self.begin(Unfinished::Ground);
+                self.start_sequence(PendingInput::Ground);
                 self.ground(byte, inputs);
             }
         }
@@ -372,7 +372,7 @@ impl Keyboard {
 
     /// Returns the colour if the string is the answer about the background.
     fn report(&self) -> Option<[u8; 3]> {
-        (self.state == Unfinished::Report).then(|| ground(&self.held))?
+        (self.state == PendingInput::Report).then(|| ground(&self.held))?
     }
 
     /// Stores a parameter byte, up to a maximum number.
@@ -387,10 +387,10 @@ impl Keyboard {
             b'0'..=b';' => {}
             0x20..0x7f => {
                 inputs.extend(ss3(byte).map(TerminalInput::Key));
-                self.begin(Unfinished::Ground);
+                self.start_sequence(PendingInput::Ground);
             }
             _ => {
-                self.begin(Unfinished::Ground);
+                self.start_sequence(PendingInput::Ground);
                 self.ground(byte, inputs);
             }
         }
@@ -398,7 +398,7 @@ impl Keyboard {
 
     fn paste(&mut self, byte: u8, now: Instant, inputs: &mut Vec<TerminalInput>) {
         if byte == CTRL_C && self.is_pressed(now) {
-            self.begin(Unfinished::Ground);
+            self.start_sequence(PendingInput::Ground);
             inputs.push(TerminalInput::Key(Key::Ctrl('c')));
             return;
         }
@@ -406,11 +406,11 @@ impl Keyboard {
         if self.held.len() < MAX_PASTE_LEN + PASTE_ENDS.len() {
             self.held.push(byte);
         }
-        if self.has_come(PASTE_ENDS) {
+        if self.ends_paste(PASTE_ENDS) {
             self.drop_end(PASTE_ENDS);
             self.pasted(inputs);
-            self.begin(Unfinished::Ground);
-        } else if self.has_come(ANSWER) {
+            self.start_sequence(PendingInput::Ground);
+        } else if self.ends_paste(ANSWER) {
             // The terminal answers as soon as it has drawn, even during a paste.
             self.drop_end(ANSWER);
             inputs.push(TerminalInput::Answer);
@@ -421,13 +421,13 @@ impl Keyboard {
     /// end.
     fn is_pressed(&self, now: Instant) -> bool {
         let since = |then: Option<Instant>| then.map_or(Duration::ZERO, |t| now - t.min(now));
-        since(self.last_byte) >= PRESSED
+        since(self.last_byte) >= MIN_CTRL_C_PAUSE
             || since(self.since) >= MAX_PASTE_TIME
             || self.held.len() > MAX_PASTE_LEN
     }
 
     /// Returns `true` if the paste ends with these bytes.
-    fn has_come(&self, end: &[u8]) -> bool {
+    fn ends_paste(&self, end: &[u8]) -> bool {
         let bytes = self.recent.to_be_bytes();
         bytes.ends_with(end)
     }

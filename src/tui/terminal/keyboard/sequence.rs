@@ -26,7 +26,7 @@ pub(super) fn mouse(parameters: &[u8], last: u8) -> Option<Mouse> {
     let mut numbers = parameters.split(';').map(|part| part.parse::<u32>().ok());
     let mut number = || numbers.next().flatten();
     let (button, column, row) = (number()?, number()?, number()?);
-    let deed = match (button, last) {
+    let action = match (button, last) {
         (FIRST_BUTTON, b'm') => MouseEventKind::Release,
         (FIRST_BUTTON, _) => MouseEventKind::Press,
         (MOVED, b'M') => MouseEventKind::Drag,
@@ -36,7 +36,7 @@ pub(super) fn mouse(parameters: &[u8], last: u8) -> Option<Mouse> {
     };
     let cell = |number: u32| u16::try_from(number.checked_sub(1)?).ok();
     let at = Position::new(cell(column)?, cell(row)?);
-    Some(Mouse { deed, at })
+    Some(Mouse { kind: action, at })
 }
 
 /// Returns the key of a control character.
@@ -152,11 +152,11 @@ pub(super) fn ground(report: &[u8]) -> Option<[u8; 3]> {
     let colour = report.strip_prefix("11;rgb")?;
     let colour = colour.strip_prefix("a:").or(colour.strip_prefix(":"))?;
     let mut parts = colour.split('/').map(|digits| {
-        let most = (1..=4)
+        let maximum = (1..=4)
             .contains(&digits.len())
             .then(|| (1_u32 << (4 * digits.len())) - 1)?;
         let value = u32::from_str_radix(digits, 16).ok()?;
-        u8::try_from(value * 255 / most).ok()
+        u8::try_from(value * 255 / maximum).ok()
     });
     let mut part = || parts.next().flatten();
     Some([part()?, part()?, part()?])

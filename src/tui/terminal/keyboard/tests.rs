@@ -62,17 +62,17 @@ fn answers_about_the_background_are_decoded() {
 
 #[test]
 fn mouse_reports_decode_to_first_button_and_wheel() {
-    let told = |bytes: &[u8]| match keys_of(&[bytes])[..] {
-        [TerminalInput::Mouse(mouse)] => Some((mouse.deed, mouse.at.x, mouse.at.y)),
+    let text = |bytes: &[u8]| match keys_of(&[bytes])[..] {
+        [TerminalInput::Mouse(mouse)] => Some((mouse.kind, mouse.at.x, mouse.at.y)),
         [] => None,
         ref other => panic!("{other:?}"),
     };
     use crate::tui::commands::mouse::MouseEventKind as D;
-    assert_eq!(told(b"\x1b[<0;1;1M"), Some((D::Press, 0, 0)));
-    assert_eq!(told(b"\x1b[<32;80;24M"), Some((D::Drag, 79, 23)));
-    assert_eq!(told(b"\x1b[<0;300;200m"), Some((D::Release, 299, 199)));
-    assert_eq!(told(b"\x1b[<64;5;6M"), Some((D::WheelUp, 4, 5)));
-    assert_eq!(told(b"\x1b[<65;5;6M"), Some((D::WheelDown, 4, 5)));
+    assert_eq!(text(b"\x1b[<0;1;1M"), Some((D::Press, 0, 0)));
+    assert_eq!(text(b"\x1b[<32;80;24M"), Some((D::Drag, 79, 23)));
+    assert_eq!(text(b"\x1b[<0;300;200m"), Some((D::Release, 299, 199)));
+    assert_eq!(text(b"\x1b[<64;5;6M"), Some((D::WheelUp, 4, 5)));
+    assert_eq!(text(b"\x1b[<65;5;6M"), Some((D::WheelDown, 4, 5)));
     // Other buttons, motion without a button and malformed reports produce no keys, and no mouse
     // events except after a superfluous separator.
     for bytes in [
@@ -84,8 +84,8 @@ fn mouse_reports_decode_to_first_button_and_wheel() {
         "<;;M",
         "<0;1;1;M",
     ] {
-        let told = told(format!("\x1b[{bytes}").as_bytes());
-        assert!(told.is_none() || bytes == "<0;1;1;M", "{bytes}: {told:?}");
+        let text = text(format!("\x1b[{bytes}").as_bytes());
+        assert!(text.is_none() || bytes == "<0;1;1;M", "{bytes}: {text:?}");
     }
     // In two chunks.
     let pieces = keys_of(&[b"\x1b[<0;1", b"2;3Mq"]);
@@ -208,7 +208,7 @@ fn invalid_utf8_does_not_swallow_next_key() {
 fn control_strings_of_any_length_produce_no_keys() {
     for length in [0, 1, 255, 256, 257, 1 << 20] {
         let text = "q".repeat(length);
-        for (begins, ends) in [
+        for (starts, ends) in [
             ("\x1b]52;c;", "\x07"),
             ("\x1b]52;c;", "\x1b\\"),
             ("\x1bP1+r", "\x1b\\"),
@@ -216,8 +216,8 @@ fn control_strings_of_any_length_produce_no_keys() {
             ("\x1b^", "\x1b\\"),
             ("\x1bX", "\x18"),
         ] {
-            let bytes = format!("{begins}{text}{ends}g");
-            assert_eq!(key_of(bytes.as_bytes()), key(Key::Char('g')), "{begins:?}");
+            let bytes = format!("{starts}{text}{ends}g");
+            assert_eq!(key_of(bytes.as_bytes()), key(Key::Char('g')), "{starts:?}");
         }
         let digits = "1;".repeat(length);
         let bytes = format!("\x1b[{digits}mg");
@@ -232,7 +232,7 @@ fn lone_escape_becomes_key_after_timeout() {
     let now = Instant::now();
     keyboard.feed(b"\x1b", now, &mut inputs);
     assert_eq!(inputs, vec![]);
-    assert_eq!(keyboard.deadline(), Some(now + ESCAPE_PATIENCE));
+    assert_eq!(keyboard.deadline(), Some(now + ESCAPE_TIMEOUT));
     keyboard.give_up(&mut inputs);
     assert_eq!(inputs, key(Key::Escape));
     assert_eq!(keyboard.deadline(), None);
@@ -258,18 +258,18 @@ fn pastes_of_any_length_produce_no_keys() {
 #[test]
 fn ctrl_c_ends_unterminated_paste() {
     let leave = key(Key::Ctrl('c'));
-    let begun = Instant::now();
+    let started = Instant::now();
     let mut inputs = Vec::new();
     let mut keyboard = Keyboard::default();
-    keyboard.feed(b"\x1b[200~text", begun, &mut inputs);
-    keyboard.feed(b"\x03", begun + PRESSED, &mut inputs);
+    keyboard.feed(b"\x1b[200~text", started, &mut inputs);
+    keyboard.feed(b"\x03", started + MIN_CTRL_C_PAUSE, &mut inputs);
     assert_eq!(inputs, leave);
     // A paste that continues endlessly.
     inputs.clear();
-    keyboard.feed(b"\x1b[200~", begun, &mut inputs);
-    let mut now = begun;
-    while now < begun + MAX_PASTE_TIME {
-        now += PRESSED / 5;
+    keyboard.feed(b"\x1b[200~", started, &mut inputs);
+    let mut now = started;
+    while now < started + MAX_PASTE_TIME {
+        now += MIN_CTRL_C_PAUSE / 5;
         keyboard.feed(b"text", now, &mut inputs);
     }
     keyboard.feed(b"text\x03text", now, &mut inputs);
@@ -292,17 +292,21 @@ fn rest_of_stalled_paste_produces_no_keys() {
     assert_eq!(inputs, [TerminalInput::Paste("one q".into())]);
     assert_eq!(keyboard.deadline(), None);
     inputs.clear();
-    let later = now + 2 * PASTE_PATIENCE;
+    let later = now + 2 * PASTE_TIMEOUT;
     keyboard.feed(b" w q w q w q", later, &mut inputs);
-    keyboard.feed(b" R\x1b[201~x", later + PRESSED, &mut inputs);
+    keyboard.feed(b" R\x1b[201~x", later + MIN_CTRL_C_PAUSE, &mut inputs);
     let rest = TerminalInput::Paste(" w q w q w q R".into());
     assert_eq!(inputs, [rest, TerminalInput::Key(Key::Char('x'))]);
     // An unterminated paste does not block later keys.
     inputs.clear();
     keyboard.feed(b"\x1b[200~two", later, &mut inputs);
     keyboard.give_up(&mut inputs);
-    keyboard.feed(b"\x1b[A", later + 2 * PASTE_PATIENCE, &mut inputs);
-    keyboard.feed(b"q", later + 2 * PASTE_PATIENCE + PRESSED, &mut inputs);
+    keyboard.feed(b"\x1b[A", later + 2 * PASTE_TIMEOUT, &mut inputs);
+    keyboard.feed(
+        b"q",
+        later + 2 * PASTE_TIMEOUT + MIN_CTRL_C_PAUSE,
+        &mut inputs,
+    );
     let keys = [Key::Up, Key::Char('q')].map(TerminalInput::Key);
     assert_eq!(inputs[1..], keys);
 }
@@ -310,7 +314,7 @@ fn rest_of_stalled_paste_produces_no_keys() {
 /// Regression: keys vanished in an unterminated paste for as long as one arrived every second.
 #[test]
 fn keys_work_in_unterminated_paste() {
-    for pause in [HEELS, PASTE_PATIENCE / 3] {
+    for pause in [MAX_PASTE_PAUSE, PASTE_TIMEOUT / 3] {
         let mut keyboard = Keyboard::default();
         let mut inputs = Vec::new();
         let mut now = Instant::now();
@@ -320,7 +324,7 @@ fn keys_work_in_unterminated_paste() {
             now += pause;
             keyboard.feed(bytes, now, &mut inputs);
             if keyboard.deadline().is_some() {
-                assert_eq!(keyboard.deadline(), Some(now + HEELS));
+                assert_eq!(keyboard.deadline(), Some(now + MAX_PASTE_PAUSE));
                 keyboard.give_up(&mut inputs);
             }
             assert_eq!(inputs.last(), Some(&TerminalInput::Key(expected)));
@@ -337,7 +341,7 @@ fn next_key_confirms_pending_key() {
     let mut now = Instant::now();
     keyboard.feed(b"\x1b[200~", now, &mut inputs);
     for _ in 0..3 {
-        now += HEELS;
+        now += MAX_PASTE_PAUSE;
         keyboard.feed(b".", now, &mut inputs);
     }
     let dot = TerminalInput::Key(Key::Char('.'));
@@ -354,9 +358,9 @@ fn paste_stalled_at_any_byte_stays_one_paste() {
         let mut now = Instant::now();
         for (k, byte) in pasted.iter().enumerate() {
             now += if k == stall {
-                PASTE_PATIENCE / 2
+                PASTE_TIMEOUT / 2
             } else {
-                HEELS / 25
+                MAX_PASTE_PAUSE / 25
             };
             keyboard.feed(&[*byte], now, &mut inputs);
         }
@@ -372,9 +376,9 @@ fn answers_do_not_hide_keys_in_unterminated_paste() {
     let mut inputs = Vec::new();
     let now = Instant::now();
     keyboard.feed(b"\x1b[200~", now, &mut inputs);
-    keyboard.feed(ANSWER, now + HEELS, &mut inputs);
-    keyboard.feed(b"q", now + HEELS, &mut inputs);
-    keyboard.feed(ANSWER, now + HEELS, &mut inputs);
+    keyboard.feed(ANSWER, now + MAX_PASTE_PAUSE, &mut inputs);
+    keyboard.feed(b"q", now + MAX_PASTE_PAUSE, &mut inputs);
+    keyboard.feed(ANSWER, now + MAX_PASTE_PAUSE, &mut inputs);
     assert_eq!(inputs, [TerminalInput::Answer, TerminalInput::Answer]);
     keyboard.give_up(&mut inputs);
     assert_eq!(inputs[2..], key(Key::Char('q')));
@@ -393,10 +397,10 @@ proptest! {
             keyboard.feed(piece, now, &mut inputs);
             prop_assert!(keyboard.held.len() <= MAX_PASTE_LEN + PASTE_ENDS.len());
         }
-        let is_pasting = keyboard.state == Unfinished::Paste;
+        let is_pasting = keyboard.state == PendingInput::Paste;
         inputs.clear();
         // Within a paste after a moment, in any other state at once.
-        let later = if is_pasting { now + PRESSED } else { now };
+        let later = if is_pasting { now + MIN_CTRL_C_PAUSE } else { now };
         keyboard.feed(b"\x03", later, &mut inputs);
         prop_assert_eq!(inputs, key(Key::Ctrl('c')));
         prop_assert_eq!(keyboard.deadline(), None);

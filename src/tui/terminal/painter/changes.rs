@@ -7,7 +7,7 @@ use std::ops::Range;
 /// Length of the sequence that erases to the end of a row.
 const ERASING: usize = 3;
 /// Minimum number of blanks that erasing a whole row must save. Fewer are just as quickly written.
-const WORTH_WIPING: usize = 12;
+const MIN_ERASED_BLANKS: usize = 12;
 
 /// A write at one position.
 #[derive(Clone, Copy, Debug)]
@@ -90,7 +90,7 @@ impl Screens<'_> {
         }
         let mut erases = None;
         if usize::from(columns.end) == next.len() {
-            if self.is_worth_wiping(&changes[first..], columns.start) {
+            if self.is_erase_shorter(&changes[first..], columns.start) {
                 changes.truncate(first);
                 changes.push(erased(columns.start, y));
                 first += 1;
@@ -144,10 +144,10 @@ impl Screens<'_> {
 
     /// Returns `true` if erasing the row from here on is shorter than writing blanks. Erased
     /// content that stays must be written again.
-    fn is_worth_wiping(&self, changes: &[CellChange], from: u16) -> bool {
+    fn is_erase_shorter(&self, changes: &[CellChange], from: u16) -> bool {
         let gone = changes.iter().filter(|c| self.takes_away(c)).count();
         // A quick exit: most frames change only a few cells of a row.
-        let saved = gone.saturating_sub(WORTH_WIPING);
+        let saved = gone.saturating_sub(MIN_ERASED_BLANKS);
         if saved == 0 {
             return false;
         }
@@ -169,8 +169,8 @@ impl Screens<'_> {
             return None;
         }
         let end = next.iter().rposition(is_ink).map_or(0, |i| to_u16(i + 1));
-        let behind = changes.iter().filter(|change| change.x >= end);
-        (behind.filter(|c| self.takes_away(c)).count() > ERASING).then_some(end)
+        let after = changes.iter().filter(|change| change.x >= end);
+        (after.filter(|c| self.takes_away(c)).count() > ERASING).then_some(end)
     }
 }
 
@@ -198,15 +198,15 @@ fn blanks_like_their_neighbours(changes: &mut [CellChange], row: &[Cell]) {
     let mut i = 0;
     while i < changes.len() {
         let blanks = changes[i..].iter().take_while(|c| is_blank(c)).count();
-        let behind = changes.get(i + blanks).copied();
+        let after = changes.get(i + blanks).copied();
         for blank in &mut changes[i..i + blanks] {
-            let near = [before, behind].into_iter().flatten();
-            let near = near.filter(|ink| ink.style.leaves_blanks());
+            let near = [before, after].into_iter().flatten();
+            let near = near.filter(|ink| ink.style.is_blank_background());
             if let Some(ink) = near.min_by_key(|ink| ink.x.abs_diff(blank.x)) {
                 blank.style = ink.style;
             }
         }
-        before = behind;
+        before = after;
         i += blanks + 1;
     }
 }

@@ -2,7 +2,7 @@
 
 use super::super::queue;
 use super::super::sgr::{CellStyle, Sgr};
-use super::BEGINNING;
+use super::MAX_FRAME_START;
 use super::changes::{CellChange, Screens, ToWrite};
 use crossterm::cursor::{MoveRight, MoveTo};
 use crossterm::terminal::{Clear, ClearType};
@@ -13,7 +13,7 @@ use ratatui::buffer::Cell;
 const REWRITE: u16 = 4;
 
 /// Length of the sequence that resets the style.
-const PLAINLY: usize = 3;
+const RESET_LEN: usize = 3;
 
 /// The written bytes, and the terminal's state after them.
 #[derive(Debug)]
@@ -47,14 +47,14 @@ pub(super) struct WrittenList {
 
 impl CellPen {
     /// Starts a frame: the cursor position is unknown, the style is plain.
-    pub(super) fn begin(&mut self) {
+    pub(super) fn start_frame(&mut self) {
         self.bytes.clear();
         (self.cursor, self.sgr) = (None, Sgr::PLAIN);
     }
 
     /// Switches to a style.
     pub(super) fn set(&mut self, style: Sgr) {
-        style.put_in_force(self.sgr, &mut self.bytes);
+        style.write_style(self.sgr, &mut self.bytes);
         self.sgr = style;
     }
 
@@ -63,7 +63,7 @@ impl CellPen {
         &mut self,
         screens: Screens<'_>,
         changes: &[CellChange],
-        room: usize,
+        space: usize,
     ) -> WrittenList {
         let mut list = WrittenList {
             start: self.bytes.len(),
@@ -72,11 +72,11 @@ impl CellPen {
             written: 0,
         };
         for change in changes {
-            let has_begun = self.bytes.len() > BEGINNING;
-            if has_begun && self.bytes.len() >= room {
+            let has_begun = self.bytes.len() > MAX_FRAME_START;
+            if has_begun && self.bytes.len() >= space {
                 break;
             }
-            self.put(screens, change);
+            self.write_change(screens, change);
             list.written += 1;
         }
         list
@@ -96,7 +96,7 @@ impl CellPen {
         (self.cursor, self.sgr) = (list.cursor, list.sgr);
         self.write(screens, changes, usize::MAX);
         // The style at the end must be reset.
-        let ending = |sgr: Sgr| if sgr == Sgr::PLAIN { 0 } else { PLAINLY };
+        let ending = |sgr: Sgr| if sgr == Sgr::PLAIN { 0 } else { RESET_LEN };
         let this = self.bytes.len() - list.start + ending(self.sgr);
         if this >= self.other.len() + ending(sgr) {
             self.bytes.truncate(list.start);
@@ -105,7 +105,7 @@ impl CellPen {
         }
     }
 
-    fn put(&mut self, screens: Screens<'_>, change: &CellChange) {
+    fn write_change(&mut self, screens: Screens<'_>, change: &CellChange) {
         let (shown, row) = screens.row(change.y);
         self.go_to(change, screens.look, shown, row);
         self.set(change.style);
@@ -146,7 +146,7 @@ impl CellPen {
                     queue(&mut self.bytes, MoveRight(x - cx));
                 }
             }
-            Some((cx, cy)) => self.leave((cx, cy), (x, y)),
+            Some((cx, cy)) => self.move_cursor((cx, cy), (x, y)),
             None => queue(&mut self.bytes, MoveTo(x, y)),
         }
         self.cursor = Some((x, y));
@@ -154,7 +154,7 @@ impl CellPen {
 
     /// Moves to another row, or back in this one: by backspaces, returns and line feeds if they are
     /// shorter than an absolute position.
-    fn leave(&mut self, (cx, cy): (u16, u16), (x, y): (u16, u16)) {
+    fn move_cursor(&mut self, (cx, cy): (u16, u16), (x, y): (u16, u16)) {
         let start = self.bytes.len();
         queue(&mut self.bytes, MoveTo(x, y));
         let direct = self.bytes.len() - start;
@@ -184,6 +184,7 @@ impl CellPen {
     /// shows.
     fn suits(&self, look: CellStyle, cell: &Cell) -> bool {
         let sgr = look.sgr_of(cell);
-        sgr == self.sgr || (cell.symbol() == " " && sgr == Sgr::PLAIN && self.sgr.leaves_blanks())
+        sgr == self.sgr
+            || (cell.symbol() == " " && sgr == Sgr::PLAIN && self.sgr.is_blank_background())
     }
 }

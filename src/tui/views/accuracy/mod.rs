@@ -35,8 +35,8 @@ const ROWS_ABOVE: (u16, u16) = (7, 18);
 
 /// Returns the areas of the chart and of the list.
 fn arrange(area: Rect) -> (Rect, Rect) {
-    let (least, most) = ROWS_ABOVE;
-    let rows = (area.height / 2).clamp(least, most);
+    let (minimum, maximum) = ROWS_ABOVE;
+    let rows = (area.height / 2).clamp(minimum, maximum);
     chart_and_list(area, &[WIDE, NARROW], MIN_CHART, rows)
 }
 
@@ -48,7 +48,7 @@ const CHART_ROWS: u16 = 8;
 
 /// Returns the areas of a watched method: its convergence chart, if there are errors to plot and the
 /// screen is large enough, and its table of iterations.
-fn beside_method(watched: &WatchedMethod, area: Rect) -> (Option<Rect>, Rect) {
+fn method_areas(watched: &WatchedMethod, area: Rect) -> (Option<Rect>, Rect) {
     let is_wide = area.width >= ITERATIONS + 1 + MARGIN + MIN_CHART;
     if watched.curves().is_empty() || !(is_wide || area.height >= MIN_HEIGHT) {
         return (None, inset(area));
@@ -80,9 +80,9 @@ impl MethodWatch {
     ///
     /// # Errors
     /// Returns a message if the guess is invalid for this scene; the previous one then stays.
-    pub(crate) fn begin_at(&mut self, guess: &str, open_scene: &OpenScene) -> Result<(), String> {
+    pub(crate) fn set_guess(&mut self, guess: &str, open_scene: &OpenScene) -> Result<(), String> {
         if let Some(watched) = self.result.get_mut() {
-            watched.begin_at(guess, open_scene)?;
+            watched.set_guess(guess, open_scene)?;
         }
         guess.clone_into(&mut self.guess);
         Ok(())
@@ -119,7 +119,7 @@ impl Pane for AccuracyView {
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
         match (app.views.method.watched(), app.views.study_run.findings()) {
             (Some(watched), _) => {
-                if let Some(area) = beside_method(watched, body).0 {
+                if let Some(area) = method_areas(watched, body).0 {
                     let chart = convergence(watched.curves());
                     let raster = chart.render(area.width, area.height, app.glyphs());
                     show(&raster, area, buffer);
@@ -134,7 +134,7 @@ impl Pane for AccuracyView {
 
     fn listed(&self, app: &App, body: Rect) -> (Vec<Line>, Rect) {
         if let Some(watched) = app.views.method.watched() {
-            let list = beside_method(watched, body).1;
+            let list = method_areas(watched, body).1;
             return (page::lines(app, watched.page(), list), list);
         }
         let list = arrange(body).1;

@@ -2,7 +2,7 @@
 //! answered.
 
 use crate::solver::Solver;
-use crate::study::{Findings, Study, USUAL_POSITIONS};
+use crate::study::{DEFAULT_POSITIONS, Findings, Study};
 use std::time::Duration;
 
 /// Duration of one slice of work between two reads of the keyboard.
@@ -44,9 +44,9 @@ impl StudyRun {
     }
 
     /// Starts the study, resumes a stopped one, or restarts a completed one.
-    pub(crate) fn go_on(&mut self, solver: &Solver) {
+    pub(crate) fn start_or_resume(&mut self, solver: &Solver) {
         if matches!(self.phase, Phase::Idle | Phase::Done) {
-            let study = Study::new(solver, USUAL_POSITIONS);
+            let study = Study::new(solver, DEFAULT_POSITIONS);
             self.findings = Some(study.findings());
             self.study = Some(Box::new(study));
         }

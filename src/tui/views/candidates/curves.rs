@@ -3,10 +3,10 @@
 
 use super::list::CandidateList;
 use super::walk::CurveWalk;
-use super::{beside, in_lines};
+use super::{in_lines, print_facts};
 use crate::Vec2;
-use crate::drawing::{self, Figure, Layers, Reach, Role, Shape};
-use crate::synthesis::{Partner, PosedDyad};
+use crate::drawing::{self, Extents, Figure, Layers, Role, Shape};
+use crate::synthesis::{PinConstraint, PosedDyad};
 use crate::tui::app::App;
 use crate::tui::appearance::theme::ScreenPart;
 use crate::wording::words;
@@ -32,9 +32,9 @@ pub(super) fn render(
         ..area
     };
     let facts = facts(app, list, walk, area.width.into());
-    let picture = beside(&facts, area, buffer);
-    let reach = reach(list, walk);
-    let view = drawing::WorldView::fit(&reach, picture.width, picture.height, app.aspect());
+    let picture = print_facts(&facts, area, buffer);
+    let extents = extents(list, walk);
+    let view = drawing::WorldView::fit(&extents, picture.width, picture.height, app.aspect());
     let figure = figure(list, walk);
     let raster = drawing::render(&figure, &view, app.glyphs());
     super::super::show(&raster, picture, buffer);
@@ -42,20 +42,20 @@ pub(super) fn render(
 
 /// Returns the extents of the poses with a margin, including the picked dyad and the one under the
 /// cursor.
-fn reach(list: &CandidateList, walk: &CurveWalk) -> Reach {
+fn extents(list: &CandidateList, walk: &CurveWalk) -> Extents {
     let (middle, size) = list.middle_and_size();
     let corner = Vec2::new(1.0, 1.0).scaled(NEAR * size);
     let dyads = list.walked().into_iter().chain(walk.picked());
-    let mut places = vec![middle - corner, middle + corner];
-    places.extend(dyads.flat_map(ends));
-    Reach::of_places(&places, &[])
+    let mut positions = vec![middle - corner, middle + corner];
+    positions.extend(dyads.flat_map(ends));
+    Extents::of_places(&positions, &[])
 }
 
 /// Yields the dyad's pin, and its pivot if it has one.
 fn ends(dyad: &PosedDyad) -> impl Iterator<Item = Vec2> {
     let pivot = match dyad.held {
-        Partner::Rocker(pivot) => Some(pivot),
-        Partner::Slide(_) => None,
+        PinConstraint::Rocker(pivot) => Some(pivot),
+        PinConstraint::Slide(_) => None,
     };
     std::iter::once(dyad.pin).chain(pivot)
 }
@@ -66,7 +66,7 @@ fn figure(list: &CandidateList, walk: &CurveWalk) -> Figure {
     let mut figure = match list.shown() {
         Some(shown) => drawing::linkage(
             shown.scene(),
-            shown.reach(),
+            shown.extents(),
             shown.state(),
             Layers::default(),
         ),
@@ -104,7 +104,7 @@ fn figure(list: &CandidateList, walk: &CurveWalk) -> Figure {
 
 fn add_dyad(figure: &mut Figure, dyad: &PosedDyad, role: Role, size: f64) {
     match dyad.held {
-        Partner::Rocker(pivot) => {
+        PinConstraint::Rocker(pivot) => {
             let (from, to) = (pivot, dyad.pin);
             figure.add(Shape::Line { from, to, role });
             figure.add(Shape::Support { at: pivot });
@@ -113,7 +113,7 @@ fn add_dyad(figure: &mut Figure, dyad: &PosedDyad, role: Role, size: f64) {
                 role: Role::GroundPin,
             });
         }
-        Partner::Slide(angle) => {
+        PinConstraint::Slide(angle) => {
             let along = crate::angle::unit(angle);
             let half = along.scaled(GUIDE * size);
             let (from, to) = (dyad.pin - half, dyad.pin + half);
@@ -140,25 +140,25 @@ fn facts(
     walk: &CurveWalk,
     width: usize,
 ) -> Vec<(String, ScreenPart)> {
-    let whole = usize::MAX;
-    let stand = list
+    let integer = usize::MAX;
+    let driver_state = list
         .walked_place()
         .map(|[(dyad, dyads), (curve, curves)]| words().dyads_walked(dyad, dyads, curve, curves));
-    let told = |dyad: Option<&PosedDyad>| dyad.and_then(|dyad| list.describe_dyad(dyad));
-    let mut said = vec![
-        (stand.unwrap_or_default(), ScreenPart::Quiet, whole),
+    let shown_text = |dyad: Option<&PosedDyad>| dyad.and_then(|dyad| list.describe_dyad(dyad));
+    let mut text = vec![
+        (driver_state.unwrap_or_default(), ScreenPart::Quiet, integer),
         (
-            told(list.walked()).unwrap_or_default(),
+            shown_text(list.walked()).unwrap_or_default(),
             ScreenPart::Text,
-            whole,
+            integer,
         ),
     ];
-    match told(walk.picked()) {
-        Some(picked) => said.push((words().dyad_picked(&picked), ScreenPart::Text, whole)),
-        None => said.push((
+    match shown_text(walk.picked()) {
+        Some(picked) => text.push((words().dyad_picked(&picked), ScreenPart::Text, integer)),
+        None => text.push((
             words().pick_the_second().to_owned(),
             ScreenPart::Quiet,
-            whole,
+            integer,
         )),
     }
     match list.chosen() {
@@ -169,21 +169,25 @@ fn facts(
                 true => format!("{}; {transmission}; {}", row.lengths, row.turns),
                 false => row.lengths.clone(),
             };
-            said.push((figures, ScreenPart::Text, whole));
-            said.push((row.reasons.clone(), ScreenPart::Warning, whole));
-            if !row.lacks.is_empty() {
-                let lacks = format!("{}: {}", words().head_lacks(), row.lacks);
-                said.push((lacks, ScreenPart::Warning, whole));
+            text.push((figures, ScreenPart::Text, integer));
+            text.push((row.reasons.clone(), ScreenPart::Warning, integer));
+            if !row.unmet.is_empty() {
+                let missing = format!("{}: {}", words().head_lacks(), row.unmet);
+                text.push((missing, ScreenPart::Warning, integer));
             }
         }
         None if walk.picked().is_some() => {
-            said.push((
+            text.push((
                 words().dyads_make_nothing().to_owned(),
                 ScreenPart::Warning,
-                whole,
+                integer,
             ));
         }
-        None => said.push((words().dotted_curves().to_owned(), ScreenPart::Quiet, whole)),
+        None => text.push((
+            words().dotted_curves().to_owned(),
+            ScreenPart::Quiet,
+            integer,
+        )),
     }
-    in_lines(app, said, width)
+    in_lines(app, text, width)
 }

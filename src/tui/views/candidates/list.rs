@@ -5,7 +5,7 @@ use super::shown::ShownCandidate;
 use super::walk::CurveWalk;
 use crate::report::{CandidateRow, SynthesisReport};
 use crate::synthesis::{
-    Candidate, Partner, PosedDyad, SceneTitles, Synthesis, SynthesisSettings, scene_text,
+    Candidate, PinConstraint, PosedDyad, SceneTitles, Synthesis, SynthesisSettings, scene_text,
 };
 use crate::tui::TaskOrder;
 use crate::tui::commands::list::moved;
@@ -16,7 +16,7 @@ use std::time::Duration;
 
 /// Playing time between two points of the task, in seconds; the next two limit the time of the
 /// whole motion.
-const STRETCH: f64 = 0.8;
+const PLAYING_TIME: f64 = 0.8;
 const MIN_TRAVEL_TIME: f64 = 1.6;
 const MAX_TRAVEL_TIME: f64 = 6.0;
 
@@ -39,7 +39,7 @@ pub(crate) struct FoundCandidates {
     rows: Vec<CandidateRow>,
     verdict: String,
     /// The reason why no linkage does the task.
-    nothing: String,
+    no_result_reason: String,
     /// The unit of the miss.
     miss_unit: &'static str,
     /// The possible pivots, curve by curve, for a task of four poses.
@@ -66,30 +66,30 @@ impl FoundCandidates {
             pieces.collect()
         };
         let pivot = |dyad: &PosedDyad| match dyad.held {
-            Partner::Rocker(pivot) => Some(pivot),
-            Partner::Slide(_) => None,
+            PinConstraint::Rocker(pivot) => Some(pivot),
+            PinConstraint::Slide(_) => None,
         };
         let mut found = FoundCandidates {
             rows: Vec::new(),
             verdict: String::new(),
-            nothing: String::new(),
+            no_result_reason: String::new(),
             miss_unit: "",
             pivots: curve(pivot),
             pins: curve(|dyad| Some(dyad.pin)),
             synthesis,
         };
-        found.say(order);
+        found.rebuild_texts(order);
         found
     }
 
     /// Writes all texts in the current language.
-    pub(super) fn say(&mut self, order: &TaskOrder) {
+    pub(super) fn rebuild_texts(&mut self, order: &TaskOrder) {
         let found = &self.synthesis;
         let report = report_of(found, order);
         let all = found.good.iter().chain(&found.defective);
         self.rows = all.map(|candidate| report.row(candidate)).collect();
         (self.verdict, self.miss_unit) = (report.verdict(), report.miss_unit());
-        self.nothing = report.nothing();
+        self.no_result_reason = report.nothing();
     }
 
     /// Returns the report on all candidates that do the task.
@@ -114,7 +114,7 @@ pub(crate) struct CandidateList {
     /// Index of the selected candidate; defective ones follow the others.
     pub(super) cursor: usize,
     pub(super) page: CandidatesPage,
-    way: WayPlayed,
+    way: CandidatePlayback,
     /// The drawn candidate; `None` if it must still be built.
     shown: Option<ShownCandidate>,
     /// Serial number of the scene last opened from this list.
@@ -129,7 +129,7 @@ impl CandidateList {
             job,
             cursor: 0,
             page: CandidatesPage::default(),
-            way: WayPlayed::default(),
+            way: CandidatePlayback::default(),
             shown: None,
             taken: None,
         }
@@ -144,9 +144,9 @@ impl CandidateList {
     }
 
     /// Writes all texts again after a change of the language.
-    pub(crate) fn say_again(&mut self) {
+    pub(crate) fn rebuild_texts(&mut self) {
         if let Some(found) = &mut self.job.result {
-            found.say(&self.order);
+            found.rebuild_texts(&self.order);
         }
     }
 
@@ -173,7 +173,7 @@ impl CandidateList {
 
     /// Returns the reason why no linkage does the task.
     pub(crate) fn nothing(&self) -> &str {
-        self.found().map_or("", |found| &found.nothing)
+        self.found().map_or("", |found| &found.no_result_reason)
     }
 
     /// Returns the unit of the miss.
@@ -251,7 +251,7 @@ impl CandidateList {
 
     /// Returns the number of the nearest point of the task, counted from 1, the number of points,
     /// and the crank's angle in degrees.
-    pub(crate) fn stand(&self) -> Option<(usize, usize, f64)> {
+    pub(crate) fn nearest_point(&self) -> Option<(usize, usize, f64)> {
         let (candidate, _) = self.chosen()?;
         let at = self.crank(&candidate.at)?;
         let point = self.way.place.round() as usize + 1;
@@ -272,14 +272,14 @@ impl CandidateList {
 
     /// Moves to the next or the previous point of the task.
     pub(crate) fn step(&mut self, forward: bool) {
-        let most = self.stretches() as f64;
-        self.way.step(forward, most);
+        let maximum = self.stretches() as f64;
+        self.way.step(forward, maximum);
     }
 
     /// Advances the motion to the time `now`.
     pub(crate) fn follow(&mut self, now: Duration) {
-        let most = self.stretches();
-        self.way.follow(now, most);
+        let maximum = self.stretches();
+        self.way.follow(now, maximum);
     }
 
     /// Sets the motion's clock to `now` without advancing it.
@@ -318,14 +318,14 @@ impl CandidateList {
     fn crank(&self, at: &[f64]) -> Option<f64> {
         let from = self.way.place.floor();
         let before = *at.get(from as usize)?;
-        let behind = at.get(from as usize + 1).copied().unwrap_or(before);
-        Some(before + (behind - before) * (self.way.place - from))
+        let after = at.get(from as usize + 1).copied().unwrap_or(before);
+        Some(before + (after - before) * (self.way.place - from))
     }
 }
 
 /// The state of a candidate's playback.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct WayPlayed {
+struct CandidatePlayback {
     /// The position in the motion: 0 at the first point, 1 at the second.
     place: f64,
     is_back: bool,
@@ -333,17 +333,17 @@ struct WayPlayed {
     since: Option<Duration>,
 }
 
-impl WayPlayed {
+impl CandidatePlayback {
     /// Rewinds to the first point; a running playback continues from there.
     fn rewind(&mut self) {
         (self.place, self.is_back) = (0.0, false);
     }
 
-    fn step(&mut self, forward: bool, most: f64) {
+    fn step(&mut self, forward: bool, maximum: f64) {
         self.since = None;
         self.is_back = !forward;
         self.place = match forward {
-            true => (self.place.floor() + 1.0).min(most),
+            true => (self.place.floor() + 1.0).min(maximum),
             false => (self.place.ceil() - 1.0).max(0.0),
         };
     }
@@ -353,19 +353,19 @@ impl WayPlayed {
         let Some(since) = self.since.filter(|_| stretches > 0) else {
             return;
         };
-        let most = stretches as f64;
-        let whole = (most * STRETCH).clamp(MIN_TRAVEL_TIME, MAX_TRAVEL_TIME);
-        let by = now.saturating_sub(since).as_secs_f64() * most / whole;
+        let maximum = stretches as f64;
+        let complete = (maximum * PLAYING_TIME).clamp(MIN_TRAVEL_TIME, MAX_TRAVEL_TIME);
+        let by = now.saturating_sub(since).as_secs_f64() * maximum / complete;
         // One round goes to the end and back.
         let before = if self.is_back {
-            2.0 * most - self.place
+            2.0 * maximum - self.place
         } else {
             self.place
         };
-        let round = (before + by).rem_euclid(2.0 * most);
-        self.is_back = round > most;
+        let round = (before + by).rem_euclid(2.0 * maximum);
+        self.is_back = round > maximum;
         self.place = if self.is_back {
-            2.0 * most - round
+            2.0 * maximum - round
         } else {
             round
         };
@@ -379,9 +379,9 @@ mod tests {
 
     #[test]
     fn path_is_played_back_and_forth() {
-        let mut way = WayPlayed {
+        let mut way = CandidatePlayback {
             since: Some(Duration::ZERO),
-            ..WayPlayed::default()
+            ..CandidatePlayback::default()
         };
         // Two sections take 1.6 s.
         for (milliseconds, place) in [

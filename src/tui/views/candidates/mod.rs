@@ -64,7 +64,7 @@ pub(super) fn render(app: &App, list: &CandidateList, screen: Rect, buffer: &mut
 }
 
 /// Returns `true` if the screen has space for both the list and the selected candidate.
-pub(crate) fn sees_both(size: Size) -> bool {
+pub(crate) fn fits_both(size: Size) -> bool {
     let screen = Rect::from((Position::ORIGIN, size));
     arrange(middle(screen), LIST).preview.is_some()
 }
@@ -84,9 +84,9 @@ fn title(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
         Some(_) => String::new(),
         None => words().good_and_defective(good, defective),
     };
-    let room = usize::from(right.saturating_sub(area.x + 1));
-    let room = room.saturating_sub(usize::from(columns(&count)) + 1);
-    let name = cut(&shown_text(&name, app.glyphs()), room);
+    let space = usize::from(right.saturating_sub(area.x + 1));
+    let space = space.saturating_sub(usize::from(columns(&count)) + 1);
+    let name = cut(&shown_text(&name, app.glyphs()), space);
     let style = theme::part(ScreenPart::Title);
     print(buffer, area.x + 1, area.y, area.width, &name, style);
     let style = theme::part(ScreenPart::Quiet);
@@ -166,7 +166,7 @@ impl CandidateColumns {
     }
 
     /// Returns the column of the unmet preferences, which follow the words about the crank.
-    fn lacks(&self) -> u16 {
+    fn preference_column(&self) -> u16 {
         let turns = [words().turns_fully_shortly(), words().swings_shortly()];
         let widest = turns.map(columns).into_iter().max().unwrap_or(0);
         self.words + widest.max(columns(words().head_turns())) + GAP + GAP
@@ -174,14 +174,21 @@ impl CandidateColumns {
 }
 
 /// Prints text that ends at this column of the line if `right`, or else starts there.
-fn put(area: Rect, buffer: &mut Buffer, column: u16, text: &str, part: ScreenPart, right: bool) {
+fn print_at(
+    area: Rect,
+    buffer: &mut Buffer,
+    column: u16,
+    text: &str,
+    part: ScreenPart,
+    right: bool,
+) {
     let style = theme::part(part);
     if right {
         print_right(buffer, area.x + column, area.y, text, style);
     } else {
         let x = area.x + column;
-        let room = area.right().saturating_sub(x);
-        print(buffer, x, area.y, room, &cut(text, room.into()), style);
+        let space = area.right().saturating_sub(x);
+        print(buffer, x, area.y, space, &cut(text, space.into()), style);
     }
 }
 
@@ -194,15 +201,15 @@ fn heads(
 ) {
     let mut head = |column, text: &str, right| {
         let text = shown_text(text, app.glyphs());
-        put(area, buffer, column, &text, ScreenPart::Quiet, right);
+        print_at(area, buffer, column, &text, ScreenPart::Quiet, right);
     };
     let miss = format!("{} {}", words().head_miss(), list.miss_unit());
     head(places.miss, &miss, true);
     head(places.transmission, words().head_transmission(), true);
     head(places.words, words().head_turns(), false);
-    let lacks = list.rows().iter().any(|row| !row.lacks.is_empty());
-    if lacks && area.width > places.lacks() + columns(words().head_lacks()) {
-        head(places.lacks(), words().head_lacks(), false);
+    let missing = list.rows().iter().any(|row| !row.unmet.is_empty());
+    if missing && area.width > places.preference_column() + columns(words().head_lacks()) {
+        head(places.preference_column(), words().head_lacks(), false);
     }
 }
 
@@ -217,7 +224,7 @@ fn entry(
     let mut cell = |column, text: &str, part, right| {
         let part = if under_cursor { ScreenPart::Key } else { part };
         let text = shown_text(text, app.glyphs());
-        put(area, buffer, column, &text, part, right);
+        print_at(area, buffer, column, &text, part, right);
     };
     if under_cursor {
         cell(0, ">", ScreenPart::Key, false);
@@ -229,7 +236,7 @@ fn entry(
         true,
     );
     // The mark is needed because the words behind the values may not fit.
-    if !row.lacks.is_empty() {
+    if !row.unmet.is_empty() {
         cell(1, "!", ScreenPart::Warning, false);
     }
     if !is_good {
@@ -244,24 +251,29 @@ fn entry(
         true,
     );
     cell(places.words, row.turns, ScreenPart::Text, false);
-    if area.width > places.lacks() {
-        cell(places.lacks(), &row.lacks, ScreenPart::Warning, false);
+    if area.width > places.preference_column() {
+        cell(
+            places.preference_column(),
+            &row.unmet,
+            ScreenPart::Warning,
+            false,
+        );
     }
 }
 
 /// Renders the selected candidate: its moving drawing and its facts.
 fn candidate(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
     let facts = facts(app, list, area.width.into());
-    let picture = beside(&facts, area, buffer);
+    let picture = print_facts(&facts, area, buffer);
     if let Some(shown) = list.shown() {
         drawing(app, list, shown, picture, buffer);
     }
 }
 
 /// Prints the facts at the bottom of an area and returns the area above them for a drawing.
-fn beside(facts: &[(String, ScreenPart)], area: Rect, buffer: &mut Buffer) -> Rect {
-    let most = area.height.saturating_sub(MIN_DRAWING_HEIGHT);
-    let lines = u16::try_from(facts.len()).unwrap_or(most).min(most);
+fn print_facts(facts: &[(String, ScreenPart)], area: Rect, buffer: &mut Buffer) -> Rect {
+    let maximum = area.height.saturating_sub(MIN_DRAWING_HEIGHT);
+    let lines = u16::try_from(facts.len()).unwrap_or(maximum).min(maximum);
     let (picture, text) = split(area, area.height - lines);
     for (line, (fact, part)) in text.rows().zip(facts) {
         print_line(buffer, line, fact, *part);
@@ -278,7 +290,7 @@ fn drawing(
 ) {
     let mut figure = drawing::linkage(
         shown.scene(),
-        shown.reach(),
+        shown.extents(),
         shown.state(),
         Layers::default(),
     );
@@ -287,7 +299,7 @@ fn drawing(
         let role = drawing::Role::Trace;
         figure.add(Shape::Trace { course, role });
     }
-    let view = drawing::WorldView::fit(shown.reach(), area.width, area.height, app.aspect());
+    let view = drawing::WorldView::fit(shown.extents(), area.width, area.height, app.aspect());
     let raster = drawing::render(&figure, &view, app.glyphs());
     super::show(&raster, area, buffer);
 }
@@ -297,40 +309,44 @@ fn facts(app: &App, list: &CandidateList, width: usize) -> Vec<(String, ScreenPa
     let Some((_, row)) = list.chosen() else {
         return Vec::new();
     };
-    let stand = list.stand().map(|(point, points, at)| {
+    let driver_state = list.nearest_point().map(|(point, points, at)| {
         let at = format!("{at:.1}");
         words().at_point_of_task(point, points, &at)
     });
-    let lacks = match row.lacks.is_empty() {
+    let missing = match row.unmet.is_empty() {
         true => String::new(),
-        false => format!("{}: {}", words().head_lacks(), row.lacks),
+        false => format!("{}: {}", words().head_lacks(), row.unmet),
     };
     let legend = match list.has_curves() {
         true => words().dotted_curves(),
         false => "",
     };
-    let said = [
-        (stand.unwrap_or_default(), ScreenPart::Text, usize::MAX),
+    let text = [
+        (
+            driver_state.unwrap_or_default(),
+            ScreenPart::Text,
+            usize::MAX,
+        ),
         (row.lengths.clone(), ScreenPart::Text, usize::MAX),
-        (lacks, ScreenPart::Warning, usize::MAX),
+        (missing, ScreenPart::Warning, usize::MAX),
         (row.reasons.clone(), ScreenPart::Warning, usize::MAX),
         (list.verdict().to_owned(), ScreenPart::Quiet, MAX_VERDICT),
         (legend.to_owned(), ScreenPart::Quiet, usize::MAX),
     ];
-    in_lines(app, said, width)
+    in_lines(app, text, width)
 }
 
 /// Wraps each text, truncates it to its maximum number of lines, and drops empty texts.
 fn in_lines(
     app: &App,
-    said: impl IntoIterator<Item = (String, ScreenPart, usize)>,
+    message: impl IntoIterator<Item = (String, ScreenPart, usize)>,
     width: usize,
 ) -> Vec<(String, ScreenPart)> {
-    let said = said.into_iter().filter(|(text, ..)| !text.is_empty());
-    let lines = said.flat_map(|(text, part, most)| {
+    let message = message.into_iter().filter(|(text, ..)| !text.is_empty());
+    let lines = message.flat_map(|(text, part, maximum)| {
         let text = shown_text(&text, app.glyphs()).into_owned();
         let mut lines = wrapped(&text, width);
-        lines.truncate(most);
+        lines.truncate(maximum);
         lines.into_iter().map(move |line| (line, part))
     });
     lines.collect()

@@ -1,7 +1,7 @@
 //! Draws a candidate and moves it over its task.
 
 use crate::Vec2;
-use crate::drawing::Reach;
+use crate::drawing::Extents;
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::tui::Origin;
@@ -16,7 +16,7 @@ const SAMPLES: u16 = 180;
 pub(crate) struct ShownCandidate {
     scene: Scene,
     solver: Solver,
-    reach: Reach,
+    reach: Extents,
     state: Workspace,
     /// The crank's angle of `state`, in degrees; `None` before the first solve.
     at: Option<f64>,
@@ -33,7 +33,7 @@ impl ShownCandidate {
         let mut state = solver.state();
         let way = way(&scene, &solver, &mut state, at);
         Some(ShownCandidate {
-            reach: Reach::of(&scene, &solver),
+            reach: Extents::of(&scene, &solver),
             state,
             at: None,
             way,
@@ -46,7 +46,7 @@ impl ShownCandidate {
         &self.scene
     }
 
-    pub(super) fn reach(&self) -> &Reach {
+    pub(super) fn extents(&self) -> &Extents {
         &self.reach
     }
 
@@ -70,8 +70,8 @@ impl ShownCandidate {
 /// Computes the path of point P; empty for a function task, which leads no point.
 fn way(scene: &Scene, solver: &Solver, state: &mut Workspace, at: &[f64]) -> Arc<[Vec2]> {
     let mut points = scene.mechanism.point_ids();
-    let led = points.find(|id| scene.point_name(*id) == Some("P"));
-    let (Some(led), Some(first), Some(last)) = (led, at.first(), at.last()) else {
+    let guided = points.find(|id| scene.point_name(*id) == Some("P"));
+    let (Some(guided), Some(first), Some(last)) = (guided, at.first(), at.last()) else {
         return Arc::default();
     };
     let nowhere = Vec2::new(f64::NAN, f64::NAN);
@@ -80,7 +80,7 @@ fn way(scene: &Scene, solver: &Solver, state: &mut Workspace, at: &[f64]) -> Arc
         match solver.solve(at, Order::Position, state) {
             Condition::NoAssembly => nowhere,
             Condition::Ok | Condition::ChangePoint | Condition::DeadPoint => {
-                state.position(led).unwrap_or(nowhere)
+                state.position(guided).unwrap_or(nowhere)
             }
         }
     });

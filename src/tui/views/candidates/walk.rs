@@ -4,7 +4,7 @@
 use super::list::{CandidateList, CandidatesPage};
 use crate::Vec2;
 use crate::report::CandidateRow;
-use crate::synthesis::{Candidate, Partner, PosedDyad, TaskKind};
+use crate::synthesis::{Candidate, PinConstraint, PosedDyad, TaskKind};
 
 /// Number of long steps that cover a curve.
 const LONG: usize = 20;
@@ -103,14 +103,14 @@ impl CandidateList {
         let (middle, _) = self.middle_and_size();
         let far = |dyad: &PosedDyad| {
             let pivot = match dyad.held {
-                Partner::Rocker(pivot) => pivot,
-                Partner::Slide(_) => dyad.pin,
+                PinConstraint::Rocker(pivot) => pivot,
+                PinConstraint::Slide(_) => dyad.pin,
             };
             (dyad.pin - middle).norm().max((pivot - middle).norm())
         };
         let places = self.dyads().get(curve).into_iter().flatten().enumerate();
         let nearest = places.min_by(|(_, a), (_, b)| far(a).total_cmp(&far(b)));
-        nearest.map_or(0, |(place, _)| place)
+        nearest.map_or(0, |(index, _)| index)
     }
 
     /// Returns the centroid of the poses and their characteristic size.
@@ -149,7 +149,7 @@ impl CandidateList {
             return;
         };
         let counts: Vec<usize> = self.dyads().iter().map(Vec::len).collect();
-        let (curve, place) = match step {
+        let (curve, index) = match step {
             WalkStep::Curve => {
                 let curve = next_curve(&counts, walk.curve, forward);
                 (curve, self.near_poses(curve))
@@ -161,7 +161,7 @@ impl CandidateList {
             }
         };
         if let CandidatesPage::Curves(walk) = &mut self.page {
-            (walk.curve, walk.place) = (curve, place);
+            (walk.curve, walk.place) = (curve, index);
         }
         self.update_linkage();
     }
@@ -185,7 +185,7 @@ impl CandidateList {
         self.page = CandidatesPage::List;
         if let Some(found) = &mut self.job.result {
             self.cursor = found.synthesis.add(&self.order.file.task, candidate);
-            found.say(&self.order);
+            found.rebuild_texts(&self.order);
         }
         self.change_drawing();
         true
@@ -194,21 +194,21 @@ impl CandidateList {
     /// Computes the linkage of the picked dyad and the one under the cursor.
     fn update_linkage(&mut self) {
         let walked = self.walked().copied();
-        let linkage = walked.and_then(|walked| self.judged(&walked));
+        let linkage = walked.and_then(|walked| self.evaluate_dyad(&walked));
         if let CandidatesPage::Curves(walk) = &mut self.page {
             walk.linkage = linkage;
         }
         self.change_drawing();
     }
 
-    fn judged(&self, walked: &PosedDyad) -> Option<(Candidate, CandidateRow)> {
+    fn evaluate_dyad(&self, walked: &PosedDyad) -> Option<(Candidate, CandidateRow)> {
         let task = &self.order.file.task;
         let (CandidatesPage::Curves(walk), TaskKind::Poses(poses)) = (&self.page, &task.kind)
         else {
             return None;
         };
         let proposal = poses.linkage([walk.picked.as_ref()?, walked])?;
-        let candidate = Candidate::judge(task, &proposal);
+        let candidate = Candidate::evaluate(task, &proposal);
         let row = self.found()?.report(&self.order).row(&candidate);
         Some((candidate, row))
     }
@@ -232,18 +232,18 @@ impl CandidateList {
 /// end of one curve to the next, cyclically.
 fn stepped(
     counts: &[usize],
-    (curve, place): (usize, usize),
+    (curve, index): (usize, usize),
     by: usize,
     forward: bool,
 ) -> (usize, usize) {
-    let whole: usize = counts.iter().sum();
-    if whole == 0 {
-        return (curve, place);
+    let integer: usize = counts.iter().sum();
+    if integer == 0 {
+        return (curve, index);
     }
-    let from = counts[..curve.min(counts.len())].iter().sum::<usize>() + place;
+    let from = counts[..curve.min(counts.len())].iter().sum::<usize>() + index;
     let mut left = match forward {
-        true => (from + by) % whole,
-        false => (from + whole - by % whole) % whole,
+        true => (from + by) % integer,
+        false => (from + integer - by % integer) % integer,
     };
     for (curve, &count) in counts.iter().enumerate() {
         if left < count {
@@ -251,7 +251,7 @@ fn stepped(
         }
         left -= count;
     }
-    (curve, place)
+    (curve, index)
 }
 
 /// Returns the next or the previous curve that is not empty.

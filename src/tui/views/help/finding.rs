@@ -24,14 +24,14 @@ pub(super) fn next(
         }
         let lines = lines_of(&TOPICS[topic], columns, keymap);
         let from = if step == 0 { line } else { 0 };
-        let found = (from..lines.len()).find(|&line| begins(wanted, &lines[line..]));
+        let found = (from..lines.len()).find(|&line| starts_passage(wanted, &lines[line..]));
         found.map(|line| (topic + 1, line))
     })
 }
 
 /// Returns `true` if a passage with all words begins in the first of these lines, and not only in a later one.
-fn begins(wanted: &SearchWords, lines: &[ManualLine]) -> bool {
-    let going_on = lines.iter().skip(1).take_while(|line| line.goes_on);
+fn starts_passage(wanted: &SearchWords, lines: &[ManualLine]) -> bool {
+    let going_on = lines.iter().skip(1).take_while(|line| line.continues);
     let has_all = |lines: &[ManualLine]| wanted.are_in(&[&joined(lines)]);
     let passages = (1..=going_on.count() + 1).map(|length| &lines[..length]);
     let shortest = passages.into_iter().find(|passage| has_all(passage));
@@ -51,7 +51,7 @@ mod tests {
         let lines = lines(text, width).into_iter();
         let lines: Vec<_> = lines.flat_map(|line| folded(line, width)).collect();
         (0..lines.len())
-            .filter(|&line| begins(&wanted, &lines[line..]))
+            .filter(|&line| starts_passage(&wanted, &lines[line..]))
             .collect()
     }
 
@@ -84,13 +84,13 @@ mod tests {
         for typed in ["ölü konum", "olu konum", "Ölü KONUM"] {
             let mut line = EditLine::for_words();
             typed.chars().for_each(|c| line.push(c));
-            let sought = SearchWords::new(line.text());
-            assert!(next(&sought, (1, 0), 80, &keymap).is_some(), "{typed}");
+            let query = SearchWords::new(line.text());
+            assert!(next(&query, (1, 0), 80, &keymap).is_some(), "{typed}");
         }
-        let sought = SearchWords::new("pipe ends quietly");
-        assert_eq!(next(&sought, (1, 0), 80, &keymap), None);
+        let query = SearchWords::new("pipe ends quietly");
+        assert_eq!(next(&query, (1, 0), 80, &keymap), None);
         Language::English.speak();
-        assert!(next(&sought, (1, 0), 80, &keymap).is_some());
+        assert!(next(&query, (1, 0), 80, &keymap).is_some());
     }
 
     /// Words within a paragraph are found at every width, in the same topic.
@@ -98,8 +98,8 @@ mod tests {
     fn search_result_does_not_depend_on_width() {
         let keymap = Keymap::default();
         for words in ["structure alone decides", "closed pipe ends quietly"] {
-            let sought = SearchWords::new(words);
-            let topic = |columns| next(&sought, (1, 0), columns, &keymap).map(|(page, _)| page);
+            let query = SearchWords::new(words);
+            let topic = |columns| next(&query, (1, 0), columns, &keymap).map(|(page, _)| page);
             assert!(topic(200).is_some(), "{words}");
             for columns in 40..110 {
                 assert_eq!(topic(columns), topic(200), "{words} at {columns}");

@@ -41,11 +41,11 @@ pub(crate) fn key_rows() -> String {
 }
 
 /// Returns the rows of the built-in keys whose name, purpose or keywords have the words.
-pub(crate) fn key_rows_about(sought: &SearchWords) -> String {
+pub(crate) fn key_rows_about(query: &SearchWords) -> String {
     rows_where(&Keymap::default(), |entry| {
         let (hint, help) = ((entry.hint)(words()), (entry.help)(words()));
         let keys = action::listed(entry.keys);
-        sought.are_in(&[&keys, entry.name, hint, help, keywords(entry.action)])
+        query.are_in(&[&keys, entry.name, hint, help, keywords(entry.action)])
     })
 }
 
@@ -59,16 +59,16 @@ fn rows_where(keymap: &Keymap, is_wanted: impl Fn(&ActionRow) -> bool) -> String
     let mut rows = String::new();
     for (title, entries) in groups(None) {
         let wanted = entries.into_iter().filter(|entry| is_wanted(entry));
-        let told = wanted.filter_map(|entry| {
+        let text = wanted.filter_map(|entry| {
             let keys = keymap.keys(entry.action).iter();
             let keys: Vec<_> = keys.map(|key| format!("`{key}`")).collect();
             // An unescaped bar would end the cell.
             let keys = keys.join(" ").replace('|', r"\|");
             (!keys.is_empty()).then(|| format!("| {keys} | {} |\n", (entry.help)(words())))
         });
-        let told: String = told.collect();
-        if !told.is_empty() {
-            rows += &format!("| **{title}** | |\n{told}");
+        let text: String = text.collect();
+        if !text.is_empty() {
+            rows += &format!("| **{title}** | |\n{text}");
         }
     }
     rows

@@ -12,14 +12,14 @@ mod page;
 pub(crate) mod text;
 
 use super::popup::{self, BORDER};
-use super::table::UNSURE;
+use super::table::UNPROVED_DIGIT;
 use super::{columns, cut, print, print_line, print_right, split_columns};
 use crate::capability::Colours;
 use crate::manual::{SearchWords, TOPICS};
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, entries};
-use crate::tui::figures::sheet::FOUND;
+use crate::tui::figures::sheet::COMPUTED_MARK;
 use crate::tui::views::help::text::{Help, HelpLine};
 use crate::wording::words;
 use ratatui::buffer::Buffer;
@@ -33,15 +33,15 @@ const GAP: u16 = 2;
 const MAX_COLUMNS: u16 = 3;
 
 /// Returns the lines for a search without a result; they name topics of the manual that have the words.
-fn nothing(sought: &str) -> Vec<String> {
-    let topics = SearchWords::new(sought).best_topics().into_iter();
+fn nothing(query: &str) -> Vec<String> {
+    let topics = SearchWords::new(query).best_topics().into_iter();
     let topics: Vec<&str> = topics.map(|at| TOPICS[at].called()).collect();
-    let told = match topics.is_empty() {
+    let text = match topics.is_empty() {
         true => String::new(),
         false => words().manual_tells_of_it(&topics.join(", ")),
     };
     let [none, all] = [words().no_key_does_that(), words().esc_shows_all_keys()];
-    vec![none.to_owned(), told, all.to_owned()]
+    vec![none.to_owned(), text, all.to_owned()]
 }
 
 /// Number of lines for a search without a result.
@@ -61,7 +61,7 @@ pub(super) fn render(app: &App, help: &Help, area: Rect, buffer: &mut Buffer) {
     let place = popup::centred(area, width(area), height(area, lines.len()));
     let end = popup::frame(app.glyphs(), place, words().help_title(), buffer);
     match help.words() {
-        Some(sought) => searched(sought, help.is_typing(), end, place, buffer),
+        Some(query) => searched(query, help.is_typing(), end, place, buffer),
         None => manual_behind(app, place, buffer),
     }
     footer(app, help, lines.len(), place, buffer);
@@ -83,68 +83,68 @@ pub(super) fn render(app: &App, help: &Help, area: Rect, buffer: &mut Buffer) {
 }
 
 fn show(line: &HelpLine, x: u16, y: u16, buffer: &mut Buffer) {
-    let (keys, behind) = split_columns(Rect::new(x, y, line_columns(), 1), KEYS);
+    let (keys, after) = split_columns(Rect::new(x, y, line_columns(), 1), KEYS);
     match line {
         HelpLine::Blank => {}
-        HelpLine::Title(title) => print_line(buffer, keys.union(behind), title, ScreenPart::Title),
+        HelpLine::Title(title) => print_line(buffer, keys.union(after), title, ScreenPart::Title),
         HelpLine::Keys(of, help) => {
             let of = cut(of, usize::from(KEYS) - 1);
             // Bold keys would account for a third of the bytes that the help sends over a slow line.
             print_line(buffer, keys, &of, ScreenPart::Text);
-            print_line(buffer, behind, help, ScreenPart::Text);
+            print_line(buffer, after, help, ScreenPart::Text);
         }
     }
 }
 
 /// Prints the searched words in the upper border. If they are too long, prints their end.
-fn searched(sought: &str, typing: bool, x: u16, place: Rect, buffer: &mut Buffer) {
-    let room = place.right().saturating_sub(x + 5);
-    let skipped = sought.len().saturating_sub(room.into());
-    let text = format!("/{}", sought.get(skipped..).unwrap_or_default());
-    let room = room + 1;
+fn searched(query: &str, typing: bool, x: u16, area: Rect, buffer: &mut Buffer) {
+    let space = area.right().saturating_sub(x + 5);
+    let skipped = query.len().saturating_sub(space.into());
+    let text = format!("/{}", query.get(skipped..).unwrap_or_default());
+    let space = space + 1;
     let style = theme::part(ScreenPart::Text);
-    let x = print(buffer, x, place.y, room, &text, style);
+    let x = print(buffer, x, area.y, space, &text, style);
     let caret = if typing {
         ScreenPart::Caret
     } else {
         ScreenPart::Text
     };
-    print(buffer, x, place.y, 1, " ", theme::part(caret));
+    print(buffer, x, area.y, 1, " ", theme::part(caret));
 }
 
 /// Prints the key for the manual in the upper border if the help has a single column. The status line of such a
 /// narrow screen has no space for it.
-fn manual_behind(app: &App, place: Rect, buffer: &mut Buffer) {
-    if count(place) == 1
+fn manual_behind(app: &App, area: Rect, buffer: &mut Buffer) {
+    if count(area) == 1
         && let Some(key) = app.keymap().key(Action::NextView)
     {
         let style = theme::part(ScreenPart::Quiet);
         let manual = format!(" {} ", words().turns_to_manual(&key));
-        print_right(buffer, place.right() - 2, place.y, &manual, style);
+        print_right(buffer, area.right() - 2, area.y, &manual, style);
     }
 }
 
 /// Prints the meaning of the marks and, if lines are hidden, the key for scrolling, in the lower border.
-fn footer(app: &App, help: &Help, lines: usize, place: Rect, buffer: &mut Buffer) {
-    let (y, style) = (place.bottom() - 1, theme::part(ScreenPart::Quiet));
-    let inner = popup::within(place);
-    let seen = usize::from(inner.height) * usize::from(count(place));
+fn footer(app: &App, help: &Help, lines: usize, area: Rect, buffer: &mut Buffer) {
+    let (y, style) = (area.bottom() - 1, theme::part(ScreenPart::Quiet));
+    let inner = popup::within(area);
+    let seen = usize::from(inner.height) * usize::from(count(area));
     let legend = legend(app.colours(), inner.width > line_columns());
-    print(buffer, place.x + 2, y, inner.width, &legend, style);
+    print(buffer, area.x + 2, y, inner.width, &legend, style);
     if help.scroll + seen < lines
         && let Some(key) = app.keymap().key(Action::LineDown)
     {
         let more = format!(" {} ", words().shows_more(&key));
-        print_right(buffer, place.right() - 2, y, &more, style);
+        print_right(buffer, area.right() - 2, y, &more, style);
     }
 }
 
 /// Returns the meaning of the marks next to values, and of marked digits if the border is wide.
 fn legend(colours: Colours, wide: bool) -> String {
     let marks = match (wide, colours) {
-        (false, _) => words().marks_of_figures(FOUND),
-        (true, Colours::None) => words().marks_of_figures_and_digits(FOUND, UNSURE),
-        (true, _) => words().marks_of_figures_and_dim_digits(FOUND),
+        (false, _) => words().marks_of_figures(COMPUTED_MARK),
+        (true, Colours::None) => words().marks_of_figures_and_digits(COMPUTED_MARK, UNPROVED_DIGIT),
+        (true, _) => words().marks_of_figures_and_dim_digits(COMPUTED_MARK),
     };
     format!(" {marks} ")
 }
@@ -170,8 +170,8 @@ pub(super) fn extent(app: &App, help: &Help, area: Rect) -> (usize, usize) {
 
 /// Returns the number of columns of lines that fit into an area, at least 1.
 fn count(area: Rect) -> u16 {
-    let room = (area.width + GAP).saturating_sub(BORDER.0);
-    (room / (line_columns() + GAP)).clamp(1, MAX_COLUMNS)
+    let space = (area.width + GAP).saturating_sub(BORDER.0);
+    (space / (line_columns() + GAP)).clamp(1, MAX_COLUMNS)
 }
 
 fn width(area: Rect) -> u16 {

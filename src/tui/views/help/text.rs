@@ -16,7 +16,7 @@ pub(crate) struct Help {
     /// The scroll position, in lines.
     pub(crate) scroll: usize,
     /// Whether the help was opened from the list of candidates, and returns to it when closed.
-    pub(crate) over_candidates: bool,
+    pub(crate) returns_to_candidates: bool,
     /// 0 for the list of keys, or else the number of a topic in [`TOPICS`], counted from 1.
     page: usize,
     /// The search; `None` if there is none.
@@ -58,7 +58,7 @@ impl Help {
     /// Creates the help over the list of candidates.
     pub(crate) fn over_candidates() -> Help {
         Help {
-            over_candidates: true,
+            returns_to_candidates: true,
             ..Help::default()
         }
     }
@@ -104,8 +104,8 @@ impl Help {
     }
 
     /// Lays out the topic for a screen of so many columns, if the last layout does not fit.
-    pub(crate) fn lay_out(&mut self, columns: u16, keymap: &Keymap) {
-        let wanted = (self.page, columns, Language::spoken());
+    pub(crate) fn layout_topic(&mut self, columns: u16, keymap: &Keymap) {
+        let wanted = (self.page, columns, Language::current_language());
         if self.laid_out != wanted {
             let lines = |topic| page::lines_of(topic, columns, keymap);
             self.reading = self.topic().map(lines).unwrap_or_default();
@@ -125,7 +125,7 @@ impl Help {
     pub(crate) fn seek(&mut self, is_next: bool, columns: u16, keymap: &Keymap) {
         let here = (self.page, self.scroll);
         let found = self.found(columns).filter(|_| is_next);
-        let behind = found.map(|line| (self.page, line + 1));
+        let after = found.map(|line| (self.page, line + 1));
         let Some(search) = self.search.as_mut().filter(|_| self.page > 0) else {
             return;
         };
@@ -133,7 +133,7 @@ impl Help {
         let text = search.line.text();
         let (words, is_asked) = (SearchWords::new(text), !text.trim().is_empty());
         let found = match is_asked {
-            true => finding::next(&words, behind.unwrap_or(from), columns, keymap),
+            true => finding::next(&words, after.unwrap_or(from), columns, keymap),
             false => None,
         };
         if is_next && found.is_some() {
@@ -157,7 +157,7 @@ impl Help {
     }
 
     /// Ends the search. Shows all keys again, or the position in the topic at which the search began.
-    pub(crate) fn leave_search(&mut self) {
+    pub(crate) fn end_search_view(&mut self) {
         let here = (self.page, self.scroll);
         let from = self.search.as_ref().and_then(|search| search.from);
         self.show_all();
@@ -219,8 +219,8 @@ impl Help {
             let rows = entries.into_iter().filter_map(|entry| {
                 let keys = keymap.keys(entry.action);
                 let row = (action::listed(keys), (entry.help)(words()));
-                let sought = keywords(entry.action);
-                let texts = [&row.0, row.1, (entry.hint)(words()), title, sought];
+                let query = keywords(entry.action);
+                let texts = [&row.0, row.1, (entry.hint)(words()), title, query];
                 let is_meant = wanted.as_ref().is_none_or(|it| it.are_in(&texts));
                 (is_meant && !keys.is_empty()).then_some(row)
             });
@@ -280,7 +280,7 @@ mod tests {
         help.turn(false);
         let mut first = |language: Language| {
             language.speak();
-            help.lay_out(80, &keymap);
+            help.layout_topic(80, &keymap);
             help.reading()[0].text.clone()
         };
         let english = first(Language::English);

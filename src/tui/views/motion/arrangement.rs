@@ -24,14 +24,14 @@ pub(super) struct MotionAreas {
 }
 
 /// Minimum width for tables next to the drawing.
-const ROOM_BESIDE: u16 = 72;
+const MIN_WIDTH_WITH_TABLES: u16 = 72;
 /// Minimum width of the drawing next to tables, in percent: half of a screen of 80 x 24 and more.
-const BESIDE_TABLES: u16 = 58;
+const MIN_DRAWING_PERCENT: u16 = 58;
 /// Tables below the drawing get at most one third of the height.
 const TABLE_SHARE: u16 = 3;
 const MIN_TABLE_HEIGHT: u16 = 4;
 /// Minimum height for the separator and the title; on lower screens the drawing gets their lines.
-const ROOM_FOR_RULE: u16 = 14;
+const MIN_HEIGHT_WITH_RULE: u16 = 14;
 /// Minimum height for the line with the position in the cycle.
 const ROOM_FOR_CYCLE: u16 = 14;
 /// Minimum height of a drawing.
@@ -41,12 +41,12 @@ const MAX_LEGEND: usize = 2;
 
 /// Arranges the view's parts in an area.
 pub(super) fn arrange(app: &App, area: Rect) -> MotionAreas {
-    let [part, rule, table] = if area.width >= ROOM_BESIDE {
-        beside(app, area)
+    let [part, rule, table] = if area.width >= MIN_WIDTH_WITH_TABLES {
+        side_by_side(app, area)
     } else {
         below(app, area)
     };
-    let lines = u16::from(area.height >= ROOM_FOR_RULE);
+    let lines = u16::from(area.height >= MIN_HEIGHT_WITH_RULE);
     let (title, untitled) = split(part, lines);
     let [drawing, cycle, legend] = with_legend(app, untitled);
     MotionAreas {
@@ -71,7 +71,7 @@ pub(super) fn with_legend(app: &App, area: Rect) -> [Rect; 3] {
 
 /// Returns the lines of the legend for a drawing in this area.
 pub(super) fn legend(app: &App, area: Rect) -> Vec<Vec<LegendPiece>> {
-    let most = if area.height < ROOM_FOR_RULE {
+    let maximum = if area.height < MIN_HEIGHT_WITH_RULE {
         1
     } else {
         MAX_LEGEND
@@ -82,43 +82,43 @@ pub(super) fn legend(app: &App, area: Rect) -> Vec<Vec<LegendPiece>> {
         &app.views.viewport.legend(app.open_scene(), &view),
         app.glyphs(),
         width,
-        most,
+        maximum,
     )
 }
 
 /// Returns the part of the scene's plane visible in this area.
 pub(super) fn window(app: &App, area: Rect) -> drawing::WorldView {
-    let reach = reach(app, area.height);
+    let extents = extents(app, area.height);
     let size = (area.width, area.height);
     let viewport = &app.views.viewport;
-    viewport.view(app.open_scene(), &reach, size, app.aspect())
+    viewport.view(app.open_scene(), &extents, size, app.aspect())
 }
 
 /// Returns the extents that a drawing of this height must contain.
-fn reach(app: &App, rows: u16) -> Cow<'_, drawing::Reach> {
+fn extents(app: &App, rows: u16) -> Cow<'_, drawing::Extents> {
     let open_scene = app.open_scene();
-    let own = app.views.viewport.reach(open_scene, rows);
+    let own = app.views.viewport.extents(open_scene, rows);
     match (app.mode(), app.compared()) {
         (Mode::Assemblies(assemblies), _) => Cow::Borrowed(&assemblies.reach),
         // If the drawing needs only the linkage's extents, the union is cached.
-        (_, Some(compared)) if std::ptr::eq(own, open_scene.reach()) => {
-            Cow::Borrowed(compared.reach())
+        (_, Some(compared)) if std::ptr::eq(own, open_scene.extents()) => {
+            Cow::Borrowed(compared.extents())
         }
-        (_, Some(compared)) => Cow::Owned(compared.reach_beside(own)),
+        (_, Some(compared)) => Cow::Owned(compared.union_of_extents(own)),
         _ => Cow::Borrowed(own),
     }
 }
 
 /// Returns the areas of drawing, separator and tables side by side. The drawing gets the columns
 /// that the tables cannot use.
-fn beside(app: &App, area: Rect) -> [Rect; 3] {
+fn side_by_side(app: &App, area: Rect) -> [Rect; 3] {
     let (_, wide) = app.sheet().widths(app.glyphs());
     let used = table::columns_of(wide).saturating_add(1 + 1 + super::super::MARGIN);
-    let share = percent_of(area.width, BESIDE_TABLES);
+    let share = percent_of(area.width, MIN_DRAWING_PERCENT);
     let drawing = share.max(area.width.saturating_sub(used));
     let drawing = moved(drawing, area.width, app.composition().split());
-    let (drawing, beside) = split_columns(area, drawing);
-    let (rule, table) = split_columns(beside, 1);
+    let (drawing, side) = split_columns(area, drawing);
+    let (rule, table) = split_columns(side, 1);
     [drawing, rule, table]
 }
 
@@ -130,20 +130,20 @@ fn below(app: &App, area: Rect) -> [Rect; 3] {
         .map(|lines| u16::try_from(lines).unwrap_or(u16::MAX))
         .map(|lines| lines.saturating_add(table::title_lines(app)));
     let share = (area.height / TABLE_SHARE).max(MIN_TABLE_HEIGHT);
-    let rule = u16::from(area.height >= ROOM_FOR_RULE);
+    let rule = u16::from(area.height >= MIN_HEIGHT_WITH_RULE);
     let drawing = area.height.saturating_sub(vectors.min(share) + rule);
     // If the width limits the drawing's scale, the unused rows show more of the tables.
     let lowest = area.height.saturating_sub(all.saturating_add(rule));
     // Uses the extents of the whole motion, so that the separator stays fixed while the linkage
     // moves.
     let scale_at = |height| {
-        let reach = reach(app, height);
-        drawing::WorldView::fit(&reach, area.width, height, app.aspect()).cells_along(1.0)
+        let extents = extents(app, height);
+        drawing::WorldView::fit(&extents, area.width, height, app.aspect()).cells_along(1.0)
     };
     // A tolerance, so that a rounding error does not shrink the drawing.
-    let least = scale_at(drawing) * (1.0 - 1e-9);
+    let minimum = scale_at(drawing) * (1.0 - 1e-9);
     let drawing = (lowest.max(MIN_DRAWING_HEIGHT)..drawing)
-        .find(|&lower| scale_at(lower) >= least)
+        .find(|&lower| scale_at(lower) >= minimum)
         .unwrap_or(drawing);
     let (drawing, below) = split(area, drawing);
     let (rule, table) = split(below, rule);

@@ -35,7 +35,7 @@ struct CycleLine {
     /// `true` if the motion ends where it begins.
     is_closed: bool,
     /// The driver's coordinate or time, and the whole.
-    place: String,
+    position: String,
     /// The next singularity, padded to the width of the longest one.
     next: String,
 }
@@ -50,7 +50,7 @@ impl CycleLine {
                 share: since / period,
                 marks: Vec::new(),
                 is_closed: true,
-                place: within(since, period, decimals(period), "s"),
+                position: within(since, period, decimals(period), "s"),
                 next: String::new(),
             };
         }
@@ -100,7 +100,7 @@ impl CycleLine {
                 .filter(|share| is_closed || (*share > 0.0 && *share < 1.0))
                 .collect(),
             is_closed,
-            place,
+            position: place,
             next: format!("{next:<width$}", width = width.unwrap_or(0)),
         }
     }
@@ -150,17 +150,17 @@ fn fixed(number: f64, decimals: usize) -> String {
 }
 
 /// Formats a position within a cycle; its width is that of the whole.
-fn within(at: f64, whole: f64, decimals: usize, unit: &str) -> String {
-    let whole = fixed(whole, decimals);
+fn within(at: f64, complete: f64, decimals: usize, unit: &str) -> String {
+    let complete = fixed(complete, decimals);
     let at = fixed(at, decimals);
     // A position that rounds to the whole cycle begins the next one.
-    let at = if at == whole {
+    let at = if at == complete {
         fixed(0.0, decimals)
     } else {
         at
     };
-    let width = whole.chars().count();
-    words().place_in_cycle(&format!("{at:>width$}"), &whole, unit)
+    let width = complete.chars().count();
+    words().place_in_cycle(&format!("{at:>width$}"), &complete, unit)
 }
 
 /// Formats a position between two limits; its width is that of the longer one.
@@ -176,7 +176,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         return;
     }
     let line = CycleLine::of(app);
-    let mut texts = vec![line.place.as_str()];
+    let mut texts = vec![line.position.as_str()];
     if !line.next.is_empty() {
         texts.push(&line.next);
     }
@@ -198,8 +198,8 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     }
     for text in texts {
         x += GAP;
-        let room = area.right().saturating_sub(x);
-        x = print(buffer, x, area.y, room, text, quiet);
+        let space = area.right().saturating_sub(x);
+        x = print(buffer, x, area.y, space, text, quiet);
     }
 }
 
@@ -221,7 +221,7 @@ mod tests {
             share,
             marks: vec![0.5],
             is_closed,
-            place: String::new(),
+            position: String::new(),
             next: String::new(),
         };
         let bar: String = line(0.0, true).bar(Glyphs::Ascii, 11).iter().collect();

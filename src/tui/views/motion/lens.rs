@@ -1,6 +1,6 @@
 //! The visible part of the drawing: its framing, its magnification and its shift by the user.
 
-use crate::drawing::{Reach, WorldView};
+use crate::drawing::{Extents, WorldView};
 use crate::scene::Scene;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::views::motion::followed::same_point;
@@ -34,7 +34,7 @@ enum Framing {
     #[default]
     Motion,
     /// The whole motion, or closer to the linkage if it would be small.
-    Along,
+    PlotAxis,
     /// The linkage in its current pose.
     Pose,
     /// A point and its surroundings; the point stays in the middle.
@@ -62,7 +62,7 @@ struct PinnedViewport {
 
 impl ViewportState {
     /// Returns a copy without the pinned window. Pinning alone does not change the drawing.
-    pub(super) fn at_rest(self) -> ViewportState {
+    pub(super) fn without_pin(self) -> ViewportState {
         ViewportState { held: None, ..self }
     }
 
@@ -74,15 +74,15 @@ impl ViewportState {
     /// Restores the default window; if it is the default already, lets the window move along.
     pub(super) fn fit(&mut self) {
         self.frame(match self.fits() {
-            true => Framing::Along,
+            true => Framing::PlotAxis,
             false => Framing::default(),
         });
     }
 
     /// Describes the framing in words.
-    pub(super) fn told(&self) -> &'static str {
+    pub(super) fn describe(&self) -> &'static str {
         match self.framing {
-            Framing::Along => words().window_goes_along(),
+            Framing::PlotAxis => words().window_goes_along(),
             Framing::Motion | Framing::Point(_) => words().the_whole_motion(),
             Framing::Pose => words().the_linkage_as_it_stands(),
         }
@@ -101,7 +101,7 @@ impl ViewportState {
     pub(super) fn follow(&mut self, points: &[PointId]) -> Option<PointId> {
         let next = match self.framing {
             Framing::Point(last) => points.iter().skip_while(|&&p| p != last).nth(1),
-            Framing::Motion | Framing::Along | Framing::Pose => points.first(),
+            Framing::Motion | Framing::PlotAxis | Framing::Pose => points.first(),
         };
         let Some(&point) = next else {
             self.reset();
@@ -142,7 +142,7 @@ impl ViewportState {
     fn stay(&mut self, open_scene: &OpenScene) {
         let point = match self.framing {
             Framing::Point(point) => open_scene.state().position(point),
-            Framing::Motion | Framing::Along | Framing::Pose => None,
+            Framing::Motion | Framing::PlotAxis | Framing::Pose => None,
         };
         let at = open_scene.at();
         self.held.get_or_insert(PinnedViewport {
@@ -158,13 +158,13 @@ impl ViewportState {
         self.window = window;
         match self.framing {
             Framing::Point(_) => {}
-            Framing::Motion | Framing::Along | Framing::Pose => self.stay(open_scene),
+            Framing::Motion | Framing::PlotAxis | Framing::Pose => self.stay(open_scene),
         }
-        self.let_go();
+        self.end_drag();
     }
 
     /// Ends a drag.
-    pub(crate) fn let_go(&mut self) {
+    pub(crate) fn end_drag(&mut self) {
         if let Some(held) = &mut self.held {
             held.seen = None;
         }
@@ -219,9 +219,9 @@ impl ViewportState {
             let by = from_middle * (1.0 - before / self.zoom());
             let Window { level, shift } = self.window;
             // Limits the shift, so that the drawing stays visible.
-            let most = open_scene.reach().bounds().size().norm();
+            let maximum = open_scene.extents().bounds().size().norm();
             let shift = match by.is_finite() {
-                true => (shift + by).map(|along| along.clamp(-most, most)),
+                true => (shift + by).map(|along| along.clamp(-maximum, maximum)),
                 false => shift,
             };
             self.put(open_scene, Window { level, shift });
@@ -232,19 +232,19 @@ impl ViewportState {
     /// Pans the window by a step to the right and upwards within the drawing's extents; returns
     /// `true` if it moves.
     pub(crate) fn pan(&mut self, open_scene: &OpenScene, right: f64, up: f64) -> bool {
-        let size = open_scene.reach().bounds().size();
+        let size = open_scene.extents().bounds().size();
         let step = PAN * size.norm() / self.zoom();
         self.shift_to(open_scene, self.window.shift + Vec2::new(right, up) * step)
     }
 
     /// Shifts the window within the drawing's extents; returns `true` if it moves.
     fn shift_to(&mut self, open_scene: &OpenScene, wanted: Vec2) -> bool {
-        let size = open_scene.reach().bounds().size();
+        let size = open_scene.extents().bounds().size();
         // A zoom about a place may have moved the window beyond these limits already.
         let here = self.window.shift;
         let within = |wanted: f64, size: f64, here: f64| {
-            let most = (size / 2.0).max(here.abs());
-            wanted.clamp(-most, most)
+            let maximum = (size / 2.0).max(here.abs());
+            wanted.clamp(-maximum, maximum)
         };
         let shift = Vec2::new(
             within(wanted.x, size.x, here.x),
@@ -266,7 +266,7 @@ impl ViewportState {
     pub(super) fn view(
         &self,
         open_scene: &OpenScene,
-        reach: &Reach,
+        extents: &Extents,
         (cols, rows): (u16, u16),
         aspect: f64,
     ) -> WorldView {
@@ -277,15 +277,15 @@ impl ViewportState {
         }
         let at = held.map_or(open_scene.at(), |held| held.at);
         let view = match self.framing {
-            Framing::Motion => WorldView::fit(reach, cols, rows, aspect),
-            Framing::Along => WorldView::along(reach, at, cols, rows, aspect),
-            Framing::Pose => WorldView::pose(reach, at, cols, rows, aspect),
+            Framing::Motion => WorldView::fit(extents, cols, rows, aspect),
+            Framing::PlotAxis => WorldView::along(extents, at, cols, rows, aspect),
+            Framing::Pose => WorldView::pose(extents, at, cols, rows, aspect),
             Framing::Point(point) => {
-                let whole = WorldView::fit(reach, cols, rows, aspect);
+                let complete = WorldView::fit(extents, cols, rows, aspect);
                 let here = held.and_then(|held| held.point);
                 match here.or_else(|| open_scene.state().position(point)) {
-                    Some(place) => whole.centred_on(place),
-                    None => whole,
+                    Some(position) => complete.centred_on(position),
+                    None => complete,
                 }
             }
         };

@@ -13,7 +13,7 @@ use crate::drawing::{
     self, Figure, Glyphs, Labels, LegendPiece, Raster, Role, SvgGround, WorldView,
 };
 use crate::quantity::Subject;
-use crate::report::upwards;
+use crate::report::perpendicular_up;
 use crate::tui::app::{App, Mode, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, MotionAction};
@@ -46,7 +46,7 @@ struct DrawnStage {
     /// The driver coordinate at which the stage was drawn first, and the window then.
     at: f64,
     view: WorldView,
-    lit: Option<Subject>,
+    highlighted: Option<Subject>,
 }
 
 impl DrawnStage {
@@ -58,8 +58,8 @@ impl DrawnStage {
 
 /// A place of the scene seen in the drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct SeenPlace {
-    pub(crate) place: Vec2,
+pub(crate) struct DrawnPlace {
+    pub(crate) position: Vec2,
     /// Vector from the middle of the visible part, in the scene's length unit.
     pub(crate) from_middle: Vec2,
     /// Width of a column in the scene's length unit.
@@ -75,19 +75,19 @@ impl Sketch {
     }
 
     /// Starts a frame in which the drawing is not placed yet.
-    pub(super) fn begin(&mut self) {
+    pub(super) fn start_frame(&mut self) {
         self.window = None;
     }
 
     /// Returns the place of the scene at a cell of the drawing; `None` outside the drawing.
-    pub(crate) fn place(&self, at: Position) -> Option<SeenPlace> {
+    pub(crate) fn place(&self, at: Position) -> Option<DrawnPlace> {
         let (area, view) = self.window.filter(|(area, _)| area.contains(at))?;
         let cell = Vec2::new(f64::from(at.x - area.x), f64::from(at.y - area.y));
         let middle = Vec2::new(f64::from(area.width), f64::from(area.height)) * 0.5;
-        let place = view.world(cell + Vec2::new(0.5, 0.5));
-        Some(SeenPlace {
-            place,
-            from_middle: place - view.world(middle),
+        let position = view.world(cell + Vec2::new(0.5, 0.5));
+        Some(DrawnPlace {
+            position,
+            from_middle: position - view.world(middle),
             column: 1.0 / view.cells_along(1.0),
             window: view,
         })
@@ -95,26 +95,32 @@ impl Sketch {
 
     /// Draws the linkage's current state for an area of the screen.
     pub(super) fn draw_in(&mut self, app: &App, area: Rect) {
-        let lit = app.view().pane().subject(app);
+        let highlighted = app.view().pane().subject(app);
         let view = arrangement::window(app, area);
         self.window = Some((area, view));
-        self.place_labels(app, &view, lit);
+        self.place_labels(app, &view, highlighted);
         let Sketch { labels, raster, .. } = self;
-        drawing::render_into(&figure_of(app, lit), &view, app.glyphs(), labels, raster);
+        drawing::render_into(
+            &figure_of(app, highlighted),
+            &view,
+            app.glyphs(),
+            labels,
+            raster,
+        );
     }
 
     /// Starts new labels for another scene or layer. Plans their sides over the whole motion with
     /// the first frame that moves, so that neither the first frame nor an edit waits.
-    fn place_labels(&mut self, app: &App, view: &WorldView, lit: Option<Subject>) {
+    fn place_labels(&mut self, app: &App, view: &WorldView, highlighted: Option<Subject>) {
         let (open_scene, viewport) = (app.open_scene(), &app.views.viewport);
-        let (reach, at) = (open_scene.reach(), open_scene.at());
+        let (extents, at) = (open_scene.extents(), open_scene.at());
         let is_fixed = viewport.lens.is_fixed();
         let now = DrawnStage {
             scene: open_scene.edition().clone(),
             setting: viewport.setting(),
             at,
             view: *view,
-            lit,
+            highlighted,
         };
         let same = self.drawn.as_ref().filter(|drawn| drawn.is_of(&now));
         let Some(drawn) = same else {
@@ -122,7 +128,7 @@ impl Sketch {
             self.drawn = Some(now);
             return;
         };
-        if drawn.lit != lit || (is_fixed && drawn.view != *view) {
+        if drawn.highlighted != highlighted || (is_fixed && drawn.view != *view) {
             self.labels.drop_plan();
             self.drawn = Some(now);
             return;
@@ -132,12 +138,12 @@ impl Sketch {
             let mut state = solver.state();
             let figure_at = |at| {
                 let _ = solver.solve(at, order, &mut state);
-                viewport.figure_in(open_scene, state.state(), lit)
+                viewport.figure_in(open_scene, state.state(), highlighted)
             };
             let glyphs = app.glyphs();
-            self.labels.plan(reach, drawn.at, view, glyphs, figure_at);
+            self.labels.plan(extents, drawn.at, view, glyphs, figure_at);
         }
-        self.labels.go(reach, at);
+        self.labels.go(extents, at);
     }
 
     /// Returns the last drawing as an SVG document for a background, without highlighting, and its
@@ -151,10 +157,10 @@ impl Sketch {
 }
 
 /// Returns the linkage's current state, with the ghosts of the linkages that it is compared with.
-fn figure_of(app: &App, lit: Option<Subject>) -> Figure {
+fn figure_of(app: &App, highlighted: Option<Subject>) -> Figure {
     let open_scene = app.open_scene();
     let viewport = &app.views.viewport;
-    let mut figure = viewport.figure(open_scene, lit);
+    let mut figure = viewport.figure(open_scene, highlighted);
     viewport.add_trails(
         &mut figure,
         open_scene.state(),
@@ -187,8 +193,8 @@ impl Pane for DrawingPane {
         View::Motion
     }
 
-    fn heading(&self, app: &App, room: u16) -> (String, String) {
-        title::heading(app, room)
+    fn heading(&self, app: &App, space: u16) -> (String, String) {
+        title::heading(app, space)
     }
 
     fn prepare(&self, app: &App, sketch: &mut Sketch, body: Rect) {
@@ -248,20 +254,20 @@ impl Pane for MotionView {
         ]
     }
 
-    /// Returns the last state's cost, if it was measured and fits into `room` columns, and the
+    /// Returns the last state's cost, if it was measured and fits into `space` columns, and the
     /// largest error bound of a position.
-    fn trust(&self, app: &App, room: u16) -> Option<String> {
+    fn trust(&self, app: &App, space: u16) -> Option<String> {
         let open_scene = app.open_scene();
         let bound = match open_scene.largest_bound() {
             Some(bound) => format!(
                 "+-{} {}",
-                upwards(bound, 1),
+                perpendicular_up(bound, 1),
                 open_scene.scene().unit.symbol()
             ),
             None => words().no_bound().into(),
         };
         let both = open_scene.cost().map(|cost| format!("{cost}, {bound}"));
-        Some(both.filter(|both| columns(both) <= room).unwrap_or(bound))
+        Some(both.filter(|both| columns(both) <= space).unwrap_or(bound))
     }
 
     fn copy(&self, app: &App) -> Copied {
@@ -287,8 +293,8 @@ fn explain(app: &App, drawing: Rect, area: Rect, buffer: &mut Buffer) {
                 Role::Label | Role::Empty => theme::part(ScreenPart::Quiet),
                 role => theme::role(role),
             };
-            let room = area.right().saturating_sub(x);
-            x = print(buffer, x, y, room.min(columns(&text)), &text, style);
+            let space = area.right().saturating_sub(x);
+            x = print(buffer, x, y, space.min(columns(&text)), &text, style);
         }
     }
 }

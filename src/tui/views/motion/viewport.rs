@@ -4,7 +4,9 @@
 //! scene. Data on the whole motion is computed once per scene and selection, not once per frame.
 
 use crate::PointId;
-use crate::drawing::{self, Figure, Layers, LegendEntry, Overlay, Reach, Wanted, WorldView};
+use crate::drawing::{
+    self, Extents, Figure, Layers, LegendEntry, Overlay, OverlayRequest, WorldView,
+};
 use crate::quantity::Subject;
 use crate::scene::Scene;
 use crate::solver::{Order, State};
@@ -19,7 +21,7 @@ const GHOSTS: u16 = 6;
 
 /// Minimum height for a drawing with room for arrow tips; in a lower one the linkage would be too
 /// small.
-const ROOM_FOR_ARROWS: u16 = 12;
+const MIN_HEIGHT_WITH_ARROWS: u16 = 12;
 
 /// Maximum number of traces that the legend names.
 const MAX_NAMES: usize = 3;
@@ -115,9 +117,9 @@ pub(crate) struct Viewport {
     pub(crate) lens: ViewportState,
     overlay: Overlay,
     /// The extents of the linkage with its arrows, if there are arrows.
-    reach: Option<Reach>,
+    reach: Option<Extents>,
     /// The scene revision and the request for which the overlay was computed.
-    made: Option<(SceneRevision, Wanted)>,
+    computed_for: Option<(SceneRevision, OverlayRequest)>,
     /// The legend's text on the traced points.
     traced: String,
 }
@@ -128,7 +130,7 @@ impl Viewport {
         ViewportSetting {
             names: self.names,
             on: self.on,
-            lens: self.lens.at_rest(),
+            lens: self.lens.without_pin(),
         }
     }
 
@@ -152,14 +154,14 @@ impl Viewport {
     /// Returns the description of the framing.
     pub(crate) fn fit(&mut self) -> &'static str {
         self.lens.fit();
-        self.lens.told()
+        self.lens.describe()
     }
 
     /// Fits the window to the linkage's current pose, or returns to the default. Returns the
     /// description of the framing.
     pub(crate) fn fit_pose(&mut self) -> &'static str {
         self.lens.fit_pose();
-        self.lens.told()
+        self.lens.describe()
     }
 
     /// Centres the window on the first of the followed points, then on the next; after the last
@@ -171,36 +173,36 @@ impl Viewport {
                 let name = open_scene.scene().point_name(point);
                 words().window_stays_with(name.unwrap_or_default())
             }
-            None => self.lens.told().to_owned(),
+            None => self.lens.describe().to_owned(),
         }
     }
 
     /// Computes the overlay for the scene and the layers, unless it is cached.
     pub(crate) fn focus(&mut self, open_scene: &OpenScene, followed: &FollowedPoints) {
         let wanted = self.wanted(open_scene, followed);
-        if wanted.is_empty() && self.made.is_none() {
+        if wanted.is_empty() && self.computed_for.is_none() {
             return;
         }
         if self
-            .made
+            .computed_for
             .as_ref()
             .is_some_and(|(scene, made)| scene == open_scene.edition() && *made == wanted)
         {
             return;
         }
-        let (scene, reach) = (open_scene.scene(), open_scene.reach());
-        self.overlay = Overlay::of(scene, open_scene.solver(), reach, &wanted);
-        self.reach = self.overlay.reach(reach);
+        let (scene, extents) = (open_scene.scene(), open_scene.extents());
+        self.overlay = Overlay::of(scene, open_scene.solver(), extents, &wanted);
+        self.reach = self.overlay.extents(extents);
         let names = wanted.traces.iter().filter_map(|&p| scene.point_name(p));
         let names: Vec<&str> = names.collect();
         self.traced = match names.len() {
             0..=MAX_NAMES => words().trace_of(&names.join(",")),
             more => words().traces_of(more),
         };
-        self.made = (!wanted.is_empty()).then_some((open_scene.edition().clone(), wanted));
+        self.computed_for = (!wanted.is_empty()).then_some((open_scene.edition().clone(), wanted));
     }
 
-    fn wanted(&self, open_scene: &OpenScene, followed: &FollowedPoints) -> Wanted {
+    fn wanted(&self, open_scene: &OpenScene, followed: &FollowedPoints) -> OverlayRequest {
         let arrows: fn(&Scene) -> _ = |scene| drawing::usual_arrows(&scene.mechanism);
         let points = |layer, usual: fn(&Scene) -> Vec<PointId>| {
             if self.on.has(open_scene.scene(), layer) {
@@ -209,7 +211,7 @@ impl Viewport {
                 Vec::new()
             }
         };
-        Wanted {
+        OverlayRequest {
             traces: points(Layer::Traces, drawing::usual_traces),
             velocities: points(Layer::Velocities, arrows),
             accelerations: points(Layer::Accelerations, arrows),
@@ -224,8 +226,8 @@ impl Viewport {
     }
 
     /// Returns the linkage's current state with all active layers; `lit` is highlighted.
-    pub(crate) fn figure(&self, open_scene: &OpenScene, lit: Option<Subject>) -> Figure {
-        self.figure_in(open_scene, open_scene.state(), lit)
+    pub(crate) fn figure(&self, open_scene: &OpenScene, highlighted: Option<Subject>) -> Figure {
+        self.figure_in(open_scene, open_scene.state(), highlighted)
     }
 
     /// Adds the part of each trace that its point has just left behind.
@@ -238,17 +240,17 @@ impl Viewport {
         &self,
         open_scene: &OpenScene,
         state: &State,
-        lit: Option<Subject>,
+        highlighted: Option<Subject>,
     ) -> Figure {
         let layers = Layers {
             ground: self.on.has(open_scene.scene(), Layer::Guides),
             points: self.names != ShownNames::None,
             links: self.names == ShownNames::PointsAndLinks,
             centres: self.on.has(open_scene.scene(), Layer::Centres),
-            lit,
+            highlighted,
         };
         let scene = open_scene.scene();
-        let mut figure = drawing::linkage(scene, open_scene.reach(), state, layers);
+        let mut figure = drawing::linkage(scene, open_scene.extents(), state, layers);
         let solver = open_scene.solver();
         self.overlay
             .add_to(&mut figure, scene, solver, state, self.lens.zoom());
@@ -267,20 +269,23 @@ impl Viewport {
     }
 
     /// Returns the extents to which a drawing of this height is fitted.
-    pub(crate) fn reach<'s>(&'s self, open_scene: &'s OpenScene, rows: u16) -> &'s Reach {
-        let with_arrows = self.reach.as_ref().filter(|_| rows >= ROOM_FOR_ARROWS);
-        with_arrows.unwrap_or(open_scene.reach())
+    pub(crate) fn extents<'s>(&'s self, open_scene: &'s OpenScene, rows: u16) -> &'s Extents {
+        let with_arrows = self
+            .reach
+            .as_ref()
+            .filter(|_| rows >= MIN_HEIGHT_WITH_ARROWS);
+        with_arrows.unwrap_or(open_scene.extents())
     }
 
     /// Returns the view of a number of cells on a drawing with these extents.
     pub(crate) fn view(
         &self,
         open_scene: &OpenScene,
-        reach: &Reach,
+        extents: &Extents,
         size: (u16, u16),
         aspect: f64,
     ) -> WorldView {
-        self.lens.view(open_scene, reach, size, aspect)
+        self.lens.view(open_scene, extents, size, aspect)
     }
 
     /// Returns the legend of the active layers, the most important entries first.
@@ -301,10 +306,10 @@ impl Viewport {
 
     /// Returns the visible part of the drawing as an SVG document.
     pub(crate) fn svg(&self, open_scene: &OpenScene) -> String {
-        let (cols, most) = PICTURE;
-        let reach = self.reach(open_scene, most);
-        let of_rows = |rows| self.view(open_scene, reach, (cols, rows), PICTURE_ASPECT);
-        let view = WorldView::snug(most, of_rows);
+        let (cols, maximum) = PICTURE;
+        let extents = self.extents(open_scene, maximum);
+        let of_rows = |rows| self.view(open_scene, extents, (cols, rows), PICTURE_ASPECT);
+        let view = WorldView::lowest_window(maximum, of_rows);
         let at = open_scene.driver_range().on_grid(open_scene.at());
         let title = words().drawing_of(&open_scene.scene().title(), &at, open_scene.unit());
         drawing::svg(

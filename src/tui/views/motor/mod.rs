@@ -34,8 +34,8 @@ fn arrange(app: &App, area: Rect) -> (Rect, Rect) {
     if app.views.motor.plot().is_none() {
         return (split(area, 0).0, inset(area));
     }
-    let (least, most) = ROWS_ABOVE;
-    let rows = (area.height * 2 / 5).clamp(least, most);
+    let (minimum, maximum) = ROWS_ABOVE;
+    let rows = (area.height * 2 / 5).clamp(minimum, maximum);
     let (curve, list) = chart_and_list(area, &[WIDE, NARROW], MIN_CURVE, rows);
     let gap = if curve.width < area.width { GAP } else { 0 };
     (

@@ -6,7 +6,7 @@ use crate::Vec2;
 use crate::drawing::effort;
 use crate::drawing::plot::Plot;
 use crate::page::Page;
-use crate::quantity::{Abscissa, Catalogue, Clock, Curves, Here};
+use crate::quantity::{Abscissa, Catalogue, Clock, Curves, StateValues};
 use crate::report::{CsvDialect, MotorReport, MotorRequest, TimedMotorReport, curves_csv};
 use crate::scene::Scene;
 use crate::solver::{Order, Solver};
@@ -17,11 +17,11 @@ use crate::tui::player::open_scene::OpenScene;
 /// The motor study of a scene, empty until the view is shown.
 #[derive(Debug, Default)]
 pub(crate) struct MotorStudy {
-    studied: Option<Studied>,
+    studied: Option<MotorResult>,
 }
 
 #[derive(Debug)]
-struct Studied {
+struct MotorResult {
     /// The revision of the scene.
     of: SceneRevision,
     found: FoundMotor,
@@ -57,11 +57,11 @@ impl FoundMotor {
                 Err(why) => FoundMotor::Nothing(TimedMotorReport::nothing(scene, &why)),
             };
         }
-        let wishes = MotorRequest {
+        let preferences = MotorRequest {
             motor: scene.motor.unwrap_or_default(),
             ..MotorRequest::default()
         };
-        FoundMotor::Cycle(Box::new(MotorReport::new(scene, solver, wishes)))
+        FoundMotor::Cycle(Box::new(MotorReport::new(scene, solver, preferences)))
     }
 
     fn page(&self) -> Page {
@@ -117,7 +117,7 @@ impl MotorStudy {
         }
         let scene = open_scene.scene();
         let found = FoundMotor::of(scene, open_scene.solver());
-        self.studied = Some(Studied {
+        self.studied = Some(MotorResult {
             of: open_scene.edition().clone(),
             page: found.page(),
             plot: found.plot(scene),
@@ -148,28 +148,28 @@ impl MotorStudy {
     }
 
     /// Returns the driver's position in the cycle or period, with its effort there.
-    pub(crate) fn here(&self, open_scene: &OpenScene) -> Option<Here> {
+    pub(crate) fn here(&self, open_scene: &OpenScene) -> Option<StateValues> {
         let report = match &self.studied.as_ref()?.found {
             FoundMotor::Cycle(report) => report,
             FoundMotor::Period(period) => {
                 let time = open_scene.time()?;
                 let mut state = open_scene.solver().state();
-                let stand = open_scene.stand();
-                let _ = stand.solve(open_scene.solver(), Order::Force, &mut state);
+                let driver_state = open_scene.driver_state();
+                let _ = driver_state.solve(open_scene.solver(), Order::Force, &mut state);
                 return Some(period.curves.here_at(time, &state));
             }
             FoundMotor::Nothing(_) => return None,
         };
         let duty = report.duty.as_ref().ok()?;
         let (course, at) = (&duty.cycle.course, open_scene.at());
-        let along = if course.goes_round {
+        let along = if course.is_periodic {
             duty.cycle.coordinate(course.way(at)?)
         } else {
             at
         };
         // The torque solved at this position, as in the forces view, not the one of the sums over
         // the cycle.
-        Some(Here {
+        Some(StateValues {
             along: Some(along),
             values: vec![duty.step(along).torque],
         })

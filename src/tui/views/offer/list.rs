@@ -2,13 +2,13 @@
 
 use crate::tui::commands::list::moved;
 use crate::tui::document::difference::difference;
-use crate::tui::document::recovery::{Generation, Others};
+use crate::tui::document::recovery::{Generation, OtherSessions};
 use crate::wording::words;
 
 /// The offered edits and the cursor.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Offer {
-    pub(crate) others: Others,
+    pub(crate) others: OtherSessions,
     pub(crate) cursor: usize,
     /// The opened page on the selected edits, if any.
     pub(crate) page: Option<OfferPage>,
@@ -26,7 +26,7 @@ pub(crate) struct OfferPage {
 
 impl Offer {
     /// Creates an offer; `None` if there are neither unsaved edits nor other open sessions.
-    pub(crate) fn of(others: Others) -> Option<Offer> {
+    pub(crate) fn of(others: OtherSessions) -> Option<Offer> {
         let is_any = !others.alive.is_empty() || !others.left.is_empty();
         is_any.then_some(Offer {
             others,
@@ -42,7 +42,7 @@ impl Offer {
     }
 
     /// Opens the text of the selected edits as a page.
-    pub(crate) fn look(&mut self) {
+    pub(crate) fn open_page(&mut self) {
         let lines = |chosen: &Generation| {
             let lines = chosen.edits.text.lines().map(str::to_owned);
             waiting(chosen).into_iter().chain(lines).collect()

@@ -15,7 +15,7 @@ use super::popup::{self, BORDER};
 use super::{cut, first_row, print};
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
-use crate::tui::document::recovery::{Alive, Generation};
+use crate::tui::document::recovery::{Generation, OtherSession};
 use crate::tui::player::open_scene::shown;
 use crate::tui::views::offer::list::{Offer, OfferPage};
 use crate::tui::views::tour::screens::wrapped;
@@ -65,16 +65,16 @@ struct OfferLayout {
 
 impl OfferLayout {
     fn of(offer: &Offer, area: Rect) -> OfferLayout {
-        let room = area.width.saturating_sub(BORDER.0);
+        let space = area.width.saturating_sub(BORDER.0);
         let columns = match offer.page {
-            Some(_) => room,
-            None => LIST.min(room),
+            Some(_) => space,
+            None => LIST.min(space),
         };
         let keys = hints(&keys(offer), columns.into());
-        let most = area.height.saturating_sub(BORDER.1 + rows(&keys));
+        let maximum = area.height.saturating_sub(BORDER.1 + rows(&keys));
         let lines = match &offer.page {
-            Some(page) => read(page, offer, most),
-            None => listed(offer, columns, most),
+            Some(page) => read(page, offer, maximum),
+            None => listed(offer, columns, maximum),
         };
         let height = match offer.page {
             Some(_) => area.height,
@@ -100,18 +100,18 @@ fn keys(offer: &Offer) -> Vec<String> {
         (None, true, _) => vec![("Enter", words().go_on())],
         (None, false, true) => {
             let drops = ("d", words().drops_for_ever());
-            return vec![told(drops), words().any_other_key_does_not().into()];
+            return vec![format_key(drops), words().any_other_key_does_not().into()];
         }
         (None, false, false) => {
             let [look, drop] = [("Enter", words().look()), ("d", words().drop_them())];
             vec![look, compare, take, drop, ("Esc", words().later())]
         }
     };
-    keys.into_iter().map(told).collect()
+    keys.into_iter().map(format_key).collect()
 }
 
 /// Formats a key and its effect.
-fn told((key, does): (&str, &str)) -> String {
+fn format_key((key, does): (&str, &str)) -> String {
     format!("{key} {does}")
 }
 
@@ -131,27 +131,27 @@ fn hints(keys: &[String], width: usize) -> Vec<String> {
 }
 
 /// Returns the generations of edits, scrolled to the cursor, and the other open sessions.
-fn listed(offer: &Offer, columns: u16, most: u16) -> Vec<OfferLine> {
+fn listed(offer: &Offer, columns: u16, maximum: u16) -> Vec<OfferLine> {
     let elsewhere = offer.others.alive.iter().flat_map(|other| {
         let lines = wrapped(&elsewhere(other), columns.into(), false);
         lines.into_iter().map(|line| (line, ScreenPart::Warning))
     });
-    let mut behind: Vec<OfferLine> = elsewhere.collect();
-    behind.push((String::new(), ScreenPart::Text));
+    let mut after: Vec<OfferLine> = elsewhere.collect();
+    after.push((String::new(), ScreenPart::Text));
     let left = &offer.others.left;
-    let room = usize::from(most).saturating_sub(behind.len()).max(1);
-    let first = first_row(offer.cursor, left.len(), room);
-    let seen = left.iter().enumerate().skip(first).take(room);
+    let space = usize::from(maximum).saturating_sub(after.len()).max(1);
+    let first = first_row(offer.cursor, left.len(), space);
+    let seen = left.iter().enumerate().skip(first).take(space);
     let mut lines: Vec<OfferLine> = seen
         .map(|(n, found)| row(found, n == offer.cursor))
         .collect();
-    lines.append(&mut behind);
+    lines.append(&mut after);
     lines
 }
 
 fn row(found: &Generation, is_chosen: bool) -> OfferLine {
     let mark = if is_chosen { '>' } else { ' ' };
-    let says = match (found.is_older, found.is_stale) {
+    let text = match (found.is_older, found.is_stale) {
         (true, _) => words().older_than_file(),
         (false, true) => words().made_on_another_text(),
         (false, false) => "",
@@ -162,13 +162,13 @@ fn row(found: &Generation, is_chosen: bool) -> OfferLine {
         ScreenPart::Text
     };
     (
-        format!("{mark} {}  {says}", found.time).trim_end().into(),
+        format!("{mark} {}  {text}", found.time).trim_end().into(),
         part,
     )
 }
 
-fn elsewhere(other: &Alive) -> String {
-    let Alive {
+fn elsewhere(other: &OtherSession) -> String {
+    let OtherSession {
         process,
         host,
         time,
@@ -177,13 +177,13 @@ fn elsewhere(other: &Alive) -> String {
 }
 
 /// Returns the visible lines of a scrolled page, below its time.
-fn read(page: &OfferPage, offer: &Offer, most: u16) -> Vec<OfferLine> {
+fn read(page: &OfferPage, offer: &Offer, maximum: u16) -> Vec<OfferLine> {
     let time = offer.chosen().map_or("", |chosen| &chosen.time);
     let head = (words().of_time(time), ScreenPart::Quiet);
     let lines = page.lines.iter().skip(page.scroll);
     let lines = lines.map(|line| (line.clone(), ScreenPart::Text));
     std::iter::once(head)
         .chain(lines)
-        .take(most.into())
+        .take(maximum.into())
         .collect()
 }

@@ -13,7 +13,7 @@ use crate::wording::words;
 
 /// An entry of the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Listed {
+pub(crate) enum ListEntry {
     Command(Action),
     /// The topic of the manual with this index.
     Topic(usize),
@@ -38,7 +38,7 @@ pub(crate) struct CommandList {
     /// The typed text; [`CommandList::narrow`] must be called after a change.
     pub(crate) line: EditLine,
     /// The matching entries, the best first.
-    pub(crate) list: List<Listed>,
+    pub(crate) list: List<ListEntry>,
 }
 
 impl CommandList {
@@ -66,20 +66,20 @@ impl CommandList {
             let costs = texts
                 .iter()
                 .filter_map(|text| Some((cost(&typed, text)?, text.chars().count())));
-            let sought = || keyword_cost(&typed, keywords(row.action));
+            let query = || keyword_cost(&typed, keywords(row.action));
             let rank = NameRank::of(typed.trim(), row.name, &texts);
-            Some((rank, costs.min().or_else(sought)?, at))
+            Some((rank, costs.min().or_else(query)?, at))
         });
         let mut costs: Vec<(NameRank, (usize, usize), usize)> = costs.collect();
         if !typed.trim().is_empty() {
             costs.sort_unstable();
         }
         let commands = costs.into_iter().filter_map(|(.., at)| rows().nth(at));
-        let commands = commands.map(|row| Listed::Command(row.action));
+        let commands = commands.map(|row| ListEntry::Command(row.action));
         let topics = SearchWords::new(&typed).best_topics().into_iter();
         let mut listed = spelled(self.line.text());
-        let found = commands.chain(topics.map(Listed::Topic));
-        let others: Vec<Listed> = found.filter(|other| !listed.contains(other)).collect();
+        let found = commands.chain(topics.map(ListEntry::Topic));
+        let others: Vec<ListEntry> = found.filter(|other| !listed.contains(other)).collect();
         listed.extend(others);
         self.list = List::new(listed);
     }
@@ -93,22 +93,22 @@ fn words_of(typed: &str) -> (&str, &str) {
 }
 
 /// Returns the commands that the typed text spells out, as in vi.
-fn spelled(typed: &str) -> Vec<Listed> {
+fn spelled(typed: &str) -> Vec<ListEntry> {
     let number = with_point(typed.trim()).and_then(|text| text.parse::<f64>().ok());
     let is_number = number.is_some_and(f64::is_finite);
     match words_of(typed) {
-        ("w", "") => vec![Listed::Command(Action::Save)],
-        ("wq", "") => vec![Listed::SaveAndQuit],
-        ("q", "") => vec![Listed::Command(Action::Quit)],
-        ("e", "") => vec![Listed::Command(Action::Open)],
-        ("w", _) => vec![Listed::SaveTo],
-        ("e", _) => vec![Listed::OpenFile],
+        ("w", "") => vec![ListEntry::Command(Action::Save)],
+        ("wq", "") => vec![ListEntry::SaveAndQuit],
+        ("q", "") => vec![ListEntry::Command(Action::Quit)],
+        ("e", "") => vec![ListEntry::Command(Action::Open)],
+        ("w", _) => vec![ListEntry::SaveTo],
+        ("e", _) => vec![ListEntry::OpenFile],
         ("theme", name) => {
             let themes = Theme::ALL.into_iter();
-            let meant = themes.filter(|theme| theme.name().starts_with(name));
-            meant.map(Listed::Theme).collect()
+            let intended = themes.filter(|theme| theme.name().starts_with(name));
+            intended.map(ListEntry::Theme).collect()
         }
-        _ if is_number => vec![Listed::GoTo],
+        _ if is_number => vec![ListEntry::GoTo],
         _ => Vec::new(),
     }
 }
@@ -119,7 +119,7 @@ enum NameRank {
     /// The text is the command's name.
     Name,
     /// The text begins the name or the description.
-    Beginning,
+    TrackingStart,
     /// The text begins a word.
     Word,
     /// The letters only occur in this order.
@@ -136,7 +136,7 @@ impl NameRank {
         if typed == name {
             NameRank::Name
         } else if texts.iter().any(|text| text.starts_with(typed)) {
-            NameRank::Beginning
+            NameRank::TrackingStart
         } else if texts.iter().any(begins_word) {
             NameRank::Word
         } else {
@@ -146,11 +146,11 @@ impl NameRank {
 }
 
 /// Returns the cost of the typed text as a prefix of one of the keywords; `None` if none matches.
-fn keyword_cost(typed: &str, sought: &str) -> Option<(usize, usize)> {
+fn keyword_cost(typed: &str, query: &str) -> Option<(usize, usize)> {
     let typed = typed.trim();
-    let sought = plain(sought);
-    let mut begun = sought.split(' ').filter(|word| word.starts_with(typed));
-    let word = begun.next().filter(|_| !typed.is_empty())?;
+    let query = plain(query);
+    let mut started = query.split(' ').filter(|word| word.starts_with(typed));
+    let word = started.next().filter(|_| !typed.is_empty())?;
     Some((KEYWORD, word.len()))
 }
 
@@ -169,7 +169,7 @@ fn plain(text: &str) -> String {
 /// letter is missing.
 fn cost(typed: &str, text: &str) -> Option<usize> {
     let text: Vec<char> = plain(text).chars().collect();
-    let begins = |at: usize| at == 0 || !text[at - 1].is_alphanumeric();
+    let starts = |at: usize| at == 0 || !text[at - 1].is_alphanumeric();
     // The minimum costs of the letters so far, by the position of the last one.
     let mut before: Option<Vec<Option<usize>>> = None;
     for letter in typed.chars().filter(|c| *c != ' ') {
@@ -177,7 +177,7 @@ fn cost(typed: &str, text: &str) -> Option<usize> {
             if text[at] != letter {
                 return None;
             }
-            let jump = if begins(at) { 1 } else { 3 };
+            let jump = if starts(at) { 1 } else { 3 };
             let Some(before) = &before else {
                 return Some(if at == 0 { 0 } else { jump + 1 });
             };
@@ -206,7 +206,7 @@ mod tests {
         typed.chars().for_each(|c| palette.line.push(c));
         palette.narrow();
         let names = palette.list.listed().filter_map(|listed| match listed {
-            Listed::Command(action) => Some(action::entry_of(*action).name),
+            ListEntry::Command(action) => Some(action::entry_of(*action).name),
             _ => None,
         });
         names.collect()
@@ -217,7 +217,7 @@ mod tests {
         typed.chars().for_each(|c| palette.line.push(c));
         palette.narrow();
         let topics = palette.list.listed().filter_map(|listed| match listed {
-            Listed::Topic(at) => Some(TOPICS[*at].name),
+            ListEntry::Topic(at) => Some(TOPICS[*at].name),
             _ => None,
         });
         topics.collect()
@@ -242,10 +242,10 @@ mod tests {
                 "{typed}: {:?}",
                 found(typed)
             );
-            let told = topics(typed);
+            let lines = topics(typed);
             assert!(
-                topic.is_empty() || told.contains(&topic),
-                "{typed}: {told:?}"
+                topic.is_empty() || lines.contains(&topic),
+                "{typed}: {lines:?}"
             );
         }
         assert_eq!(topics("toler")[0], "tolerances");
@@ -286,15 +286,15 @@ mod tests {
             palette.list.chosen().copied()
         };
         for (typed, listed) in [
-            ("w", Listed::Command(Action::Save)),
-            ("wq", Listed::SaveAndQuit),
-            ("q", Listed::Command(Action::Quit)),
-            ("w mine.toml", Listed::SaveTo),
-            ("e press", Listed::OpenFile),
-            ("135", Listed::GoTo),
-            ("-12.5", Listed::GoTo),
-            ("theme d", Listed::Theme(Theme::Dark)),
-            ("theme", Listed::Theme(Theme::Auto)),
+            ("w", ListEntry::Command(Action::Save)),
+            ("wq", ListEntry::SaveAndQuit),
+            ("q", ListEntry::Command(Action::Quit)),
+            ("w mine.toml", ListEntry::SaveTo),
+            ("e press", ListEntry::OpenFile),
+            ("135", ListEntry::GoTo),
+            ("-12.5", ListEntry::GoTo),
+            ("theme d", ListEntry::Theme(Theme::Dark)),
+            ("theme", ListEntry::Theme(Theme::Auto)),
         ] {
             assert_eq!(first(typed), Some(listed), "{typed}");
         }
@@ -309,13 +309,13 @@ mod tests {
             assert_eq!(found(typed)[0], name, "{typed}: {:?}", found(typed));
         }
         let found = found("st");
-        let begins = |name: &&str| {
+        let starts = |name: &&str| {
             let row = rows().find(|row| row.name == *name).unwrap();
             let texts = [row.name, (row.hint)(words()), (row.help)(words())];
             NameRank::of("st", row.name, &texts) < NameRank::Loose
         };
-        let count = found.iter().filter(|name| begins(name)).count();
-        assert!(count > 1 && found[..count].iter().all(begins), "{found:?}");
+        let count = found.iter().filter(|name| starts(name)).count();
+        assert!(count > 1 && found[..count].iter().all(starts), "{found:?}");
     }
 
     #[test]
@@ -347,10 +347,10 @@ mod tests {
         for row in rows() {
             let name = found(row.name)[0];
             let first = rows().find(|other| other.name == name).unwrap();
-            let told = (first.help)(words());
+            let text = (first.help)(words());
             assert!(
-                first.name == row.name || told == row.name,
-                "{}: {told}",
+                first.name == row.name || text == row.name,
+                "{}: {text}",
                 row.name
             );
         }

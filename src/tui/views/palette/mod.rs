@@ -17,7 +17,7 @@ use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{self, entry_of};
 use crate::tui::player::open_scene::shown;
 use crate::wording::words;
-use list::{CommandList, Listed};
+use list::{CommandList, ListEntry};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -50,42 +50,47 @@ pub(super) fn render(app: &App, palette: &CommandList, area: Rect, buffer: &mut 
     let first = first_row(palette.list.cursor(), count, inner.height.into());
     let seen = palette.list.listed().enumerate().skip(first);
     for (line, (at, listed)) in inner.rows().zip(seen) {
-        let (mut told, mut keys) = (told(*listed, palette), String::new());
-        if let Listed::Command(action) = listed {
+        let (mut shown_text, mut keys) = (describe_entry(*listed, palette), String::new());
+        if let ListEntry::Command(action) = listed {
             keys = action::listed(app.keymap().keys(*action));
         } else {
-            let room = usize::from(line.width).saturating_sub(MARK.len());
-            told = cut(&shown(&told, app.glyphs()), room);
+            let space = usize::from(line.width).saturating_sub(MARK.len());
+            shown_text = cut(&shown(&shown_text, app.glyphs()), space);
         }
-        render_row((&told, &keys), at == palette.list.cursor(), line, buffer);
+        render_row(
+            (&shown_text, &keys),
+            at == palette.list.cursor(),
+            line,
+            buffer,
+        );
     }
 }
 
 /// Describes an entry.
-fn told(listed: Listed, palette: &CommandList) -> String {
+fn describe_entry(listed: ListEntry, palette: &CommandList) -> String {
     match listed {
-        Listed::Command(action) => (entry_of(action).help)(words()).to_owned(),
-        Listed::Topic(at) => {
+        ListEntry::Command(action) => (entry_of(action).help)(words()).to_owned(),
+        ListEntry::Topic(at) => {
             let topic = &TOPICS[at];
             words().manual_of(topic.called(), (topic.about)(words()))
         }
-        Listed::SaveAndQuit => words().save_and_quit().to_owned(),
-        Listed::SaveTo => words().save_to(palette.argument()),
-        Listed::OpenFile => words().open_named(palette.argument()),
-        Listed::GoTo => words().go_to_coordinate(palette.line.text().trim()),
-        Listed::Theme(theme) => words().theme_is(theme.name()),
+        ListEntry::SaveAndQuit => words().save_and_quit().to_owned(),
+        ListEntry::SaveTo => words().save_to(palette.argument()),
+        ListEntry::OpenFile => words().open_named(palette.argument()),
+        ListEntry::GoTo => words().go_to_coordinate(palette.line.text().trim()),
+        ListEntry::Theme(theme) => words().theme_is(theme.name()),
     }
 }
 
 /// Renders an entry with its keys at the right.
-fn render_row((told, keys): (&str, &str), is_chosen: bool, line: Rect, buffer: &mut Buffer) {
+fn render_row((text, keys): (&str, &str), is_chosen: bool, line: Rect, buffer: &mut Buffer) {
     let (mark, part) = match is_chosen {
         true => (MARK, ScreenPart::Key),
         false => ("  ", ScreenPart::Text),
     };
     let x = print(buffer, line.x, line.y, line.width, mark, theme::part(part));
-    let room = line.right().saturating_sub(x);
-    let end = print(buffer, x, line.y, room, told, theme::part(part));
+    let space = line.right().saturating_sub(x);
+    let end = print(buffer, x, line.y, space, text, theme::part(part));
     if end + 1 + columns(keys) <= line.right() {
         let style = theme::part(ScreenPart::Quiet);
         print_right(buffer, line.right(), line.y, keys, style);

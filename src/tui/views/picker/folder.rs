@@ -9,7 +9,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// File name extension of scenes.
-const ENDING: &str = "toml";
+const SCENE_EXTENSION: &str = "toml";
 /// Maximum number of entries read. A longer list is of no use, and reading it would delay the keys.
 const MAX_ENTRIES: usize = 50_000;
 
@@ -50,7 +50,7 @@ impl Folder {
 
     /// Removes the files that contain tasks. If there are many files, they are kept unread and
     /// checked when opened.
-    pub(super) fn leave_out_tasks(&mut self) {
+    pub(super) fn remove_tasks(&mut self) {
         if self.scenes.len() <= MAX_FILES_READ {
             self.scenes.retain(|path| !is_task(path));
         }
@@ -63,7 +63,7 @@ impl Folder {
         let path = entry.path();
         if is_folder(entry, &path) {
             self.folders.push(path);
-        } else if path.extension() == Some(OsStr::new(ENDING)) {
+        } else if path.extension() == Some(OsStr::new(SCENE_EXTENSION)) {
             self.scenes.push(path);
         }
     }
@@ -78,7 +78,7 @@ fn is_folder(entry: &DirEntry, path: &Path) -> bool {
 
 /// Returns `true` if a file is readable and contains a task.
 fn is_task(path: &Path) -> bool {
-    read_file(path, MAX_FILE_SIZE).is_ok_and(|bytes| TaskFile::is_meant(&bytes))
+    read_file(path, MAX_FILE_SIZE).is_ok_and(|bytes| TaskFile::is_task(&bytes))
 }
 
 /// Returns a sort key that ignores case first and then distinguishes it, so that the order is

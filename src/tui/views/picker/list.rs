@@ -43,7 +43,7 @@ impl PickerTarget {
                 presets::find(name).map(|preset| PickerTarget::Preset(preset.name))
             }
             Origin::File(path) => {
-                let folder = whole(path.parent()?);
+                let folder = canonical_path(path.parent()?);
                 Some(PickerTarget::File(folder.join(path.file_name()?)))
             }
             Origin::New(_) | Origin::Stdin => None,
@@ -106,10 +106,10 @@ impl FolderReading {
     /// Reads a folder, which may take long. Tasks are left out if a scene for a comparison is
     /// chosen.
     pub(crate) fn of(folder: &Path, purpose: Purpose) -> FolderReading {
-        let folder = whole(folder);
+        let folder = canonical_path(folder);
         let mut found = Folder::read(&folder).map_err(|why| words().cannot_be_read(&why));
         if let (Ok(found), Purpose::Compare) = (&mut found, purpose) {
-            found.leave_out_tasks();
+            found.remove_tasks();
         }
         FolderReading { folder, found }
     }
@@ -183,7 +183,7 @@ impl Picker {
     }
 
     /// Returns the parent of the listed folder, and the listed folder as an entry of it.
-    pub(crate) fn above(&self) -> Option<(PathBuf, PickerTarget)> {
+    pub(crate) fn parent_entry(&self) -> Option<(PathBuf, PickerTarget)> {
         let above = self.folder.parent()?.to_owned();
         Some((above, PickerTarget::Folder(self.folder.clone())))
     }
@@ -294,13 +294,13 @@ static TITLES: LazyLock<Vec<String>> = LazyLock::new(|| {
 
 /// Returns the canonical path of a folder, whose parents can be entered; a `..` in its middle would
 /// prevent that. A path that does not exist is only made absolute.
-fn whole(folder: &Path) -> PathBuf {
+fn canonical_path(folder: &Path) -> PathBuf {
     let folder = match folder.as_os_str().is_empty() {
         true => Path::new("."),
         false => folder,
     };
-    let whole = folder.canonicalize();
-    whole.unwrap_or_else(|_| std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned()))
+    let complete = folder.canonicalize();
+    complete.unwrap_or_else(|_| std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned()))
 }
 
 #[cfg(test)]

@@ -46,13 +46,13 @@ pub(super) fn arrange(area: Rect, [usual, wide]: [u16; 2]) -> PickerAreas {
             preview: None,
         };
     }
-    let width = if area.width < ROOM_FOR_TITLES {
+    let width = if area.width < MIN_WIDTH_WITH_TITLES {
         usual
     } else {
         wide
     };
-    let (list, beside) = split_columns(area, width);
-    let (rule, preview) = split_columns(beside, 1);
+    let (list, side) = split_columns(area, width);
+    let (rule, preview) = split_columns(side, 1);
     PickerAreas {
         list: inset(list),
         preview: Some((rule, inset(preview))),
@@ -82,8 +82,8 @@ fn search(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     };
     let right = area.right().saturating_sub(1);
     let put = |buffer: &mut Buffer, x: u16, text: &str, part| {
-        let room = right.saturating_sub(x);
-        print(buffer, x, area.y, room, text, theme::part(part))
+        let space = right.saturating_sub(x);
+        print(buffer, x, area.y, space, text, theme::part(part))
     };
     let x = put(buffer, area.x + 1, what, ScreenPart::Title);
     let x = put(buffer, x + 2, words().search_for(), ScreenPart::Quiet);
@@ -137,18 +137,18 @@ fn list(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
 
 fn entry(app: &App, item: &PickerItem, under_cursor: bool, area: Rect, buffer: &mut Buffer) {
     let part = |other| theme::part(if under_cursor { ScreenPart::Key } else { other });
-    let room = usize::from(area.width.saturating_sub(INDENT));
+    let space = usize::from(area.width.saturating_sub(INDENT));
     let mark = if under_cursor { ">" } else { " " };
     print(buffer, area.x, area.y, 1, mark, part(ScreenPart::Key));
-    let name = cut(&shown(&item.name, app.glyphs()), room);
+    let name = cut(&shown(&item.name, app.glyphs()), space);
     let x = area.x + INDENT;
     print(buffer, x, area.y, area.width, &name, part(ScreenPart::Text));
     // Titles are aligned in a column.
     let x = x + NAMES;
     if area.right() >= x + MIN_TITLE_LEN && columns(&name) < NAMES {
-        let room = area.right() - x;
-        let title = cut(&shown(&item.title, app.glyphs()), room.into());
-        print(buffer, x, area.y, room, &title, part(ScreenPart::Quiet));
+        let space = area.right() - x;
+        let title = cut(&shown(&item.title, app.glyphs()), space.into());
+        print(buffer, x, area.y, space, &title, part(ScreenPart::Quiet));
     }
 }
 
@@ -177,11 +177,11 @@ fn preview(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
 /// Renders the drawing with the facts below it.
 fn scene(app: &App, sample: &Sample, area: Rect, buffer: &mut Buffer) {
     let facts = facts(sample, area.width.into());
-    let most = area
+    let maximum = area
         .height
         .saturating_sub(MIN_DRAWING_HEIGHT)
         .min(area.height / 2);
-    let lines = u16::try_from(facts.len()).unwrap_or(most).min(most);
+    let lines = u16::try_from(facts.len()).unwrap_or(maximum).min(maximum);
     let (picture, text) = split(area, area.height - lines);
     let figure = drawing::linkage(
         &sample.scene,
@@ -200,10 +200,10 @@ fn scene(app: &App, sample: &Sample, area: Rect, buffer: &mut Buffer) {
 /// Returns the facts about a scene, wrapped and truncated.
 fn facts(sample: &Sample, width: usize) -> Vec<(String, ScreenPart)> {
     let Sample { scene, .. } = sample;
-    let lines = |text: &str, most: usize, part: ScreenPart| {
+    let lines = |text: &str, maximum: usize, part: ScreenPart| {
         let mut lines = wrapped(text, width);
-        if lines.len() > most {
-            lines.truncate(most);
+        if lines.len() > maximum {
+            lines.truncate(maximum);
             if let Some(last) = lines.last_mut() {
                 *last = cut(&format!("{last} ..."), width);
             }
@@ -211,35 +211,36 @@ fn facts(sample: &Sample, width: usize) -> Vec<(String, ScreenPart)> {
         lines.into_iter().map(move |line| (line, part))
     };
     let own = format!("{}; {}", sample.parts, sample.range);
-    let told =
+    let shown_text =
         |text: &Option<String>| words().translated_scene_text(text.as_deref().unwrap_or_default());
-    let (source, note) = (told(&scene.source), told(&scene.note));
-    let said = [
+    let (source, note) = (shown_text(&scene.source), shown_text(&scene.note));
+    let message = [
         (own.as_str(), MAX_FACTS, ScreenPart::Text),
         (source.as_str(), MAX_SOURCE, ScreenPart::Quiet),
         (note.as_str(), MAX_NOTE, ScreenPart::Text),
     ];
-    let said = said.into_iter().filter(|(text, ..)| !text.is_empty());
-    said.flat_map(|(text, most, part)| lines(text, most, part))
+    let message = message.into_iter().filter(|(text, ..)| !text.is_empty());
+    message
+        .flat_map(|(text, maximum, part)| lines(text, maximum, part))
         .collect()
 }
 
 /// Renders the first fault, its place and its fix.
 fn faulty(app: &App, fault: &Unopenable, area: Rect, buffer: &mut Buffer) {
     let mut area = split(area, 1).1;
-    let mut say = |text: &str, above: u16, part| {
+    let mut wording = |text: &str, above: u16, part| {
         area = paragraph(app, text, split(area, above).1, part, buffer);
     };
-    say(words().cannot_be_opened(), 0, ScreenPart::Warning);
-    say(&fault.what, 0, ScreenPart::Text);
+    wording(words().cannot_be_opened(), 0, ScreenPart::Warning);
+    wording(&fault.what, 0, ScreenPart::Text);
     if let Some((line, column)) = fault.at {
-        say(&words().line_and_column(line, column), 0, ScreenPart::Quiet);
+        wording(&words().line_and_column(line, column), 0, ScreenPart::Quiet);
     }
-    if let Some(mend) = &fault.mend {
-        say(mend, 1, ScreenPart::Text);
+    if let Some(fix) = &fault.fix {
+        wording(fix, 1, ScreenPart::Text);
     }
     if fault.more > 0 {
-        say(&words().more_below(fault.more), 0, ScreenPart::Quiet);
+        wording(&words().more_below(fault.more), 0, ScreenPart::Quiet);
     }
 }
 
@@ -282,14 +283,14 @@ pub(super) fn paragraph(
     split(area, u16::try_from(lines.len()).unwrap_or(area.height)).1
 }
 
-/// Returns the text, or two points and its last characters if it is longer than `most`. The end of
+/// Returns the text, or two points and its last characters if it is longer than `maximum`. The end of
 /// a path is the most informative part.
-fn ending(text: &str, most: usize) -> String {
+fn ending(text: &str, maximum: usize) -> String {
     let length = text.chars().count();
-    if length <= most {
+    if length <= maximum {
         return text.to_owned();
     }
-    let end: String = text.chars().skip(length + 2 - most.max(2)).collect();
+    let end: String = text.chars().skip(length + 2 - maximum.max(2)).collect();
     format!("..{end}")
 }
 
@@ -300,7 +301,7 @@ const MIN_HEIGHT: u16 = 14;
 /// names.
 const LISTS: [u16; 2] = [30, 56];
 /// Minimum width of a wide screen.
-const ROOM_FOR_TITLES: u16 = 110;
+const MIN_WIDTH_WITH_TITLES: u16 = 110;
 /// Columns in front of a name for the cursor's mark.
 const INDENT: u16 = 2;
 /// Width of the names in front of titles, and the minimum width of a title.

@@ -1,15 +1,15 @@
 //! Previews of scenes, files and folders before they are opened.
 
 use crate::Input;
-use crate::drawing::Reach;
+use crate::drawing::Extents;
 use crate::report::wanted;
 use crate::scene::{Diagnostics, MAX_FILE_SIZE, Scene, presets};
 use crate::solver::{Order, Range, Solver, State};
-use crate::tui::document::opening::{self, OpenedFile, Unopened};
+use crate::tui::document::opening::{self, OpenFileError, OpenedFile};
 use crate::tui::player::driver_range::DriverRange;
 use crate::tui::views::picker::folder::{Folder, name_of};
 use crate::tui::views::picker::list::PickerTarget;
-use crate::tui::{Opened, Origin};
+use crate::tui::{OpenedScene, Origin};
 use crate::wording::words;
 use std::fs;
 use std::path::Path;
@@ -18,7 +18,7 @@ use std::path::Path;
 /// so it is opened only on request.
 const MAX_SIZE: u64 = 32 << 10;
 /// Number of cached previews, so that moving back and forth costs nothing.
-const KEPT: usize = 24;
+const MAX_CACHED_PREVIEWS: usize = 24;
 
 /// The preview of an entry.
 #[derive(Debug)]
@@ -37,7 +37,7 @@ pub(crate) enum Preview {
 #[derive(Debug)]
 pub(crate) struct Sample {
     pub(crate) scene: Scene,
-    pub(crate) reach: Reach,
+    pub(crate) reach: Extents,
     pub(crate) state: State,
     /// The parts, such as `4 links, 1 slide, unit mm`.
     pub(crate) parts: String,
@@ -53,7 +53,7 @@ pub(crate) struct Unopenable {
     /// Line and column of the fault, counted from 1.
     pub(crate) at: Option<(usize, usize)>,
     /// The fix, if one is known.
-    pub(crate) mend: Option<String>,
+    pub(crate) fix: Option<String>,
     /// Number of further faults.
     pub(crate) more: usize,
 }
@@ -61,7 +61,7 @@ pub(crate) struct Unopenable {
 /// The cached previews, the most recent ones last.
 #[derive(Debug, Default)]
 pub(crate) struct Previews {
-    made: Vec<(PickerTarget, Preview)>,
+    cache: Vec<(PickerTarget, Preview)>,
 }
 
 impl Previews {
@@ -70,10 +70,10 @@ impl Previews {
     pub(crate) fn expect(&mut self, place: &PickerTarget) -> bool {
         let is_new = self.of(place).is_none();
         if is_new {
-            if self.made.len() == KEPT {
-                self.made.remove(0);
+            if self.cache.len() == MAX_CACHED_PREVIEWS {
+                self.cache.remove(0);
             }
-            self.made
+            self.cache
                 .push((place.clone(), Preview::Unseen(words().being_read().into())));
         }
         is_new
@@ -81,7 +81,7 @@ impl Previews {
 
     /// Stores a finished preview, unless its entry has been dropped from the cache.
     pub(crate) fn put(&mut self, place: &PickerTarget, preview: Preview) {
-        let expected = self.made.iter_mut().find(|(known, _)| known == place);
+        let expected = self.cache.iter_mut().find(|(known, _)| known == place);
         if let Some((_, made)) = expected {
             *made = preview;
         }
@@ -89,13 +89,13 @@ impl Previews {
 
     /// Returns the preview of an entry, if it was reserved or made.
     pub(crate) fn of(&self, place: &PickerTarget) -> Option<&Preview> {
-        let made = self.made.iter().find(|(known, _)| known == place);
+        let made = self.cache.iter().find(|(known, _)| known == place);
         made.map(|(_, preview)| preview)
     }
 
     /// Drops all previews, because files may change while the picker is closed.
     pub(crate) fn forget(&mut self) {
-        self.made.clear();
+        self.cache.clear();
     }
 }
 
@@ -135,11 +135,13 @@ fn of_file(path: &Path) -> Preview {
         Ok(OpenedFile::Task(order)) => {
             Preview::Unseen(words().task_in_preview(&wanted(&order.file.task)))
         }
-        Err(Unopened::Wrong(diagnostics)) => Preview::Fault(Unopenable::first_of(&diagnostics)),
-        Err(unread @ Unopened::Unread(_)) => Preview::Fault(Unopenable {
+        Err(OpenFileError::Wrong(diagnostics)) => {
+            Preview::Fault(Unopenable::first_of(&diagnostics))
+        }
+        Err(unread @ OpenFileError::Unread(_)) => Preview::Fault(Unopenable {
             what: unread.first_words(),
             at: None,
-            mend: None,
+            fix: None,
             more: 0,
         }),
     }
@@ -157,13 +159,13 @@ fn of_folder(path: &Path) -> Preview {
 }
 
 impl Sample {
-    fn of(opened: Opened) -> Sample {
-        let Opened { scene, solver, .. } = opened;
+    fn of(opened: OpenedScene) -> Sample {
+        let OpenedScene { scene, solver, .. } = opened;
         let mut state = solver.state();
         let start = scene.mechanism.driver().start;
         let _ = solver.solve(start, Order::Position, &mut state);
         Sample {
-            reach: Reach::of(&scene, &solver),
+            reach: Extents::of(&scene, &solver),
             parts: parts(&scene),
             range: range(&scene, &solver),
             state: state.into_state(),
@@ -178,7 +180,7 @@ impl Unopenable {
         Unopenable {
             what: diagnostics.first_words().to_owned(),
             at: first.and_then(|item| diagnostics.position(item)),
-            mend: first.and_then(|item| item.helps.first().cloned()),
+            fix: first.and_then(|item| item.suggestions.first().cloned()),
             more: diagnostics.items.len().saturating_sub(1),
         }
     }

@@ -6,7 +6,7 @@
 use crate::Vec2;
 use crate::drawing::plot::Plot;
 use crate::page::Page;
-use crate::quantity::{Abscissa, Catalogue, Clock, Curve, Curves, Here, Quantity};
+use crate::quantity::{Abscissa, Catalogue, Clock, Curve, Curves, Quantity, StateValues};
 use crate::report::{CsvDialect, curves_csv};
 use crate::scene::Scene;
 use crate::solver::{Order, Solver};
@@ -20,7 +20,7 @@ use crate::wording::words;
 /// The x axis of the plots. A quantity is identified by its name, because another scene has other
 /// quantities.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Along {
+pub(crate) enum PlotAxis {
     /// The driver coordinate.
     Driver,
     /// Time.
@@ -35,7 +35,7 @@ pub(crate) struct Plots {
     /// The names of the quantities in the order of their selection; `None` means the default ones.
     chosen: Option<Vec<String>>,
     /// The x axis; `None` means the time of a motion over time, or else the driver coordinate.
-    along: Option<Along>,
+    along: Option<PlotAxis>,
     /// Whether extrema are marked.
     extrema: bool,
     /// Whether tolerance bands are drawn.
@@ -115,10 +115,10 @@ impl Plots {
     }
 
     /// Returns the quantity of the x axis.
-    fn along(&self, scene: &Scene) -> Along {
+    fn along(&self, scene: &Scene) -> PlotAxis {
         let usual = || match scene.motion {
-            Some(_) => Along::Time,
-            None => Along::Driver,
+            Some(_) => PlotAxis::Time,
+            None => PlotAxis::Driver,
         };
         self.along.clone().unwrap_or_else(usual)
     }
@@ -166,7 +166,7 @@ impl Plots {
             Some(at) => drop(names.remove(at)),
             None => names.push(name.to_owned()),
         }
-        if self.along == Some(Along::Figure(name.to_owned())) {
+        if self.along == Some(PlotAxis::Figure(name.to_owned())) {
             self.along = None;
         }
         self.chosen = Some(names);
@@ -186,22 +186,22 @@ impl Plots {
         let names = self.names(scene);
         // A single quantity must stay on the y axis.
         let figures = names.iter().filter(|_| names.len() > 1);
-        let time = Clock::of(scene).map(|_| Along::Time);
-        let mut all = vec![Along::Driver];
+        let time = Clock::of(scene).map(|_| PlotAxis::Time);
+        let mut all = vec![PlotAxis::Driver];
         all.extend(time);
-        all.extend(figures.cloned().map(Along::Figure));
+        all.extend(figures.cloned().map(PlotAxis::Figure));
         let along = self.along(scene);
         let here = all.iter().position(|other| *other == along);
         let next = here.map_or(0, |here| (here + 1) % all.len());
         let next = all.swap_remove(next);
-        let told = match &next {
-            Along::Driver => words().over(&Catalogue::new(scene).driver().name),
-            Along::Time => words().over_time().into(),
-            Along::Figure(name) => words().over(name),
+        let text = match &next {
+            PlotAxis::Driver => words().over(&Catalogue::new(scene).driver().name),
+            PlotAxis::Time => words().over_time().into(),
+            PlotAxis::Figure(name) => words().over(name),
         };
         self.along = Some(next);
         self.sampled = None;
-        told
+        text
     }
 
     /// Toggles the marks of extrema and returns the new state.
@@ -234,7 +234,7 @@ impl Plots {
     }
 
     /// Adds the dotted curves of the compared scene, in the open scene's unit.
-    fn compare(&mut self, compared: &ComparedScene, unit: &str, along: &Along) {
+    fn compare(&mut self, compared: &ComparedScene, unit: &str, along: &PlotAxis) {
         let Some(Sampled { names, outcome, .. }) = &mut self.sampled else {
             return;
         };
@@ -242,8 +242,8 @@ impl Plots {
         let catalogue = Catalogue::new(scene);
         let known = |name: &String| catalogue.find(name).is_some();
         let has_it = match along {
-            Along::Driver | Along::Time => true,
-            Along::Figure(name) => known(name),
+            PlotAxis::Driver | PlotAxis::Time => true,
+            PlotAxis::Figure(name) => known(name),
         };
         let names: Vec<String> = names.iter().filter(|name| known(name)).cloned().collect();
         if let (true, SamplingOutcome::Plot(_, plot), Ok(curves)) =
@@ -256,7 +256,7 @@ impl Plots {
 
     /// Returns the plotted values at the driver's current position. Unless time is on the x axis,
     /// rates are those at the scene's speed, as in the curves.
-    pub(crate) fn here(&self, open_scene: &OpenScene) -> Option<Here> {
+    pub(crate) fn here(&self, open_scene: &OpenScene) -> Option<StateValues> {
         let curves = self.curves()?;
         if open_scene.timetable().is_none() {
             return Some(curves.here(open_scene.state()));
@@ -308,18 +308,18 @@ impl Plots {
 /// Adds the tolerance bands of all values except forces, if the scene has tolerances.
 fn add_bands(plot: &mut Plot, curves: &Curves, open_scene: &OpenScene) {
     let (scene, solver) = (open_scene.scene(), open_scene.solver());
-    let told = |(_, curve): &(usize, &Curve)| curve.quantity.order() != Order::Force;
-    let curves_told = curves.curves.iter().enumerate().filter(told);
-    let (places, figures): (Vec<usize>, Vec<Quantity>) = curves_told
+    let text = |(_, curve): &(usize, &Curve)| curve.quantity.order() != Order::Force;
+    let curves_told = curves.curves.iter().enumerate().filter(text);
+    let (places, quantities): (Vec<usize>, Vec<Quantity>) = curves_told
         .map(|(i, curve)| (i, curve.quantity.clone()))
         .unzip();
-    let study = ToleranceStudy::new(scene, solver, scene.tolerances(), &figures);
+    let study = ToleranceStudy::new(scene, solver, scene.tolerances(), &quantities);
     // Without tolerances, or without a quantity that can have a band, the curves are drawn alone.
     let Ok(mut study) = study else { return };
     let (kind, bands) = study.quick_band(&curves.at);
-    for ((figure, quantity), offsets) in places.into_iter().zip(&figures).zip(bands) {
+    for ((index, quantity), offsets) in places.into_iter().zip(&quantities).zip(bands) {
         let name = format!("{} {}", quantity.name, kind.word());
-        plot.add_band(curves, figure, &offsets, name);
+        plot.add_band(curves, index, &offsets, name);
     }
 }
 
@@ -334,29 +334,30 @@ fn sampled(
     scene: &Scene,
     solver: &Solver,
     names: &[String],
-    along: &Along,
+    along: &PlotAxis,
 ) -> Result<Curves, String> {
     let catalogue = Catalogue::new(scene);
     let find = |name: &String| catalogue.find(name);
-    let mut figures: Vec<Quantity> = names.iter().filter_map(find).collect();
+    let mut quantities: Vec<Quantity> = names.iter().filter_map(find).collect();
     let abscissa = match along {
-        Along::Driver => Abscissa::Driver,
-        Along::Time => Abscissa::Time,
-        Along::Figure(name) => {
-            figures.retain(|q| q.name != *name);
+        PlotAxis::Driver => Abscissa::Driver,
+        PlotAxis::Time => Abscissa::Time,
+        PlotAxis::Figure(name) => {
+            quantities.retain(|q| q.name != *name);
             find(name).map_or(Abscissa::Driver, Abscissa::Figure)
         }
     };
-    if figures.is_empty() {
+    if quantities.is_empty() {
         return Err(words().nothing_plotted().into());
     }
-    let curves = Curves::new(scene, solver, &figures, abscissa, None).map_err(|e| e.to_string())?;
+    let curves =
+        Curves::new(scene, solver, &quantities, abscissa, None).map_err(|e| e.to_string())?;
     if curves
         .curves
         .iter()
         .all(|curve| curve.values.iter().all(Option::is_none))
     {
-        let names: Vec<&str> = figures.iter().map(|q| q.name.as_str()).collect();
+        let names: Vec<&str> = quantities.iter().map(|q| q.name.as_str()).collect();
         let hidden = curves.hidden.as_ref();
         let names = names.join(", ");
         return Err(match hidden {

@@ -25,9 +25,9 @@ fn all_of(scene: &Scene, solver: &Solver, is_chosen: impl Fn(&str) -> bool) -> V
     let mut all = catalogue.figures();
     all.extend(catalogue.unlisted());
     let changes = changing(solver, &all);
-    let figures = all.into_iter().zip(changes);
-    let told = figures.filter(|(figure, changes)| *changes || is_chosen(&figure.name));
-    told.map(|(figure, _)| figure).collect()
+    let quantities = all.into_iter().zip(changes);
+    let text = quantities.filter(|(quantity, changes)| *changes || is_chosen(&quantity.name));
+    text.map(|(quantity, _)| quantity).collect()
 }
 
 impl PlotList {
@@ -108,8 +108,8 @@ impl PlotList {
     }
 
     /// Scrolls the summary by `lines`, at most to line `most`.
-    pub(crate) fn scroll_by(&mut self, lines: isize, most: usize) {
-        self.read = self.read.map(|first| moved(first, lines, most + 1));
+    pub(crate) fn scroll_by(&mut self, lines: isize, maximum: usize) {
+        self.read = self.read.map(|first| moved(first, lines, maximum + 1));
     }
 }
 
@@ -128,10 +128,10 @@ mod tests {
         let mut list = PlotList::new(&scene, &solver, |name| name == "C.a");
         let before = list.clone();
         assert_eq!(list.current(), Some("C.a"));
-        let edited = scene.again(&text.replace("length = 300", "length = 310"));
+        let edited = scene.reparse(&text.replace("length = 300", "length = 310"));
         list.move_to(&edited.unwrap(), &solver, |_| false);
         assert_eq!(list, before);
-        let renamed = scene.again(&text.replace("\"C\"", "\"K\"").replace("C = [", "K = ["));
+        let renamed = scene.reparse(&text.replace("\"C\"", "\"K\"").replace("C = [", "K = ["));
         let renamed = renamed.unwrap();
         let solver = Solver::new(&renamed.mechanism).unwrap();
         list.move_to(&renamed, &solver, |_| false);

@@ -12,7 +12,7 @@ pub(crate) mod list;
 
 use super::pane::{Copied, Pane, PaneSpot};
 use super::{
-    Sketch, columns, cut, first_seen, inset, list_rows, mark_more, page, print, print_line,
+    Sketch, columns, cut, first_visible_line, inset, list_rows, mark_more, page, print, print_line,
     print_right, show, split, split_columns,
 };
 use crate::drawing::plot::{Plot, PlotStyle};
@@ -46,11 +46,11 @@ struct PlotAreas {
 }
 
 fn arrange(app: &App, area: Rect) -> PlotAreas {
-    let whole = inset(area);
+    let complete = inset(area);
     if !matches!(app.mode(), Mode::PlotList(_)) {
         return PlotAreas {
             list: None,
-            plot: Some(whole),
+            plot: Some(complete),
         };
     }
     if area.width < BOTH {
@@ -61,7 +61,7 @@ fn arrange(app: &App, area: Rect) -> PlotAreas {
     }
     PlotAreas {
         list: Some(inset(split_columns(area, LIST).0)),
-        plot: Some(split_columns(whole, LIST).1),
+        plot: Some(split_columns(complete, LIST).1),
     }
 }
 
@@ -99,7 +99,7 @@ impl Pane for PlotsView {
         let plot = app.views.plots.plot().ok()?;
         let along = || plot.along(&style(app, area), at.x - area.x);
         match app.views.plots.curves()?.abscissa {
-            Abscissa::Driver => along().map(PaneSpot::Along),
+            Abscissa::Driver => along().map(PaneSpot::PlotAxis),
             Abscissa::Time if app.open_scene().timetable().is_some() => along().map(PaneSpot::Time),
             Abscissa::Time | Abscissa::Figure(_) => None,
         }
@@ -173,7 +173,7 @@ fn read(app: &App, body: Rect) -> Option<(usize, Vec<Line>)> {
 }
 
 fn render_read(app: &App, first: usize, lines: &[Line], area: Rect, buffer: &mut Buffer) {
-    let first = first_seen(first, lines.len(), area, buffer);
+    let first = first_visible_line(first, lines.len(), area, buffer);
     for (row, line) in area.rows().zip(lines.iter().skip(first)) {
         page::render_line((app.glyphs(), app.colours()), line, row, buffer);
     }
@@ -183,11 +183,11 @@ fn render_plot(app: &App, area: Rect, buffer: &mut Buffer) {
     let plot = match app.views.plots.plot() {
         Ok(plot) => plot,
         Err(why) => {
-            tell(app, why, area, buffer);
+            print_reason(app, why, area, buffer);
             return;
         }
     };
-    let area = tell_what_is_hidden(app, area, buffer);
+    let area = print_hidden_reason(app, area, buffer);
     let look = style(app, area);
     let here = app.views.plots.here(app.open_scene());
     let raster = plot.render(&look, here.as_ref());
@@ -208,28 +208,28 @@ fn style(app: &App, area: Rect) -> PlotStyle {
 }
 
 /// Prints the reason why some curves are hidden, and returns the area below it.
-fn tell_what_is_hidden(app: &App, area: Rect, buffer: &mut Buffer) -> Rect {
+fn print_hidden_reason(app: &App, area: Rect, buffer: &mut Buffer) -> Rect {
     let Some(why) = app.views.plots.hidden() else {
         return area;
     };
     let lines = crate::page::wrapped(&shown(&why, app.glyphs()), area.width.into());
     let height = u16::try_from(lines.len()).unwrap_or(area.height);
-    let (told, rest) = split(area, height.min(area.height / 2));
-    for (row, line) in told.rows().zip(&lines) {
+    let (text, rest) = split(area, height.min(area.height / 2));
+    for (row, line) in text.rows().zip(&lines) {
         print_line(buffer, row, line, ScreenPart::Text);
     }
     rest
 }
 
 /// Marks at the right edge if there are more panels above or below.
-fn mark_panels(plot: &Plot, look: &PlotStyle, area: Rect, buffer: &mut Buffer) {
-    let hidden = plot.panels.len() - plot.panels_in(look.rows);
-    let first = look.first.min(hidden);
+fn mark_panels(plot: &Plot, style: &PlotStyle, area: Rect, buffer: &mut Buffer) {
+    let hidden = plot.panels.len() - plot.panels_in(style.rows);
+    let first = style.first.min(hidden);
     mark_more(area, first > 0, first < hidden, buffer);
 }
 
 /// Prints the reason why there is no plot in the middle of the area, with the keys that help.
-fn tell(app: &App, why: &str, area: Rect, buffer: &mut Buffer) {
+fn print_reason(app: &App, why: &str, area: Rect, buffer: &mut Buffer) {
     let lead = |(action, what)| {
         let key = app.keymap().key(Action::Plots(action))?;
         Some(format!("{key}  {what}"))
@@ -244,7 +244,7 @@ fn tell(app: &App, why: &str, area: Rect, buffer: &mut Buffer) {
     let rows = u16::try_from(lines.len() + 1 + leads.len()).unwrap_or(area.height);
     let mut y = area.y + area.height.saturating_sub(rows) / 2;
     let block = leads.iter().map(|line| columns(line)).max().unwrap_or(0);
-    let mut say = |text: &str, width: u16, part| {
+    let mut wording = |text: &str, width: u16, part| {
         if y < area.bottom() {
             let x = area.x + area.width.saturating_sub(width) / 2;
             print(buffer, x, y, area.width, text, theme::part(part));
@@ -252,11 +252,11 @@ fn tell(app: &App, why: &str, area: Rect, buffer: &mut Buffer) {
         y += 1;
     };
     for line in &lines {
-        say(line, columns(line), ScreenPart::Text);
+        wording(line, columns(line), ScreenPart::Text);
     }
-    say("", 0, ScreenPart::Text);
+    wording("", 0, ScreenPart::Text);
     for line in &leads {
-        say(line, block, ScreenPart::Quiet);
+        wording(line, block, ScreenPart::Quiet);
     }
 }
 
@@ -270,8 +270,8 @@ fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
             print_right(buffer, area.right(), area.y, &count, quiet);
         }
         Some((text, typing)) => {
-            let room = usize::from(area.width).saturating_sub(columns_of(found) + 3);
-            let skipped = text.len().saturating_sub(room.saturating_sub(1));
+            let space = usize::from(area.width).saturating_sub(columns_of(found) + 3);
+            let skipped = text.len().saturating_sub(space.saturating_sub(1));
             let seen = text.get(skipped..).unwrap_or_default();
             let x = print(buffer, area.x, area.y, area.width, "/", quiet);
             let style = theme::part(ScreenPart::Text);
@@ -325,14 +325,14 @@ fn render_row(app: &App, quantity: &Quantity, is_here: bool, row: Rect, buffer: 
         let sign = &mark[MARKED..=MARKED];
         print(buffer, at, row.y, 1, sign, theme::role(role));
     }
-    let room = row.right().saturating_sub(x);
-    let name = cut(&quantity.name, usize::from(NAME.min(room)));
+    let space = row.right().saturating_sub(x);
+    let name = cut(&quantity.name, usize::from(NAME.min(space)));
     let name = shown(&name, app.glyphs());
-    print(buffer, x, row.y, room, &name, part(ScreenPart::Name));
+    print(buffer, x, row.y, space, &name, part(ScreenPart::Name));
     let x = (x + NAME + 1).min(x + columns(&name).max(9) + 1);
-    let room = row.right().saturating_sub(x);
+    let space = row.right().saturating_sub(x);
     let style = part(ScreenPart::Quiet);
-    print(buffer, x, row.y, room, &quantity.unit, style);
+    print(buffer, x, row.y, space, &quantity.unit, style);
 }
 
 /// Returns the area of the list's rows. The summary of the selected quantity is below them, if both

@@ -31,14 +31,14 @@ pub(in crate::tui::views) fn mode(app: &App) -> &'static str {
                 SavedContent::Text(_) => words().writing(),
             }
         }
-        Mode::Pick(picker) => match picker.purpose() {
+        Mode::AssemblyChoice(picker) => match picker.purpose() {
             Purpose::Open => words().open(),
             Purpose::Compare => words().compare(),
         },
         Mode::Candidates => words().linkages(),
         Mode::Search(_) => words().search(),
         Mode::Copy => words().copy(),
-        Mode::Unsaved(asked) => match asked {
+        Mode::Unsaved(requested) => match requested {
             Unsaved::Quit => words().quit(),
             Unsaved::Open => words().open(),
             Unsaved::Reload => words().reload(),
@@ -146,8 +146,8 @@ pub(super) fn near(app: &App) -> Option<String> {
     if app.condition() != Condition::Ok {
         return None;
     }
-    let stand = open_scene.stand().pace;
-    let goes_back = stand.is_some_and(|moment| moment.speed < 0.0);
+    let driver_state = open_scene.driver_state().pace;
+    let goes_back = driver_state.is_some_and(|moment| moment.speed < 0.0);
     let backwards = app.playback().is_backwards() != goes_back;
     let (scene, motion) = (open_scene.scene(), open_scene.solver().motion());
     let mut stops = motion.stops.iter();
@@ -164,9 +164,9 @@ pub(super) fn near(app: &App) -> Option<String> {
 }
 
 /// Returns the error bound of the shown values in at most `room` columns.
-pub(super) fn trust(app: &App, room: u16) -> Option<String> {
+pub(super) fn trust(app: &App, space: u16) -> Option<String> {
     let shows_figures = app.mode().is_normal() && app.condition() == Condition::Ok;
     shows_figures
-        .then(|| app.view().pane().trust(app, room))
+        .then(|| app.view().pane().trust(app, space))
         .flatten()
 }

@@ -5,12 +5,12 @@ use crate::tui::app::{App, BackTarget, Mode};
 use crate::tui::commands::action::{Action, PlotsAction, SceneAction, entry_of};
 use crate::tui::commands::key::Key;
 use crate::tui::views::accuracy::study_run::Phase;
-use crate::tui::views::most_scroll;
+use crate::tui::views::max_scroll;
 use crate::tui::views::motion::FIT;
 use crate::wording::words;
 
 /// Minimum width for longer hints on the keys of a list.
-const ROOM_FOR_WORDS: u16 = 100;
+const MIN_WIDTH_WITH_LONG_HINTS: u16 = 100;
 
 /// Returns the first key and its effect.
 pub(super) fn first(app: &App) -> (String, &'static str) {
@@ -31,7 +31,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
         return;
     }
     if let Mode::PlotList(list) = app.mode() {
-        let narrow = app.size().width < ROOM_FOR_WORDS;
+        let narrow = app.size().width < MIN_WIDTH_WITH_LONG_HINTS;
         let hints = match list.read() {
             Some(_) => vec![(Key::Escape, words().back()), (Key::Down, words().scroll())],
             None => list_hints(list.typing, narrow),
@@ -42,7 +42,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
         return;
     }
     let listing = is_listing(app);
-    let can_scroll = listing || most_scroll(app) > 0;
+    let can_scroll = listing || max_scroll(app) > 0;
     if listing {
         line.hint(&Key::Enter.to_string(), words().take());
     }
@@ -73,7 +73,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
 
 /// Returns the keys that switch between panes, if there are several.
 fn pane_actions(app: &App) -> Vec<(String, &'static str)> {
-    if !app.mode().is_normal() || app.standing().len() < 2 {
+    if !app.mode().is_normal() || app.visible_views().len() < 2 {
         return Vec::new();
     }
     let actions = [Action::NextPane, Action::Alone];
@@ -95,7 +95,7 @@ fn offered(app: &App) -> &'static [Action] {
         ],
         Mode::Tour(_) => &[Action::Back, Action::StepForward, Action::StepBack],
         Mode::Assemblies(_) => &[Action::Back, Action::LineDown, Action::Save, Action::Help],
-        Mode::Pick(_) | Mode::Candidates => &[Action::Back],
+        Mode::AssemblyChoice(_) | Mode::Candidates => &[Action::Back],
         _ => app.view().pane().hints(app),
     }
 }
@@ -108,12 +108,12 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
         Action::Play if app.playback().is_playing() => words().pause(),
         Action::Scene(SceneAction::NudgeDown) => words().less(),
         Action::Scene(SceneAction::NudgeUp) => words().more(),
-        Action::Scene(SceneAction::Gather) if app.editor().gathered.is_some() => {
+        Action::Scene(SceneAction::Gather) if app.editor().staged.is_some() => {
             words().make_gathered()
         }
         Action::Back if matches!(app.mode(), Mode::Tour(_)) => words().end(),
         Action::Back if app.mode().is_normal() => match app.back_target() {
-            BackTarget::StagedEdits => words().drop_gathered(),
+            BackTarget::StagedEdits => words().drop_staged(),
             BackTarget::Study => words().stop(),
             BackTarget::Tolerance
             | BackTarget::Method

@@ -31,7 +31,7 @@ const MAX_SCENE_LEN: usize = 20;
 const MIN_SCENE_LEN: u16 = 6;
 
 /// Minimum width of a line with double blanks between its parts.
-const ROOM_FOR_GAPS: u16 = 60;
+const MIN_WIDTH_WITH_GAPS: u16 = 60;
 
 /// Columns reserved for hints, which are more important than the cost of a state.
 const HINTS: u16 = 26;
@@ -58,17 +58,17 @@ pub(super) fn placed_above(app: &App, screen: Rect) -> Rect {
 /// Renders the status line alone. Returns the message if it is too long for the line.
 pub(super) fn line(app: &App, area: Rect, buffer: &mut Buffer) -> Option<String> {
     let mut line = Writer::new(area, buffer);
-    line.say(&format!(" {} ", facts::mode(app)), ScreenPart::Mode);
+    line.write_text(&format!(" {} ", facts::mode(app)), ScreenPart::Mode);
     if !prompts::render(app, &mut line) {
-        let narrow = area.width < ROOM_FOR_GAPS;
-        let is_told = app
+        let narrow = area.width < MIN_WIDTH_WITH_GAPS;
+        let is_shown = app
             .message()
             .is_some_and(|message| with_message(app, narrow, message, &mut line));
-        if !is_told {
+        if !is_shown {
             with_hints(app, narrow, &mut line);
         }
     }
-    line.untold()
+    line.take_message()
 }
 
 /// Returns scene, driver and state for a screen that shows nothing else.
@@ -90,10 +90,10 @@ fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) -
     };
     let why = if is_missing { columns(state) + 2 } else { 0 };
     let needed = why + columns(&shown(message, app.glyphs()));
-    let Some(spare) = line.room().checked_sub(needed + 1) else {
+    let Some(spare) = line.columns_left().checked_sub(needed + 1) else {
         // The reason for missing values must stay visible.
         if is_missing {
-            line.leave_untold(message);
+            line.keep_message(message);
             return false;
         }
         return line.replace_with_message(message, app);
@@ -101,15 +101,15 @@ fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) -
     line.gap(1);
     // A truncated number would be a different one, so the driver is shown completely or not at all.
     if spare >= columns(&driver) + 2 {
-        line.say(&driver, ScreenPart::Text);
+        line.write_text(&driver, ScreenPart::Text);
         line.gap(2);
     }
     // The reason for missing values must stay visible in any case.
     if is_missing {
-        line.say(state, part);
+        line.write_text(state, part);
         line.gap(2);
     }
-    line.tell(message, app);
+    line.write_message(message, app);
     true
 }
 
@@ -127,32 +127,32 @@ fn with_hints(app: &App, narrow: bool, line: &mut Writer<'_>) {
     // Reserves room for the most important key on a short line.
     let (key, name) = hints::first(app);
     let leading_on = columns(&key) + 1 + columns(name);
-    let behind = columns(&driver) + columns(state) + leading_on + 3 * gap;
-    let room = line.room().saturating_sub(behind);
-    if room >= MIN_SCENE_LEN && !(narrow && is_listing(app)) {
-        let longest = usize::from(room - gap).min(MAX_SCENE_LEN);
-        line.say(&cut(&facts::scene(app), longest), ScreenPart::Text);
+    let after = columns(&driver) + columns(state) + leading_on + 3 * gap;
+    let space = line.columns_left().saturating_sub(after);
+    if space >= MIN_SCENE_LEN && !(narrow && is_listing(app)) {
+        let longest = usize::from(space - gap).min(MAX_SCENE_LEN);
+        line.write_text(&cut(&facts::scene(app), longest), ScreenPart::Text);
         line.gap(gap);
     }
-    line.say(&driver, ScreenPart::Text);
+    line.write_text(&driver, ScreenPart::Text);
     line.gap(gap);
     if is_studied {
         line.gap(gap);
     } else {
-        standing(app, narrow, gap + leading_on, line);
+        write_state(app, narrow, gap + leading_on, line);
     }
     hints::render(app, line);
 }
 
 /// Renders the state, or the next limit, and its error bound. If the line is long enough, room is
 /// reserved so that the following parts keep their columns during the motion.
-fn standing(app: &App, narrow: bool, needed: u16, line: &mut Writer<'_>) {
+fn write_state(app: &App, narrow: bool, needed: u16, line: &mut Writer<'_>) {
     let gap = if narrow { 1 } else { 2 };
     let (state, part) = facts::state(app.condition(), narrow);
     let hints = columns(state) + 2 * gap + HINTS;
-    let trust = facts::trust(app, line.room().saturating_sub(hints));
+    let trust = facts::trust(app, line.columns_left().saturating_sub(hints));
     let near = facts::near(app);
-    let near = near.filter(|text| !narrow && line.room() >= columns(text) + needed);
+    let near = near.filter(|text| !narrow && line.columns_left() >= columns(text) + needed);
     let reserved = if narrow || !facts::can_come_near(app) {
         0
     } else {
@@ -160,24 +160,24 @@ fn standing(app: &App, narrow: bool, needed: u16, line: &mut Writer<'_>) {
     };
     let from = line.x() + reserved + gap;
     let of_trust = trust.as_deref().map_or(0, |trust| columns(trust) + gap);
-    let side_by_side = line.room() >= reserved + gap + of_trust + HINTS;
+    let side_by_side = line.columns_left() >= reserved + gap + of_trust + HINTS;
     if let Some(near) = &near {
-        line.say(near, ScreenPart::Text);
+        line.write_text(near, ScreenPart::Text);
         line.gap(gap);
     } else if !(narrow && is_listing(app) && app.condition() == Condition::Ok) {
-        line.say(state, part);
+        line.write_text(state, part);
         line.gap(gap);
     }
     if side_by_side && reserved > 0 {
         line.go_to(from);
     }
-    let fits = |trust: &String| line.room() >= columns(trust) + needed;
+    let fits = |trust: &String| line.columns_left() >= columns(trust) + needed;
     let shown = trust.filter(|trust| (near.is_none() || side_by_side) && fits(trust));
     if let Some(trust) = shown {
-        line.say(&trust, ScreenPart::Quiet);
+        line.write_text(&trust, ScreenPart::Quiet);
         line.gap(gap);
     }
-    if reserved > 0 && line.room_from(from) >= needed {
+    if reserved > 0 && line.columns_from(from) >= needed {
         line.go_to(from);
     }
 }

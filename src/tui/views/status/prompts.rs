@@ -1,7 +1,7 @@
 //! The prompts of the status line.
 
 use super::facts::mode;
-use super::{ROOM_FOR_GAPS, Writer};
+use super::{MIN_WIDTH_WITH_GAPS, Writer};
 use crate::scene::Value;
 use crate::tui::app::{App, GoalRun, Mode};
 use crate::tui::appearance::theme::ScreenPart;
@@ -9,8 +9,8 @@ use crate::tui::commands::action::{Action, TablesAction};
 use crate::tui::commands::key::Key;
 use crate::tui::commands::line::EditLine;
 use crate::tui::player::open_scene::shown;
+use crate::tui::views::candidates::fits_both;
 use crate::tui::views::candidates::list::CandidatesPage;
-use crate::tui::views::candidates::sees_both;
 use crate::tui::views::picker::list::{Picker, PickerTarget};
 use crate::tui::views::picker::preview::Preview;
 use crate::tui::views::{columns, cut};
@@ -27,9 +27,9 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
         Mode::Recovery(_) => offered(app, line),
         // The question itself is in the middle of the screen.
         Mode::Unsaved(_) | Mode::Confirm(_) => line.gap(1),
-        Mode::Pick(picker) => picking(app, picker, line),
+        Mode::AssemblyChoice(picker) => picking(app, picker, line),
         Mode::Candidates => candidate(app, line),
-        Mode::Search(search) => sought(app, &search.name, line),
+        Mode::Search(search) => render_search_prompt(app, &search.name, line),
         Mode::Value(_) => value(app, line),
         Mode::Copy => write_copy_hints(line),
         Mode::Palette(_) => {
@@ -51,7 +51,7 @@ fn coordinate(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
         false => words().position_in(unit),
     };
     line.gap(1);
-    line.say(&what, ScreenPart::Text);
+    line.write_text(&what, ScreenPart::Text);
     line.typed(typed.text());
     end(words().go(), words().cancel(), app, line);
 }
@@ -65,10 +65,10 @@ fn goal_example(app: &App) -> String {
 /// Renders the progress of the search for designs, or the selected design with its keys.
 fn design(app: &App, run: &GoalRun, line: &mut Writer<'_>) {
     line.gap(1);
-    let key = |action| app.keymap().told(action);
+    let key = |action| app.keymap().key_label(action);
     let back = (key(Action::Back), words().cancel());
     if let Some(percent) = run.percent() {
-        line.say(&words().looking_for_designs(percent), ScreenPart::Text);
+        line.write_text(&words().looking_for_designs(percent), ScreenPart::Text);
         line.gap(3);
         line.hint(&back.0, back.1);
         return;
@@ -81,14 +81,14 @@ fn design(app: &App, run: &GoalRun, line: &mut Writer<'_>) {
     ];
     let needed = |(key, name): &(String, &str)| columns(key) + 1 + columns(name) + 2;
     let hinted: u16 = hints.iter().map(needed).sum();
-    let longest = line.room().saturating_sub(hinted + 1);
-    let told = run.line().unwrap_or_default();
-    let shown_line = shown(&told, app.glyphs());
+    let longest = line.columns_left().saturating_sub(hinted + 1);
+    let text = run.line().unwrap_or_default();
+    let shown_line = shown(&text, app.glyphs());
     // A design must be completely visible before it is accepted.
     if columns(&shown_line) > longest {
-        line.leave_untold(&told);
+        line.keep_message(&text);
     } else {
-        line.say(&shown_line, ScreenPart::Text);
+        line.write_text(&shown_line, ScreenPart::Text);
         line.gap(2);
     }
     for (key, name) in &hints {
@@ -100,8 +100,8 @@ fn design(app: &App, run: &GoalRun, line: &mut Writer<'_>) {
 fn example(typed: &EditLine, example: &str, app: &App, line: &mut Writer<'_>) {
     line.gap(1);
     if typed.text().is_empty() && app.message().is_none() {
-        line.say(" ", ScreenPart::Caret);
-        line.say(example, ScreenPart::Quiet);
+        line.write_text(" ", ScreenPart::Caret);
+        line.write_text(example, ScreenPart::Quiet);
     } else {
         line.typed(typed.text());
     }
@@ -111,7 +111,7 @@ fn example(typed: &EditLine, example: &str, app: &App, line: &mut Writer<'_>) {
 /// Renders the prompt for a file name.
 fn file_name(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     line.gap(1);
-    line.say(words().write_to(), ScreenPart::Text);
+    line.write_text(words().write_to(), ScreenPart::Text);
     let text = shown(typed.text(), app.glyphs());
     match typed.is_proposal() {
         true => line.proposed(&text),
@@ -121,9 +121,9 @@ fn file_name(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
 }
 
 /// Renders the prompt for a search.
-fn sought(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
+fn render_search_prompt(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     line.gap(1);
-    line.say(words().name(), ScreenPart::Text);
+    line.write_text(words().name(), ScreenPart::Text);
     line.typed(typed.text());
     end(words().keep(), words().back(), app, line);
 }
@@ -131,12 +131,15 @@ fn sought(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
 /// Renders the hints for typing a value; the text itself is in the value's row.
 fn value(app: &App, line: &mut Writer<'_>) {
     line.gap(1);
-    if app.message().is_some_and(|message| line.tell(message, app)) {
+    if app
+        .message()
+        .is_some_and(|message| line.write_message(message, app))
+    {
         return;
     }
     if let Some(value) = app.editor().value() {
         let units = value.units().join(", ");
-        line.say(&words().value_in(&value.name, &units), ScreenPart::Text);
+        line.write_text(&words().value_in(&value.name, &units), ScreenPart::Text);
         line.gap(2);
     }
     line.hint(&Key::Enter.to_string(), words().take());
@@ -157,22 +160,22 @@ fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
     let keys = keys.map(|(key, name)| Some((key.to_string(), name?)));
     let needed = |(key, name): &(String, &str)| columns(key) + 1 + columns(name) + 2;
     // Without room for a preview the title is the only description.
-    let hints: u16 = match app.size().width < ROOM_FOR_GAPS {
+    let hints: u16 = match app.size().width < MIN_WIDTH_WITH_GAPS {
         true => 0,
         false => keys.iter().flatten().map(needed).sum(),
     };
-    let longest = line.room().saturating_sub(hints + 1);
+    let longest = line.columns_left().saturating_sub(hints + 1);
     let fits = |message: &&str| columns(&shown(message, app.glyphs())) <= longest;
-    let told = app.message().filter(fits);
-    if let (None, Some(message)) = (told, app.message()) {
-        line.leave_untold(message);
+    let text = app.message().filter(fits);
+    if let (None, Some(message)) = (text, app.message()) {
+        line.keep_message(message);
     }
     let title = match app.preview() {
         Some(Preview::Scene(sample)) => sample.scene.title(),
         _ => String::new(),
     };
     let (words, part) = match app.preview() {
-        _ if let Some(message) = told => (message, ScreenPart::Warning),
+        _ if let Some(message) = text => (message, ScreenPart::Warning),
         Some(Preview::Scene(_)) => (title.as_str(), ScreenPart::Text),
         Some(Preview::Fault(fault)) => (fault.what.as_str(), ScreenPart::Warning),
         Some(Preview::Unseen(why)) => (why.as_str(), ScreenPart::Quiet),
@@ -183,7 +186,7 @@ fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
         None => ("", ScreenPart::Quiet),
     };
     let words = cut(&shown(words, app.glyphs()), longest.into());
-    line.say(&words, part);
+    line.write_text(&words, part);
     line.gap(2);
     for (key, name) in keys.iter().flatten() {
         line.hint(key, name);
@@ -197,10 +200,13 @@ fn candidate(app: &App, line: &mut Writer<'_>) {
     let Some(list) = app.candidates() else {
         return;
     };
-    if app.message().is_some_and(|message| line.tell(message, app)) {
+    if app
+        .message()
+        .is_some_and(|message| line.write_message(message, app))
+    {
         return;
     }
-    let key = |action| app.keymap().told(action);
+    let key = |action| app.keymap().key_label(action);
     let back = (key(Action::Back), words().back());
     let sides = [TablesAction::Left, TablesAction::Right].map(|side| key(Action::Tables(side)));
     if let CandidatesPage::Curves(walk) = list.page() {
@@ -218,16 +224,16 @@ fn candidate(app: &App, line: &mut Writer<'_>) {
         line.hint(&back.0, back.1);
         return;
     };
-    if app.size().width < ROOM_FOR_GAPS {
+    if app.size().width < MIN_WIDTH_WITH_GAPS {
         let words = match row.reasons.is_empty() {
-            true => &row.lacks,
+            true => &row.unmet,
             false => &row.reasons,
         };
-        let words = cut(&shown(words, app.glyphs()), line.room().into());
-        line.say(&words, ScreenPart::Warning);
+        let words = cut(&shown(words, app.glyphs()), line.columns_left().into());
+        line.write_text(&words, ScreenPart::Warning);
         line.gap(if words.is_empty() { 0 } else { 2 });
     }
-    if candidate.does_it() {
+    if candidate.meets_task() {
         line.hint(&Key::Enter.to_string(), words().take());
     }
     let play = match list.is_playing() {
@@ -237,7 +243,7 @@ fn candidate(app: &App, line: &mut Writer<'_>) {
     line.hint(&back.0, back.1);
     // The page that Tab shows next.
     let is_listed = matches!(list.page(), CandidatesPage::List);
-    let next = match (is_listed && !sees_both(app.size()), list.has_curves()) {
+    let next = match (is_listed && !fits_both(app.size()), list.has_curves()) {
         (true, _) => Some(words().linkage_alone()),
         (false, true) => Some(words().curves_of_dyads()),
         (false, false) if !is_listed => Some(words().all_linkages()),
@@ -267,8 +273,11 @@ fn write_copy_hints(line: &mut Writer<'_>) {
 /// Renders the message about the offer in the middle of the screen.
 fn offered(app: &App, line: &mut Writer<'_>) {
     line.gap(1);
-    if !app.message().is_some_and(|message| line.tell(message, app)) {
-        line.say(words().edits_by_others(), ScreenPart::Quiet);
+    if !app
+        .message()
+        .is_some_and(|message| line.write_message(message, app))
+    {
+        line.write_text(words().edits_by_others(), ScreenPart::Quiet);
     }
 }
 
@@ -280,7 +289,10 @@ fn end(enter: &str, escape: &str, app: &App, line: &mut Writer<'_>) {
 
 /// Renders the message, or else the effects of the keys.
 fn keys(enter: &str, escape: &str, app: &App, line: &mut Writer<'_>) {
-    if app.message().is_some_and(|message| line.tell(message, app)) {
+    if app
+        .message()
+        .is_some_and(|message| line.write_message(message, app))
+    {
         return;
     }
     line.hint(&Key::Enter.to_string(), enter);

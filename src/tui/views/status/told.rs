@@ -30,27 +30,27 @@ impl MessageLines {
     pub(super) fn of(message: &str, app: &App, screen: Rect) -> MessageLines {
         let width = usize::from(screen.width.saturating_sub(2 * INDENT)).max(1);
         let mut lines = broken(&shown(message, app.glyphs()), width);
-        let most = usize::from(screen.height.saturating_sub(2));
-        if lines.len() > most {
-            lines.truncate(most);
+        let maximum = usize::from(screen.height.saturating_sub(2));
+        if lines.len() > maximum {
+            lines.truncate(maximum);
             if let Some(last) = lines.last_mut() {
                 *last = cut(&format!("{last} ..."), width);
             }
         }
         let height = u16::try_from(lines.len()).unwrap_or(u16::MAX);
-        let place = Rect {
+        let area = Rect {
             y: screen.bottom().saturating_sub(1 + height),
             height,
             ..screen
         };
-        MessageLines { lines, place }
+        MessageLines { lines, place: area }
     }
 
     pub(in crate::tui::views) fn render(&self, buffer: &mut Buffer) {
         Clear.render(self.place, buffer);
         for (y, line) in (self.place.top()..).zip(&self.lines) {
-            let (x, room) = (self.place.x + INDENT, self.place.width - INDENT);
-            print(buffer, x, y, room, line, theme::part(ScreenPart::Warning));
+            let (x, space) = (self.place.x + INDENT, self.place.width - INDENT);
+            print(buffer, x, y, space, line, theme::part(ScreenPart::Warning));
         }
     }
 }

@@ -13,7 +13,7 @@ pub(super) struct Writer<'a> {
     x: u16,
     area: Rect,
     /// The message that does not fit into the line.
-    untold: Option<String>,
+    pending_message: Option<String>,
 }
 
 impl<'a> Writer<'a> {
@@ -22,17 +22,17 @@ impl<'a> Writer<'a> {
             buffer,
             x: area.x,
             area,
-            untold: None,
+            pending_message: None,
         }
     }
 
     /// Returns the columns that are left.
-    pub(super) fn room(&self) -> u16 {
-        self.room_from(self.x)
+    pub(super) fn columns_left(&self) -> u16 {
+        self.columns_from(self.x)
     }
 
     /// Returns the columns from `x` to the end of the line.
-    pub(super) fn room_from(&self, x: u16) -> u16 {
+    pub(super) fn columns_from(&self, x: u16) -> u16 {
         self.area.right().saturating_sub(x)
     }
 
@@ -46,9 +46,9 @@ impl<'a> Writer<'a> {
         self.x = self.x.max(x);
     }
 
-    pub(super) fn say(&mut self, text: &str, part: ScreenPart) {
-        let (room, style) = (self.room(), theme::part(part));
-        self.x = print(self.buffer, self.x, self.area.y, room, text, style);
+    pub(super) fn write_text(&mut self, text: &str, part: ScreenPart) {
+        let (space, style) = (self.columns_left(), theme::part(part));
+        self.x = print(self.buffer, self.x, self.area.y, space, text, style);
     }
 
     pub(super) fn gap(&mut self, columns: u16) {
@@ -57,40 +57,40 @@ impl<'a> Writer<'a> {
 
     /// Writes a message. Returns `false` if it does not fit completely; it is then kept for the
     /// lines above.
-    pub(super) fn tell(&mut self, message: &str, app: &App) -> bool {
-        let told = shown(message, app.glyphs());
-        if columns(&told) > self.room() {
-            self.leave_untold(message);
+    pub(super) fn write_message(&mut self, message: &str, app: &App) -> bool {
+        let text = shown(message, app.glyphs());
+        if columns(&text) > self.columns_left() {
+            self.keep_message(message);
             return false;
         }
-        self.say(&told, ScreenPart::Warning);
+        self.write_text(&text, ScreenPart::Warning);
         true
     }
 
     /// Writes a message in place of the whole line. Returns `false` if it is too long; it is then
     /// kept for the lines above.
     pub(super) fn replace_with_message(&mut self, message: &str, app: &App) -> bool {
-        let told = shown(message, app.glyphs());
-        let spare = self.area.width.checked_sub(columns(&told));
+        let text = shown(message, app.glyphs());
+        let spare = self.area.width.checked_sub(columns(&text));
         let Some(spare) = spare else {
-            self.leave_untold(message);
+            self.keep_message(message);
             return false;
         };
         self.x = self.area.x;
-        self.say(&" ".repeat(self.area.width.into()), ScreenPart::Text);
+        self.write_text(&" ".repeat(self.area.width.into()), ScreenPart::Text);
         self.x = self.area.x + spare.min(1);
-        self.say(&told, ScreenPart::Warning);
+        self.write_text(&text, ScreenPart::Warning);
         true
     }
 
     /// Keeps a message that does not fit into the line.
-    pub(super) fn leave_untold(&mut self, message: &str) {
-        self.untold = Some(message.to_owned());
+    pub(super) fn keep_message(&mut self, message: &str) {
+        self.pending_message = Some(message.to_owned());
     }
 
     /// Returns the message that does not fit into the line.
-    pub(super) fn untold(self) -> Option<String> {
-        self.untold
+    pub(super) fn take_message(self) -> Option<String> {
+        self.pending_message
     }
 
     /// Writes the end of typed text that fits, with the caret behind it.
@@ -104,23 +104,23 @@ impl<'a> Writer<'a> {
     }
 
     fn with_caret(&mut self, text: &str, part: ScreenPart) {
-        let room = usize::from(self.room().saturating_sub(1));
-        let skipped = text.chars().count().saturating_sub(room);
+        let space = usize::from(self.columns_left().saturating_sub(1));
+        let skipped = text.chars().count().saturating_sub(space);
         let seen: String = text.chars().skip(skipped).collect();
-        self.say(&seen, part);
-        self.say(" ", ScreenPart::Caret);
+        self.write_text(&seen, part);
+        self.write_text(" ", ScreenPart::Caret);
     }
 
     /// Writes a key and its effect, or nothing if they do not fit.
     pub(super) fn hint(&mut self, key: &str, name: &str) {
         let needed = columns(key) + 1 + columns(name);
-        if needed > self.room() {
+        if needed > self.columns_left() {
             self.x = self.area.right();
             return;
         }
-        self.say(key, ScreenPart::Key);
+        self.write_text(key, ScreenPart::Key);
         self.gap(1);
-        self.say(name, ScreenPart::Quiet);
+        self.write_text(name, ScreenPart::Quiet);
         self.gap(2);
     }
 }

@@ -21,7 +21,7 @@ use ratatui::layout::Rect;
 /// Width of the text; it is wider if the panel covers the full width.
 const TEXT: u16 = 32;
 /// Minimum width for a drawing next to the text.
-const ROOM_BESIDE: u16 = 70;
+const MIN_WIDTH_WITH_DRAWING: u16 = 70;
 
 pub(super) fn render(app: &App, number: usize, area: Rect, buffer: &mut Buffer) {
     let screen = screen(number, app.keymap());
@@ -48,17 +48,13 @@ pub(super) fn placed(app: &App, number: usize, area: Rect) -> Rect {
 
 /// Returns the area of a screen of the tour and its lines.
 fn laid_out(screen: &TourScreen, area: Rect) -> (Rect, Vec<String>) {
-    let beside = area.width >= ROOM_BESIDE;
-    let width = if beside { TEXT + BORDER.0 } else { area.width };
-    let text = wrapped(&screen.text, (width - BORDER.0).into(), beside);
+    let side = area.width >= MIN_WIDTH_WITH_DRAWING;
+    let width = if side { TEXT + BORDER.0 } else { area.width };
+    let text = wrapped(&screen.text, (width - BORDER.0).into(), side);
     let rows = u16::try_from(text.len()).unwrap_or(u16::MAX);
     let height = rows.saturating_add(BORDER.1).min(area.height);
     // On a narrow screen the panel is at the bottom, below the drawing.
-    let y = if beside {
-        area.y
-    } else {
-        area.bottom() - height
-    };
+    let y = if side { area.y } else { area.bottom() - height };
     let place = Rect {
         x: area.right() - width,
         y,

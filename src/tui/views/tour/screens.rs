@@ -27,8 +27,8 @@ pub(crate) struct TourScreen {
 /// Returns a screen by its index, with the user's keys.
 pub(crate) fn screen(number: usize, keymap: &Keymap) -> TourScreen {
     use Action as A;
-    let look = |view| keymap.told(A::Look(view));
-    let key = |action| keymap.told(action);
+    let look = |view| keymap.key_label(A::Look(view));
+    let key = |action| keymap.key_label(action);
     let (title, text) = match number {
         0 => (
             words().tour_of_the_screen(),
@@ -149,14 +149,14 @@ mod tests {
     /// The tour names the key of every view.
     #[test]
     fn tour_names_every_view() {
-        let told: Vec<String> = (0..SCREENS)
+        let text: Vec<String> = (0..SCREENS)
             .map(|number| screen(number, &Keymap::default()).text)
             .collect();
-        let told = told.join(" ");
+        let text = text.join(" ");
         for view in View::ALL {
-            let key = Keymap::default().told(Action::Look(view));
-            let words: Vec<&str> = told.split([' ', '\n']).collect();
-            assert!(words.contains(&&*key), "{key}: {told}");
+            let key = Keymap::default().key_label(Action::Look(view));
+            let words: Vec<&str> = text.split([' ', '\n']).collect();
+            assert!(words.contains(&&*key), "{key}: {text}");
         }
     }
 

@@ -55,10 +55,10 @@ impl Wave {
 
 impl TimedStep {
     /// Appends the arcs of the step, which begins at coordinate `from` and time `begin`.
-    pub(super) fn add_arcs(&self, from: f64, begin: Constant, arcs: &mut Vec<MotionArc>) {
+    pub(super) fn add_arcs(&self, from: f64, first: Constant, arcs: &mut Vec<MotionArc>) {
         let mut add = |after: Constant, shape: ArcShape| {
             arcs.push(MotionArc {
-                begin: begin + after,
+                begin: first + after,
                 shape,
             });
         };
@@ -66,8 +66,8 @@ impl TimedStep {
         match self {
             TimedStep::Law { law, to, time } => match law {
                 StepLaw::Constant => {
-                    let [start, end, whole] = [from, *to, *time].map(Constant::given);
-                    let speed = (end - start) / whole;
+                    let [start, end, complete] = [from, *to, *time].map(Constant::given);
+                    let speed = (end - start) / complete;
                     add(at_once, ArcShape::Cubic([start, speed, at_once, at_once]));
                 }
                 StepLaw::Harmonic => {
@@ -103,14 +103,14 @@ impl TimedStep {
 fn trapezoid([from, to]: [f64; 2], time: f64, ramp: f64) -> [(Constant, [Constant; 4]); 3] {
     let [from, to, time, ramp] = [from, to, time, ramp].map(Constant::given);
     let nothing = Constant::default();
-    let most = (to - from) / (time * (Constant::exactly(1.0) - ramp));
+    let maximum = (to - from) / (time * (Constant::exactly(1.0) - ramp));
     let up = ramp * time;
-    let half_rate = (most / up).scaled(0.5);
-    let half_way = (most * up).scaled(0.5);
+    let half_rate = (maximum / up).scaled(0.5);
+    let half_way = (maximum * up).scaled(0.5);
     [
         (nothing, [from, nothing, half_rate, nothing]),
-        (up, [from + half_way, most, nothing, nothing]),
-        (time - up, [to - half_way, most, -half_rate, nothing]),
+        (up, [from + half_way, maximum, nothing, nothing]),
+        (time - up, [to - half_way, maximum, -half_rate, nothing]),
     ]
 }
 
@@ -143,10 +143,10 @@ impl MotionArc {
                 let [from, way, rate, turn] =
                     [wave.from, wave.way, wave.rate, wave.turn].map(Sharp::of);
                 let phase = Sharp::of(*phase);
-                let [begin, unit] = [Sharp::unit(phase), Sharp::unit(phase + rate * d)];
+                let [start, unit] = [Sharp::unit(phase), Sharp::unit(phase + rate * d)];
                 let speed = way * turn;
                 [
-                    from + way * (unit.y - begin.y),
+                    from + way * (unit.y - start.y),
                     speed * unit.x,
                     -(speed * turn * unit.y),
                 ]

@@ -18,7 +18,7 @@ pub struct MotionPeaks {
 
 /// Relative tolerance: speeds that differ by less than this fraction of the maximum do not count as
 /// a jump.
-const SAME: f64 = 1e-9;
+const EQUALITY_TOLERANCE: f64 = 1e-9;
 
 impl StepLaw {
     /// Returns the maxima of the first two derivatives of the shape, in units of travel and time.
@@ -83,10 +83,10 @@ impl MotionLaw {
         let ends: Vec<[f64; 2]> = steps().map(|(step, from)| step.end_speeds(from)).collect();
         // Before the first step, the driver is at rest or arrives from the last step.
         let mut before = ends.last().map_or(0.0, |end| end[1]);
-        let begins = std::iter::once(0.0).chain(self.joints());
-        let jump = ends.iter().zip(begins).find_map(|(&[first, last], time)| {
+        let starts = std::iter::once(0.0).chain(self.joints());
+        let jump = ends.iter().zip(starts).find_map(|(&[first, last], time)| {
             let arrives = std::mem::replace(&mut before, last);
-            ((first - arrives).abs() > SAME * speed).then_some(time)
+            ((first - arrives).abs() > EQUALITY_TOLERANCE * speed).then_some(time)
         });
         MotionPeaks {
             speed,
@@ -122,10 +122,10 @@ mod tests {
         let moments: Vec<_> = (0..=200_000)
             .map(|k| law.at(f64::from(k) * law.period() / 200_000.0))
             .collect();
-        let most = |of: fn(&crate::DriverMoment) -> f64| {
+        let maximum = |of: fn(&crate::DriverMoment) -> f64| {
             moments.iter().map(|m| of(m).abs()).fold(0.0, f64::max)
         };
-        let (speed, acceleration) = (most(|m| m.speed), most(|m| m.acceleration));
+        let (speed, acceleration) = (maximum(|m| m.speed), maximum(|m| m.acceleration));
         assert!(
             speed <= peaks.speed && speed > (1.0 - 1e-6) * peaks.speed,
             "{speed} {peaks:?}"

@@ -7,7 +7,7 @@ const HALVINGS: u32 = 60;
 
 /// The interval of time, in s, during which a driver is at a coordinate; a single moment unless it
 /// dwells.
-type Stay = [f64; 2];
+type DwellInterval = [f64; 2];
 
 impl TimedStep {
     /// Returns the times, measured from the step's beginning, between which the coordinate is
@@ -35,13 +35,13 @@ impl TimedStep {
 impl MotionLaw {
     /// Returns the intervals of the first period on which the coordinate is monotonic.
     pub(super) fn stretches(&self) -> impl Iterator<Item = [f64; 2]> {
-        let begins = std::iter::once(0.0).chain(self.joints());
-        let steps = self.steps.iter().zip(begins.zip(self.joints()));
-        steps.flat_map(|(step, (begin, end))| {
+        let starts = std::iter::once(0.0).chain(self.joints());
+        let steps = self.steps.iter().zip(starts.zip(self.joints()));
+        steps.flat_map(|(step, (start, end))| {
             let mut turns = step
                 .turns()
                 .into_iter()
-                .map(|turn| begin + turn)
+                .map(|turn| start + turn)
                 .collect::<Vec<_>>();
             // A step ends where the next one begins, which can differ by rounding from the end of
             // its own time.
@@ -63,7 +63,7 @@ impl MotionLaw {
 
     /// Returns the intervals during which the driver is at a coordinate in its first period, which
     /// begins at 0 s.
-    pub(super) fn stays(&self, coordinate: f64) -> Vec<Stay> {
+    pub(super) fn stays(&self, coordinate: f64) -> Vec<DwellInterval> {
         let mut stays = Vec::new();
         for [before, after] in self.stretches() {
             let [low, high] = [before, after].map(|time| self.coordinate(time));
@@ -94,7 +94,7 @@ impl MotionLaw {
     /// it passes. The driver must begin in the range; reaching an end, up to rounding errors, does
     /// not leave it.
     #[must_use]
-    pub fn leaves(&self, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
+    pub fn exit_interval(&self, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
         let slack = ROUNDING * (high - low);
         self.stretches().find_map(|stretch| {
             let end = self.coordinate(stretch[1]);
@@ -142,8 +142,9 @@ impl MotionLaw {
         };
         let times = periods.into_iter().flat_map(|period| {
             let stays = self.stays(coordinate - period * self.advance);
-            let begun = period * self.period();
-            let nearest = move |[from, to]: Stay| (time - begun).max(from).min(to) + begun;
+            let started = period * self.period();
+            let nearest =
+                move |[from, to]: DwellInterval| (time - started).max(from).min(to) + started;
             stays.into_iter().map(nearest)
         });
         times.min_by(|a, b| (a - time).abs().total_cmp(&(b - time).abs()))
@@ -155,9 +156,9 @@ impl MotionLaw {
         let periods = [low, high].map(|time| (time / self.period()).floor());
         let mut period = periods[0];
         while period <= periods[1] {
-            let begun = period * self.period();
+            let started = period * self.period();
             let stays = self.stays(coordinate - period * self.advance).into_iter();
-            let within = stays.map(|stay| stay.map(|time| time + begun));
+            let within = stays.map(|stay| stay.map(|time| time + started));
             let mut within = within.filter(|[from, to]| *from <= high && *to >= low);
             if let Some([from, _]) = within.next() {
                 return Some(from.max(low));
@@ -175,7 +176,7 @@ mod tests {
     use crate::{ClampedSpline, StepLaw};
 
     /// Creates a law: 120 degrees forwards in 0.5 s, 0.25 s at rest, and back in 0.25 s.
-    fn forth_and_back() -> MotionLaw {
+    fn oscillate() -> MotionLaw {
         let steps = vec![
             step(StepLaw::Harmonic, 120.0, 0.5),
             step(StepLaw::Constant, 120.0, 0.25),
@@ -186,7 +187,7 @@ mod tests {
 
     #[test]
     fn nearest_time_of_coordinate_is_found() {
-        let law = forth_and_back();
+        let law = oscillate();
         for (time, found) in [
             (0.0, 0.25),
             (0.5, 0.25),
@@ -208,11 +209,11 @@ mod tests {
 
     #[test]
     fn leaving_limits_has_time_and_coordinate() {
-        let law = forth_and_back();
-        let [time, at] = law.leaves([-10.0, 60.0]).unwrap();
+        let law = oscillate();
+        let [time, at] = law.exit_interval([-10.0, 60.0]).unwrap();
         near(time, 0.25);
         assert_eq!(at, 60.0);
-        assert_eq!(law.leaves([0.0, 120.0]), None);
+        assert_eq!(law.exit_interval([0.0, 120.0]), None);
         let down = vec![
             step(StepLaw::Constant, 90.0, 1.0),
             step(StepLaw::Constant, -30.0, 1.0),
@@ -220,7 +221,7 @@ mod tests {
         ];
         // The motion only touches one limit and passes the other: 90 to 0 of 120 in 1 s.
         let law = MotionLaw::new(0.0, down, false).unwrap();
-        let [time, at] = law.leaves([0.0, 90.0]).unwrap();
+        let [time, at] = law.exit_interval([0.0, 90.0]).unwrap();
         near(time, 1.75);
         assert_eq!(at, 0.0);
     }

@@ -6,18 +6,22 @@ use crate::Double;
 use crate::solver::elements::StepOutcome;
 use crate::solver::engine::Engine;
 use crate::solver::exact::Exact;
-use crate::solver::plan::Pick;
+use crate::solver::plan::AssemblyChoice;
 use crate::solver::state::{Condition, State};
 use crate::solver::workspace::Workspace;
 
 impl Assembler<'_> {
     /// Places the first steps and rounds the results; `None` if double-double does not improve on
     /// doubles.
-    pub(super) fn place_closely(&self, steps: usize, work: &mut Workspace) -> Option<Condition> {
-        let exact = self.exact.filter(|exact| exact.tells(steps))?;
-        let mut close: State<Double> = exact.state(work.travels.len());
-        let condition = self.run_closely(exact, steps, work, &mut close);
-        exact.write(steps, &close, &mut work.state);
+    pub(super) fn place_closely(
+        &self,
+        steps: usize,
+        workspace: &mut Workspace,
+    ) -> Option<Condition> {
+        let exact = self.exact.filter(|exact| exact.decides_more(steps))?;
+        let mut close: State<Double> = exact.state(workspace.travels.len());
+        let condition = self.run_closely(exact, steps, workspace, &mut close);
+        exact.write(steps, &close, &mut workspace.state);
         Some(condition)
     }
 
@@ -26,12 +30,12 @@ impl Assembler<'_> {
         &self,
         key: usize,
         in_doubles: StepOutcome,
-        work: &mut Workspace,
+        workspace: &mut Workspace,
     ) -> StepOutcome {
         if in_doubles == StepOutcome::Done {
             return in_doubles;
         }
-        match self.place_closely(key + 1, work) {
+        match self.place_closely(key + 1, workspace) {
             None => in_doubles,
             Some(Condition::Ok) => StepOutcome::Done,
             Some(Condition::DeadPoint | Condition::ChangePoint) => StepOutcome::Stretched,
@@ -46,34 +50,34 @@ impl Assembler<'_> {
         number: usize,
         key: usize,
         engine: &Engine,
-        work: &Workspace,
-    ) -> Option<Pick> {
+        workspace: &Workspace,
+    ) -> Option<AssemblyChoice> {
         // Up to its last step: an approximate position may be that of a point on the dyad's link.
         let end = steps_of(engine, number).end;
         let exact = self.exact.filter(|exact| end <= exact.closed)?;
         let wanted = self.wanted(number, engine);
-        let mut work = work.clone();
+        let mut workspace = workspace.clone();
         let mut miss_of = |sign: f64| {
-            work.state.signs[number] = sign;
-            let mut close: State<Double> = exact.state(work.travels.len());
-            let found = self.run_closely(exact, end, &work, &mut close);
-            exact.write(end, &close, &mut work.state);
-            (found == Condition::Ok).then(|| miss(&wanted, &work))
+            workspace.state.signs[number] = sign;
+            let mut close: State<Double> = exact.state(workspace.travels.len());
+            let found = self.run_closely(exact, end, &workspace, &mut close);
+            exact.write(end, &close, &mut workspace.state);
+            (found == Condition::Ok).then(|| miss(&wanted, &workspace))
         };
-        let plus = side_of(self.network.mechanism, engine, key, Pick::Plus)?;
+        let plus = side_of(self.network.mechanism, engine, key, AssemblyChoice::Plus)?;
         let (plus, minus) = (miss_of(plus)?, miss_of(-plus)?);
         let differ = (plus - minus).abs() > TIE * (plus + minus);
         let nearer = if plus < minus {
-            Pick::Plus
+            AssemblyChoice::Plus
         } else {
-            Pick::Minus
+            AssemblyChoice::Minus
         };
         differ.then_some(nearer)
     }
 
     /// Returns the gap by which the dyad of a step fails to close.
     pub(super) fn gap_closely(&self, key: usize, state: &State) -> Option<f64> {
-        let exact = self.exact.filter(|exact| exact.tells(key))?;
+        let exact = self.exact.filter(|exact| exact.decides_more(key))?;
         let mut close: State<Double> = exact.state(state.travels.len());
         let _ = self.run_closely(exact, key, state, &mut close);
         let (q, _) = exact.engine.coordinate(Double::exactly(self.request.at));

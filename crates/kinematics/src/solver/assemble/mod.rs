@@ -19,7 +19,7 @@ use super::engine::Engine;
 use super::exact::Exact;
 use super::fault::Fault;
 use super::network::Network;
-use super::plan::{Group, Pick, Plan};
+use super::plan::{AssemblyChoice, Group, Plan};
 use super::state::{Condition, State};
 use super::workspace::Workspace;
 use crate::{Mechanism, PointId, Vec2};
@@ -30,7 +30,7 @@ const TIE: f64 = 1e-6;
 /// Distance of the starting coordinate from one at which a dyad is stretched, in radians or scaled
 /// lengths. It is larger than one step across a change point, and small enough that all other
 /// groups stay near.
-const BESIDE: f64 = 5e-3;
+const START_OFFSET: f64 = 5e-3;
 
 /// A placement of a group.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,21 +45,21 @@ pub(super) enum Placement {
 
 /// The reason why a mechanism was not assembled.
 #[derive(Debug)]
-pub(super) enum Halt {
+pub(super) enum AssemblyFailure {
     Fault(Fault),
     /// The dyad with this number is stretched, where only positions exist.
     Stretched(usize),
 }
 
-impl From<Fault> for Halt {
-    fn from(fault: Fault) -> Halt {
-        Halt::Fault(fault)
+impl From<Fault> for AssemblyFailure {
+    fn from(fault: Fault) -> AssemblyFailure {
+        AssemblyFailure::Fault(fault)
     }
 }
 
 /// The coordinate from which a motion is followed.
 #[derive(Debug)]
-pub(super) struct Beginning {
+pub(super) struct TrackingStart {
     /// The requested coordinate, or one close to it.
     pub at: f64,
     /// For a start next to the requested coordinate: the fault if the motion does not reach that
@@ -80,7 +80,7 @@ pub(super) fn assemble(
     request: &Request<'_>,
     exact: Option<&Exact>,
     state: &mut Workspace,
-) -> Result<Beginning, Fault> {
+) -> Result<TrackingStart, Fault> {
     let assembler = Assembler {
         network,
         plan,
@@ -88,13 +88,13 @@ pub(super) fn assemble(
         exact,
         order: Order::Acceleration,
     };
-    match assembler.settle_all(engine, state) {
-        Ok(()) => Ok(Beginning {
+    match assembler.place_all_groups(engine, state) {
+        Ok(()) => Ok(TrackingStart {
             at: request.at,
             stuck: None,
         }),
-        Err(Halt::Fault(fault)) => Err(fault),
-        Err(Halt::Stretched(group)) => assembler.begin_beside(group, engine, state),
+        Err(AssemblyFailure::Fault(fault)) => Err(fault),
+        Err(AssemblyFailure::Stretched(group)) => assembler.start_near(group, engine, state),
     }
 }
 
@@ -110,13 +110,13 @@ pub(super) struct Assembler<'a> {
 }
 
 impl Assembler<'_> {
-    pub(super) fn settle_all(
+    pub(super) fn place_all_groups(
         &self,
         engine: &mut Engine,
         state: &mut Workspace,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), AssemblyFailure> {
         for number in 0..self.plan.groups.len() {
-            if let Err(halt) = self.settle(number, engine, state) {
+            if let Err(halt) = self.place_group(number, engine, state) {
                 return Err(self.all_open(number, halt, engine, state));
             }
         }
@@ -128,23 +128,23 @@ impl Assembler<'_> {
     }
 
     /// Places the groups starting at `first`. Returns `true` if all could be placed.
-    pub(super) fn settle_from(
+    pub(super) fn place_groups_from(
         &self,
         first: usize,
         engine: &mut Engine,
         state: &mut Workspace,
     ) -> bool {
-        (first..self.plan.groups.len()).all(|n| self.settle(n, engine, state).is_ok())
+        (first..self.plan.groups.len()).all(|n| self.place_group(n, engine, state).is_ok())
     }
 
     /// Places a group in the intended placement. The groups before it are already placed.
-    pub(super) fn settle(
+    pub(super) fn place_group(
         &self,
         number: usize,
         engine: &mut Engine,
         state: &mut Workspace,
-    ) -> Result<(), Halt> {
-        self.lead_in(number, engine, state);
+    ) -> Result<(), AssemblyFailure> {
+        self.run_before_placements(number, engine, state);
         let way = if self.key(number, engine).is_some() {
             self.intended_side(number, engine, state)?
         } else if self.coupled(number, engine).is_some() {
@@ -165,13 +165,13 @@ impl Assembler<'_> {
         engine: &Engine,
         state: &mut Workspace,
     ) -> Vec<Placement> {
-        self.lead_in(number, engine, state);
+        self.run_before_placements(number, engine, state);
         if let Some(key) = self.key(number, engine) {
             return match self.closing(key, engine, state) {
                 StepOutcome::Open | StepOutcome::Unclear => Vec::new(),
                 StepOutcome::Done | StepOutcome::Stretched => {
-                    let plus =
-                        side_of(self.network.mechanism, engine, key, Pick::Plus).unwrap_or(1.0);
+                    let plus = side_of(self.network.mechanism, engine, key, AssemblyChoice::Plus)
+                        .unwrap_or(1.0);
                     vec![Placement::Side(plus), Placement::Side(-plus)]
                 }
             };
@@ -215,7 +215,7 @@ impl Assembler<'_> {
     // ---- the steps of a group
 
     /// Runs the steps of a group before its placements differ.
-    fn lead_in(&self, number: usize, engine: &Engine, state: &mut Workspace) {
+    fn run_before_placements(&self, number: usize, engine: &Engine, state: &mut Workspace) {
         let steps = steps_of(engine, number);
         let parting = self
             .key(number, engine)
@@ -263,19 +263,19 @@ impl Assembler<'_> {
         number: usize,
         engine: &mut Engine,
         state: &mut Workspace,
-    ) -> Result<Placement, Halt> {
+    ) -> Result<Placement, AssemblyFailure> {
         let Some(key) = self.key(number, engine) else {
             return Ok(Placement::Only);
         };
         let picked = self.request.picks[number];
         let mechanism = self.network.mechanism;
-        let picked = picked.map(|pick| side_of(mechanism, engine, key, pick).ok_or(pick));
+        let picked = picked.map(|choice| side_of(mechanism, engine, key, choice).ok_or(choice));
         let in_doubles = self.closing(key, engine, state);
         // A coordinate named as an end may be up to half an ulp beyond it, or before it.
         let may_end = in_doubles == StepOutcome::Stretched && self.order != Order::Position;
         match self.closing_closely(key, in_doubles, state) {
             StepOutcome::Open | StepOutcome::Unclear | StepOutcome::Stretched if may_end => {
-                return Err(Halt::Stretched(number));
+                return Err(AssemblyFailure::Stretched(number));
             }
             StepOutcome::Open | StepOutcome::Unclear => {
                 return Err(self.open(number, key, engine, state).into());
@@ -286,7 +286,9 @@ impl Assembler<'_> {
             Some(Ok(sign)) => Ok(Placement::Side(sign)),
             Some(Err(_)) => Err(self.no_choice(number, 2).into()),
             None => match self.nearer_side(number, key, engine, state) {
-                Err(Halt::Fault(Fault::Vague { .. })) if may_end => Err(Halt::Stretched(number)),
+                Err(AssemblyFailure::Fault(Fault::Vague { .. })) if may_end => {
+                    Err(AssemblyFailure::Stretched(number))
+                }
                 side => side,
             },
         }
@@ -299,7 +301,7 @@ impl Assembler<'_> {
         key: usize,
         engine: &mut Engine,
         state: &mut Workspace,
-    ) -> Result<Placement, Halt> {
+    ) -> Result<Placement, AssemblyFailure> {
         let wanted = self.wanted(number, engine);
         let subject = self.subject(number, engine, key);
         let mut found = [(0.0, Vec2::ZERO); 2];
@@ -372,50 +374,50 @@ impl Assembler<'_> {
 
     /// Starts on the side of the coordinate on which the mechanism exists. At a change point it
     /// exists on both sides, and the start is past it, in the picked placement.
-    fn begin_beside(
+    fn start_near(
         &self,
         stretched: usize,
         engine: &mut Engine,
         state: &mut Workspace,
-    ) -> Result<Beginning, Fault> {
+    ) -> Result<TrackingStart, Fault> {
         let looking = Assembler {
             order: Order::Position,
             exact: None,
             ..*self
         };
-        let fault = |halt: Halt| match halt {
-            Halt::Fault(fault) => fault,
-            Halt::Stretched(number) => self.singular(number),
+        let fault = |halt: AssemblyFailure| match halt {
+            AssemblyFailure::Fault(fault) => fault,
+            AssemblyFailure::Stretched(number) => self.singular(number),
         };
-        looking.settle_all(engine, state).map_err(fault)?;
+        looking.place_all_groups(engine, state).map_err(fault)?;
         let here = PointId::new;
         let points = self.network.mechanism.points().len();
         let near: Vec<_> = (0..points)
             .map(|i| (here(i), state.place(here(i))))
             .collect();
         let picked = self.request.picks[stretched];
-        let mut picks = self.request.picks.clone();
-        for (number, pick) in picks.iter_mut().enumerate() {
+        let mut assembly_choices = self.request.picks.clone();
+        for (number, choice) in assembly_choices.iter_mut().enumerate() {
             let key = self.key(number, engine);
             let ends = key.map(|key| looking.closing(key, engine, state));
             if ends == Some(StepOutcome::Stretched) {
                 let hinted = key.and_then(|key| self.hinted(number, key, engine, state));
-                *pick = pick.or(hinted).or(Some(Pick::Plus));
+                *choice = choice.or(hinted).or(Some(AssemblyChoice::Plus));
             }
         }
-        let at = |side: f64| engine.moved(self.request.at, side * BESIDE);
+        let at = |side: f64| engine.moved(self.request.at, side * START_OFFSET);
         let ends = [at(1.0), at(-1.0)].map(|at| {
             let request = Request {
                 at,
                 near: &near,
-                picks: picks.clone(),
+                picks: assembly_choices.clone(),
             };
-            let beside = Assembler {
+            let nearby = Assembler {
                 request: &request,
                 ..*self
             };
             let (mut engine, mut state) = (engine.clone(), state.clone());
-            beside.settle_all(&mut engine, &mut state).ok()?;
+            nearby.place_all_groups(&mut engine, &mut state).ok()?;
             Some((at, engine, state))
         });
         let passes = ends.iter().all(Option::is_some);
@@ -437,7 +439,7 @@ impl Assembler<'_> {
             return Err(Fault::ChangePoint { group });
         }
         (*engine, *state) = (there, found);
-        Ok(Beginning {
+        Ok(TrackingStart {
             at,
             stuck: Some(stuck),
         })
@@ -476,12 +478,17 @@ pub(super) fn steps_of(engine: &Engine, number: usize) -> std::ops::Range<usize>
 }
 
 /// Returns the sign of a pick in the solver, `None` if a dyad has no such pick.
-fn side_of(mechanism: &Mechanism, engine: &Engine, key: usize, pick: Pick) -> Option<f64> {
+fn side_of(
+    mechanism: &Mechanism,
+    engine: &Engine,
+    key: usize,
+    choice: AssemblyChoice,
+) -> Option<f64> {
     let own = handedness(mechanism, &engine.program.steps[key]);
-    match pick {
-        Pick::Plus => Some(own),
-        Pick::Minus => Some(-own),
-        Pick::Number(_) => None,
+    match choice {
+        AssemblyChoice::Plus => Some(own),
+        AssemblyChoice::Minus => Some(-own),
+        AssemblyChoice::Number(_) => None,
     }
 }
 

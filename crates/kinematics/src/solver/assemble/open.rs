@@ -1,7 +1,7 @@
 //! Finds all groups for which a start does not choose the assembly, so that one message can list
 //! them all.
 
-use super::{Assembler, Halt};
+use super::{Assembler, AssemblyFailure};
 use crate::solver::engine::Engine;
 use crate::solver::fault::{Fault, OpenChoice};
 use crate::solver::state::Condition;
@@ -17,11 +17,11 @@ impl Assembler<'_> {
     pub(super) fn all_open(
         &self,
         number: usize,
-        halt: Halt,
+        halt: AssemblyFailure,
         engine: &Engine,
         state: &mut Workspace,
-    ) -> Halt {
-        let Halt::Fault(Fault::Vague { point, choices, .. }) = halt else {
+    ) -> AssemblyFailure {
+        let AssemblyFailure::Fault(Fault::Vague { point, choices, .. }) = halt else {
             return halt;
         };
         let first = OpenChoice { point, choices };
@@ -42,7 +42,7 @@ impl Assembler<'_> {
         }
         let mut found = best.unwrap_or_default().into_iter();
         let OpenChoice { point, choices } = found.next().unwrap_or(first);
-        Halt::Fault(Fault::Vague {
+        AssemblyFailure::Fault(Fault::Vague {
             point,
             choices,
             behind: found.collect(),
@@ -61,24 +61,24 @@ impl Assembler<'_> {
         state: &mut Workspace,
         found: &mut Vec<OpenChoice>,
     ) -> bool {
-        let mut goes_on = |number: usize, mut open: OpenChoice, engine: &mut _, state: &mut _| {
+        let mut continues = |number: usize, mut open: OpenChoice, engine: &mut _, state: &mut _| {
             if turned % 2 == 1 && open.choices.len() > 1 {
                 open.choices.rotate_left(1);
             }
             turned /= 2;
-            let goes_on = self.take_first(number, &open, engine, state);
+            let continues = self.take_first(number, &open, engine, state);
             found.push(open);
-            goes_on
+            continues
         };
-        if !goes_on(first, open, engine, state) {
+        if !continues(first, open, engine, state) {
             return false;
         }
         for number in first + 1..self.plan.groups.len() {
-            match self.settle(number, engine, state) {
+            match self.place_group(number, engine, state) {
                 Ok(()) => {}
-                Err(Halt::Fault(Fault::Vague { point, choices, .. })) => {
+                Err(AssemblyFailure::Fault(Fault::Vague { point, choices, .. })) => {
                     let open = OpenChoice { point, choices };
-                    if !goes_on(number, open, engine, state) {
+                    if !continues(number, open, engine, state) {
                         return false;
                     }
                 }

@@ -1,7 +1,7 @@
 //! Defines the request for an assembly.
 
 use crate::solver::fault::Fault;
-use crate::solver::plan::{Pick, Plan};
+use crate::solver::plan::{AssemblyChoice, Plan};
 use crate::{ElementId, PointId, Vec2};
 
 /// The requested coordinate and assembly: picks decide for their groups, approximate positions for
@@ -13,7 +13,7 @@ pub(in crate::solver) struct Request<'a> {
     /// Approximate positions of points, in the scene's unit and frame.
     pub near: &'a [(PointId, Vec2)],
     /// The pick of every group of the plan, if any.
-    pub picks: Vec<Option<Pick>>,
+    pub picks: Vec<Option<AssemblyChoice>>,
 }
 
 impl<'a> Request<'a> {
@@ -25,14 +25,14 @@ impl<'a> Request<'a> {
         plan: &Plan,
         at: f64,
         near: &'a [(PointId, Vec2)],
-        picks: &[(ElementId, Pick)],
+        choices: &[(ElementId, AssemblyChoice)],
     ) -> Result<Request<'a>, Fault> {
         let mut all = vec![None; plan.groups.len()];
-        for &(group, pick) in picks {
+        for &(group, choice) in choices {
             let number = plan.named(group);
             *number
                 .and_then(|n| all.get_mut(n.index()))
-                .ok_or(Fault::NoChoice { group, found: 0 })? = Some(pick);
+                .ok_or(Fault::NoChoice { group, found: 0 })? = Some(choice);
         }
         Ok(Request {
             at,

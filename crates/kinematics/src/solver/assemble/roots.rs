@@ -1,19 +1,19 @@
 //! Finds the placements of a coupled group: its solutions.
 
-use super::{Assembler, Halt, Placement, miss};
+use super::{Assembler, AssemblyFailure, Placement, miss};
 use crate::solver::coupled::Coupled;
 use crate::solver::engine::Engine;
 use crate::solver::fault::Fault;
-use crate::solver::plan::Pick;
+use crate::solver::plan::AssemblyChoice;
 use crate::solver::state::State;
 use crate::solver::workspace::Workspace;
 use crate::{PointId, Vec2};
 
 /// The resolutions for ordering solutions, in units of about the longest link and in degrees. The
 /// finer one orders solutions that are equal at the coarser one.
-const GRAINS: [f64; 2] = [1e-6, 1e-9];
+const ORDER_RESOLUTIONS: [f64; 2] = [1e-6, 1e-9];
 /// Number of directions tried for a link of a coupled group with insufficient data.
-const TRIED_DIRECTIONS: usize = 12;
+const DIRECTION_TRIALS: usize = 12;
 /// Maximum number of combinations of such directions.
 const MAX_TRIALS: usize = 1728;
 /// A lower limit for large groups: a trial costs up to the cube of the number of unknowns. All
@@ -22,7 +22,7 @@ const TRIAL_WORK: usize = 5_000_000;
 
 /// Maximum error of a start for each of its points, in units of about the longest link. Beyond it
 /// all solutions are searched.
-const ROUGH: f64 = 0.05;
+const MAX_START_ERROR: f64 = 0.05;
 /// Maximum number of trials with the slower method.
 const MAX_CAREFUL_TRIALS: usize = 32;
 
@@ -40,7 +40,7 @@ fn stride(count: usize) -> usize {
 
 /// The method for approaching solutions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Care {
+enum SearchEffort {
     Newton,
     /// A few of the combinations, spread over all. The other solutions are found from these.
     Sparse,
@@ -60,13 +60,13 @@ impl Assembler<'_> {
         number: usize,
         z: &[f64],
         engine: &mut Engine,
-        work: &mut Workspace,
+        workspace: &mut Workspace,
     ) {
         let Some((_, index)) = self.coupled(number, engine) else {
             return;
         };
         let (q, _) = engine.coordinate::<f64>(self.request.at);
-        let Workspace { state, scratch, .. } = work;
+        let Workspace { state, scratch, .. } = workspace;
         let group = &mut engine.program.coupled[index];
         group.open(scratch).z.copy_from_slice(z);
         group.side = group.correct(q, state, scratch).side;
@@ -77,21 +77,21 @@ impl Assembler<'_> {
         &self,
         number: usize,
         engine: &Engine,
-        work: &mut Workspace,
-    ) -> Result<Placement, Halt> {
+        workspace: &mut Workspace,
+    ) -> Result<Placement, AssemblyFailure> {
         match self.request.picks[number] {
-            Some(Pick::Number(n)) => {
-                let roots = self.all_roots(number, engine, work);
+            Some(AssemblyChoice::Number(n)) => {
+                let roots = self.all_roots(number, engine, workspace);
                 let found = roots.len();
                 let root = roots.into_iter().nth(n.wrapping_sub(1));
                 let root = root.ok_or_else(|| self.no_choice(number, found))?;
                 Ok(Placement::Root(root))
             }
-            Some(Pick::Plus | Pick::Minus) => {
-                let found = self.all_roots(number, engine, work).len();
+            Some(AssemblyChoice::Plus | AssemblyChoice::Minus) => {
+                let found = self.all_roots(number, engine, workspace).len();
                 Err(self.no_choice(number, found).into())
             }
-            None => self.nearest_root(number, engine, work),
+            None => self.nearest_root(number, engine, workspace),
         }
     }
 
@@ -101,35 +101,36 @@ impl Assembler<'_> {
         &self,
         number: usize,
         engine: &Engine,
-        work: &mut Workspace,
-    ) -> Result<Placement, Halt> {
+        workspace: &mut Workspace,
+    ) -> Result<Placement, AssemblyFailure> {
         let Some(group) = self.coupled_of(number, engine) else {
             return Ok(Placement::Only);
         };
         let wanted = self.wanted(number, engine);
-        let near =
-            |care, work: &mut Workspace| self.roots_near(number, &wanted, care, engine, work);
-        let mut roots = near(Care::Newton, work);
+        let near = |care, workspace: &mut Workspace| {
+            self.roots_near(number, &wanted, care, engine, workspace)
+        };
+        let mut roots = near(SearchEffort::Newton, workspace);
         if roots.is_empty() {
-            roots = near(Care::TrustRegion, work);
+            roots = near(SearchEffort::TrustRegion, workspace);
         }
         // From far away, Newton's method may converge to a solution other than the nearest one.
-        let allowed = ROUGH * ROUGH * wanted.len() as f64;
+        let allowed = MAX_START_ERROR * MAX_START_ERROR * wanted.len() as f64;
         let is_near = roots.iter().any(|root| {
-            self.show_root(group, root, engine, work);
-            miss(&wanted, work) <= allowed
+            self.show_root(group, root, engine, workspace);
+            miss(&wanted, workspace) <= allowed
         });
         if !is_near && !wanted.is_empty() {
-            for root in self.all_roots(number, engine, work) {
-                self.keep(number, root, &mut roots, engine, work);
+            for root in self.all_roots(number, engine, workspace) {
+                self.keep(number, root, &mut roots, engine, workspace);
             }
         }
         let subject = self.group(number).point.unwrap_or(PointId::new(0));
         let mut found = Vec::new();
         for root in roots {
-            self.show_root(group, &root, engine, work);
-            let place = work.points[subject.index()].p;
-            found.push((miss(&wanted, work), root, place));
+            self.show_root(group, &root, engine, workspace);
+            let position = workspace.points[subject.index()].p;
+            found.push((miss(&wanted, workspace), root, position));
         }
         if wanted.is_empty() && found.len() > 1 {
             let choices = found.iter().map(|f| engine.frame.place(f.2)).collect();
@@ -140,7 +141,7 @@ impl Assembler<'_> {
             let (q, _) = engine.coordinate::<f64>(self.request.at);
             return Err(Fault::NotAssembled {
                 points: self.group(number).points.clone(),
-                gap: group.gap(q, &work.state, &mut work.scratch) * engine.frame.scale,
+                gap: group.gap(q, &workspace.state, &mut workspace.scratch) * engine.frame.scale,
             }
             .into());
         };
@@ -153,9 +154,9 @@ impl Assembler<'_> {
         &self,
         number: usize,
         engine: &Engine,
-        work: &mut Workspace,
+        workspace: &mut Workspace,
     ) -> Vec<Vec<f64>> {
-        let mut roots = self.roots_near(number, &[], Care::Sparse, engine, work);
+        let mut roots = self.roots_near(number, &[], SearchEffort::Sparse, engine, workspace);
         let Some(group) = self.coupled_of(number, engine) else {
             return roots;
         };
@@ -166,12 +167,12 @@ impl Assembler<'_> {
             if wanted.is_empty() {
                 continue;
             }
-            for root in self.roots_near(number, &wanted, Care::Newton, engine, work) {
-                self.keep(number, root, &mut roots, engine, work);
+            for root in self.roots_near(number, &wanted, SearchEffort::Newton, engine, workspace) {
+                self.keep(number, root, &mut roots, engine, workspace);
             }
         }
         let (q, _) = engine.coordinate::<f64>(self.request.at);
-        let Workspace { state, scratch, .. } = work;
+        let Workspace { state, scratch, .. } = workspace;
         let mut roots = group.relatives(q, roots, state, scratch);
         roots.sort_by_key(|z| rank(group, z));
         roots
@@ -184,10 +185,10 @@ impl Assembler<'_> {
         root: Vec<f64>,
         roots: &mut Vec<Vec<f64>>,
         engine: &Engine,
-        work: &mut Workspace,
+        workspace: &mut Workspace,
     ) {
         let (q, _) = engine.coordinate::<f64>(self.request.at);
-        let Workspace { state, scratch, .. } = work;
+        let Workspace { state, scratch, .. } = workspace;
         let is_known = self.coupled_of(number, engine).is_some_and(|group| {
             let mut known = roots.iter();
             known.any(|other| group.is_one(q, [other, &root], state, scratch))
@@ -202,36 +203,38 @@ impl Assembler<'_> {
         &self,
         number: usize,
         wanted: &[(PointId, Vec2)],
-        care: Care,
+        care: SearchEffort,
         engine: &Engine,
-        work: &mut Workspace,
+        workspace: &mut Workspace,
     ) -> Vec<Vec<f64>> {
         let Some(group) = self.coupled_of(number, engine) else {
             return Vec::new();
         };
         let (q, _) = engine.coordinate::<f64>(self.request.at);
         let mut roots: Vec<Vec<f64>> = Vec::new();
-        let middles = self.middles(number, work, wanted);
-        let guesses = self.guesses(number, group, wanted, work);
-        let (most, stride) = match care {
-            Care::Newton => (usize::MAX, 1),
-            Care::Sparse => (usize::MAX, stride(guesses.len())),
-            Care::TrustRegion => (MAX_CAREFUL_TRIALS, 1),
+        let middles = self.middles(number, workspace, wanted);
+        let guesses = self.guesses(number, group, wanted, workspace);
+        let (maximum, stride) = match care {
+            SearchEffort::Newton => (usize::MAX, 1),
+            SearchEffort::Sparse => (usize::MAX, stride(guesses.len())),
+            SearchEffort::TrustRegion => (MAX_CAREFUL_TRIALS, 1),
         };
-        for directions in guesses.iter().step_by(stride).take(most) {
+        for directions in guesses.iter().step_by(stride).take(maximum) {
             for &middle in &middles {
-                let Workspace { state, scratch, .. } = &mut *work;
+                let Workspace { state, scratch, .. } = &mut *workspace;
                 let near = |p: PointId| wanted.iter().find(|w| w.0 == p).map_or(middle, |w| w.1);
                 group.set_guess(group.open(scratch).z, near, directions);
                 let settled = match care {
-                    Care::Newton | Care::Sparse => group.correct(q, state, scratch).settled,
-                    Care::TrustRegion => group.approach(q, state, scratch),
+                    SearchEffort::Newton | SearchEffort::Sparse => {
+                        group.correct(q, state, scratch).settled
+                    }
+                    SearchEffort::TrustRegion => group.approach(q, state, scratch),
                 };
                 let settled =
                     settled && group.finish(q, crate::solver::elements::POSITION, state, scratch);
                 let z = group.open(scratch).z.to_vec();
                 if settled {
-                    self.keep(number, z, &mut roots, engine, work);
+                    self.keep(number, z, &mut roots, engine, workspace);
                 }
             }
         }
@@ -239,9 +242,9 @@ impl Assembler<'_> {
     }
 
     /// Writes the points of a solution to the state.
-    fn show_root(&self, group: &Coupled, z: &[f64], engine: &Engine, work: &mut Workspace) {
+    fn show_root(&self, group: &Coupled, z: &[f64], engine: &Engine, workspace: &mut Workspace) {
         let (q, _) = engine.coordinate::<f64>(self.request.at);
-        let Workspace { state, scratch, .. } = work;
+        let Workspace { state, scratch, .. } = workspace;
         group.open(scratch).z.copy_from_slice(z);
         group.finish(q, crate::solver::elements::POSITION, state, scratch);
     }
@@ -254,12 +257,13 @@ impl Assembler<'_> {
             .mechanism
             .point_ids()
             .filter(|&p| self.network.is_ground(p));
-        let places: Vec<Vec2> = wanted
+        let positions: Vec<Vec2> = wanted
             .iter()
             .map(|w| w.1)
             .chain(grounds.map(|p| state.points[p.index()].p))
             .collect();
-        let middle = places.iter().fold(Vec2::ZERO, |sum, &p| sum + p) / places.len().max(1) as f64;
+        let middle =
+            positions.iter().fold(Vec2::ZERO, |sum, &p| sum + p) / positions.len().max(1) as f64;
         // An irregular ring: exact symmetry would make the first matrix singular.
         let around = (0..5).map(|i| middle + crate::angle::unit(13.0 + 72.0 * f64::from(i)));
         let near = middle + Vec2::new(0.01, 0.017);
@@ -280,13 +284,13 @@ impl Assembler<'_> {
         wanted: &[(PointId, Vec2)],
         state: &State,
     ) -> Vec<Vec<Vec2>> {
-        let most = (TRIAL_WORK / group.unknowns().pow(3)).min(MAX_TRIALS);
+        let maximum = (TRIAL_WORK / group.unknowns().pow(3)).min(MAX_TRIALS);
         let mut guesses = vec![Vec::new()];
         for &link in group.turning() {
             let read = self.read_direction(number, link, wanted, state);
-            let fan = (0..TRIED_DIRECTIONS).map(|i| crate::angle::unit(7.0 + 30.0 * i as f64));
+            let fan = (0..DIRECTION_TRIALS).map(|i| crate::angle::unit(7.0 + 30.0 * i as f64));
             let options: Vec<Vec2> = read.map_or_else(|| fan.collect(), |d| vec![d]);
-            if guesses.len() * options.len() > most {
+            if guesses.len() * options.len() > maximum {
                 guesses.iter_mut().for_each(|g| g.push(options[0]));
                 continue;
             }
@@ -340,5 +344,5 @@ fn rank(group: &Coupled, z: &[f64]) -> Vec<i64> {
         reason = "saturates far outside any linkage"
     )]
     let places = |grain: f64| sizes.iter().map(move |v| (v / grain).round() as i64);
-    GRAINS.into_iter().flat_map(places).collect()
+    ORDER_RESOLUTIONS.into_iter().flat_map(places).collect()
 }

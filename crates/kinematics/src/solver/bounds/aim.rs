@@ -3,7 +3,7 @@
 use super::errors::{Errors, size};
 use super::influence::Influences;
 use super::limb::LinkVector;
-use super::meeting::{Meeting, Met, meet};
+use super::meeting::{ArmClosure, ClosureErrors, meet};
 use super::off::PointOff;
 use super::places::{Bodies, Places};
 use super::shape::{LinkShape, stretch};
@@ -13,7 +13,7 @@ use crate::solver::state::State;
 use crate::{Ball, PointId, Vec2};
 
 /// An arm to a point with a known error.
-struct Towards<'a, S: Simd> {
+struct AimedArm<'a, S: Simd> {
     across: f64x2<S>,
     /// 1 / |e|^2.
     inverse: f64x2<S>,
@@ -21,7 +21,7 @@ struct Towards<'a, S: Simd> {
     end: &'a PointOff<f64x2<S>>,
 }
 
-impl<S: Simd> Meeting<f64x2<S>> for Towards<'_, S> {
+impl<S: Simd> ArmClosure<f64x2<S>> for AimedArm<'_, S> {
     #[inline(always)]
     fn gains(&self) -> f64x2<S> {
         self.gain
@@ -53,7 +53,7 @@ impl<S: Simd> Meeting<f64x2<S>> for Towards<'_, S> {
 
 /// Returns the vector along an arm to a point, on this link.
 #[inline(always)]
-pub(super) fn limb_of<S: Simd, const FUSED: bool>(
+pub(super) fn arm_vector<S: Simd, const FUSED: bool>(
     simd: S,
     arm: &Arm,
     (end, link): (&Places<f64x2<S>>, &Bodies<f64x2<S>>),
@@ -71,13 +71,13 @@ impl Errors {
         &mut self,
         arm: &Arm,
         (end, e): (PointId, f64x2<S>),
-        met: Met<f64x2<S>>,
+        met: ClosureErrors<f64x2<S>>,
         body: &Bodies<f64x2<S>>,
         state: &State,
         enclosure: &mut State<Ball>,
     ) {
         let mut error = met.links;
-        if self.influences.matter::<FUSED>() {
+        if self.influences.is_long_chain::<FUSED>() {
             let own = met.own.map(|own| own.number(0));
             if let Some(rest) = self.turn_by_rows(arm, (end, e.vector(0)), own) {
                 error.rest = rest.map(|rest| number(e.simd, rest));
@@ -99,20 +99,20 @@ impl Errors {
     ) -> bool {
         let x = Places::of(simd, &state.points[end.index()]);
         let body = Bodies::of(simd, &state.links[arm.link.index()]);
-        let limb = limb_of::<_, FUSED>(simd, arm, (&x, &body), state);
-        let inverse = x.p.all(1.0) / limb.e.dot(limb.e);
-        let towards = Towards {
-            across: limb.across[0],
+        let arm_vector = arm_vector::<_, FUSED>(simd, arm, (&x, &body), state);
+        let inverse = x.p.all(1.0) / arm_vector.e.dot(arm_vector.e);
+        let towards = AimedArm {
+            across: arm_vector.across[0],
             inverse,
-            gain: limb.length * inverse,
+            gain: arm_vector.length * inverse,
             end: &PointOff::of(simd, self.point(end)),
         };
         let from = PointOff::of(simd, self.point(arm.pivot));
-        let met = meet(order, &limb, &from, &towards, &mut self.influences);
+        let met = meet(order, &arm_vector, &from, &towards, &mut self.influences);
         let Some(met) = met else {
             return false;
         };
-        self.aim::<_, FUSED>(arm, (end, limb.e), met, &body, state, enclosure);
+        self.aim::<_, FUSED>(arm, (end, arm_vector.e), met, &body, state, enclosure);
         true
     }
 

@@ -2,7 +2,7 @@
 
 use super::driver::CrankDirection;
 use super::errors::{Errors, LinkError, PointError, size};
-use super::limb::{Drift, LinkVector, Moved, RESIDUAL, SUM, Turned};
+use super::limb::{ArmChange, Drift, LinkVector, RESIDUAL, SUM, Turned};
 use super::off::{LinkOff, PointOff, rounding};
 use super::places::{Bodies, Places};
 use super::shape::LinkShape;
@@ -16,8 +16,8 @@ use crate::{Ball, Constant, LinkId, PointId, Vec2};
 /// The change of a vector on a known link, and the part of its rest that the vector itself leaves
 /// open.
 #[derive(Clone, Copy)]
-struct Swung<V> {
-    way: Moved<V>,
+struct ArmRotation<V> {
+    way: ArmChange<V>,
     own: V,
 }
 
@@ -25,33 +25,38 @@ impl<V: Plane, const FUSED: bool> LinkVector<V, FUSED> {
     /// Returns the change of the vector or of a rate. `carried` is the contribution of lower
     /// orders' rests.
     #[inline(always)]
-    fn swing(&self, drift: &Drift<V>, carried: V, (turned, slack): (&Turned<V>, V)) -> Swung<V> {
+    fn swing(
+        &self,
+        drift: &Drift<V>,
+        carried: V,
+        (turned, slack): (&Turned<V>, V),
+    ) -> ArmRotation<V> {
         let own = drift.new + carried + slack * turned.most;
         let way = self.way(drift, turned, own + self.length * turned.rest);
-        Swung { way, own }
+        ArmRotation { way, own }
     }
 
     /// Returns the changes of the vector and of its rates, up to `order`, on a link with this
     /// error.
     #[inline(always)]
-    fn swung(&self, order: u8, by: &LinkOff<V>) -> [Swung<V>; 3] {
+    fn swung(&self, order: u8, by: &LinkOff<V>) -> [ArmRotation<V>; 3] {
         let turned = by.turned();
         let slack = self.slack(turned.most);
         let e = self.swing(&self.drift(), slack.all(0.0), (&turned, slack));
-        let mut ways = [e; 3];
+        let mut directions = [e; 3];
         if order >= VELOCITY {
             let spin = by.spun(1);
             let (drift, rate) = self.drift_of_rate(&e.way);
             let w = self.swing(&drift, self.carried_rate(e.way.rest), (&spin, slack));
-            ways[1] = w;
+            directions[1] = w;
             if order >= ACCELERATION {
                 let drift = self.drift_of_second([&e.way, &w.way], &rate, &spin);
                 let carried = self.carried_second(e.way.rest)
                     + self.carried_by_rate(w.way.rest, &rate, spin.rest);
-                ways[2] = self.swing(&drift, carried, (&by.spun(2), slack));
+                directions[2] = self.swing(&drift, carried, (&by.spun(2), slack));
             }
         }
-        ways
+        directions
     }
 }
 
@@ -108,13 +113,14 @@ impl Errors {
         let from = PointOff::of(simd, self.point(base));
         let by = LinkOff::of(simd, self.link(link));
         let shape = LinkShape::at(simd, local);
-        let limb = LinkVector::<_, FUSED>::new(&x, &p, &body, &shape, by.stretch).lengthened();
-        let ways = limb.swung(order, &by);
+        let arm_vector =
+            LinkVector::<_, FUSED>::new(&x, &p, &body, &shape, by.stretch).lengthened();
+        let directions = arm_vector.swung(order, &by);
         let mut error = PointOff::none(number(simd, 0.0));
-        for (k, Swung { way, .. }) in ways.iter().enumerate() {
+        for (k, ArmRotation { way, .. }) in directions.iter().enumerate() {
             error.settle(k, from.shift[k] + way.shift, from.left[k] + way.rest);
         }
-        if self.influences.matter::<FUSED>() && self.influences.has_point(point) {
+        if self.influences.is_long_chain::<FUSED>() && self.influences.has_point(point) {
             let base_left = self.left_without_row(base);
             let is_rowed = self.influences.has_link(link);
             let turn_left = if is_rowed {
@@ -123,10 +129,10 @@ impl Errors {
                 self.link(link).rest
             };
             let left = std::array::from_fn(|k| {
-                let own = (ways[k].own + rounding(from.shift[k])).number(0);
-                own + base_left[k] + limb.length.number(0) * turn_left[k]
+                let own = (directions[k].own + rounding(from.shift[k])).number(0);
+                own + base_left[k] + arm_vector.length.number(0) * turn_left[k]
             });
-            let arm = (link, limb.across[0].vector(0));
+            let arm = (link, arm_vector.across[0].vector(0));
             let left = self.influences.ride(point, left, base, arm);
             for (k, left) in left.into_iter().enumerate() {
                 error.settle(k, error.shift[k], number(simd, left));
@@ -174,8 +180,8 @@ impl Errors {
         let miss = missed(here.d, there.d, turn);
         let off = size(miss);
         let typed = turn.x.radius + turn.y.radius;
-        let most = size(from.turn) + from.rest[0] + off;
-        let new = 2.0 * typed + SUM * (off + U) + 4.0 * off * most;
+        let maximum = size(from.turn) + from.rest[0] + off;
+        let new = 2.0 * typed + SUM * (off + U) + 4.0 * off * maximum;
         let mut error = LinkError {
             turn: from.turn - miss.turned(here.d.conj()),
             ..from
@@ -188,7 +194,7 @@ impl Errors {
         } else {
             error.rest[0] += new;
         }
-        self.put_link(link, &error, state, enclosure);
+        self.store_link(link, &error, state, enclosure);
     }
 
     /// Stores results computed in double-double.
@@ -225,7 +231,7 @@ impl Errors {
         if self.influences.has_point(point) {
             self.influences.point_alone(point, error.left);
         }
-        self.put_point(point, &error, state, enclosure);
+        self.store_point(point, &error, state, enclosure);
     }
 
     /// Stores a link whose error is independent of all others.
@@ -239,7 +245,7 @@ impl Errors {
         if self.influences.has_link(link) {
             self.influences.link_alone(link, error.rest);
         }
-        self.put_link(link, &error, state, enclosure);
+        self.store_link(link, &error, state, enclosure);
     }
 }
 

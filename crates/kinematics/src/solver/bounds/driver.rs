@@ -44,19 +44,19 @@ impl IntendedCoordinate {
         };
         // Both are whole and below 2^53: their quotient is the double as which the decimal is read.
         let Product { hi, lo } = Halves::<FUSED>::of(at).times(Halves::of(unit));
-        let whole = hi.round_ties_even();
-        if whole.abs() < MAX_DIGITS && whole / unit == at {
-            let rest = ((whole - hi) - lo) * (1.0 / unit);
-            let asked = IntendedCoordinate {
+        let integer = hi.round_ties_even();
+        if integer.abs() < MAX_DIGITS && integer / unit == at {
+            let rest = ((integer - hi) - lo) * (1.0 / unit);
+            let requested = IntendedCoordinate {
                 rest,
                 radius: rest.abs() * (4.0 * U),
             };
             // A number given with 15 digits may have been rounded: the double counts as well.
-            let is_short = (whole * 0.1).round_ties_even() * 10.0 == whole;
+            let is_short = (integer * 0.1).round_ties_even() * 10.0 == integer;
             if is_short {
-                asked
+                requested
             } else {
-                IntendedCoordinate::within(asked.most())
+                IntendedCoordinate::within(requested.max_distance())
             }
         } else {
             IntendedCoordinate::default()
@@ -71,7 +71,7 @@ impl IntendedCoordinate {
 
     /// Returns the maximum distance from the double.
     #[inline(always)]
-    pub(super) fn most(self) -> f64 {
+    pub(super) fn max_distance(self) -> f64 {
         self.rest.abs() + self.radius
     }
 
@@ -100,10 +100,10 @@ fn typed_radius_of_many(at: f64) -> f64 {
 fn unit_of(size: f64) -> Option<f64> {
     // 2^e <= size: its decimal exponent is at least that of 2^e, and at most one more.
     let e = (size.to_bits() >> 52) as i32 - 1023;
-    let most = (14 - ((e * 1233) >> 12)).max(0) as usize;
-    let less = most.saturating_sub(1);
+    let maximum = (14 - ((e * 1233) >> 12)).max(0) as usize;
+    let less = maximum.saturating_sub(1);
     let is_enough = size * UNITS.get(less)? >= MIN_DIGITS;
-    UNITS.get(if is_enough { less } else { most }).copied()
+    UNITS.get(if is_enough { less } else { maximum }).copied()
 }
 
 /// A crank's direction in double-double, as two vectors, and its maximum error.
@@ -126,7 +126,7 @@ impl CrankDirection {
     #[inline(always)]
     pub(super) fn at<const FUSED: bool>(
         at: f64,
-        asked: IntendedCoordinate,
+        requested: IntendedCoordinate,
         is_long: bool,
     ) -> CrankDirection {
         let (close, off) = if is_long {
@@ -135,12 +135,12 @@ impl CrankDirection {
             angle::unit_closely::<FUSED>(at)
         };
         let d = close.map(|v| v.hi);
-        let turn = asked.rest * RADIAN;
+        let turn = requested.rest * RADIAN;
         let rounding = turn.abs() * (turn.abs() + 8.0 * U);
         CrankDirection {
             d,
             low: close.map(|v| v.lo) + d.perp() * turn,
-            off: off.x + off.y + UNIT + rounding + asked.radius * RADIAN,
+            off: off.x + off.y + UNIT + rounding + requested.radius * RADIAN,
         }
     }
 
@@ -155,8 +155,8 @@ impl CrankDirection {
 mod tests {
     use super::*;
 
-    fn asked_radius<const FUSED: bool>(at: f64) -> f64 {
-        IntendedCoordinate::of::<FUSED>(at).most()
+    fn intended_radius<const FUSED: bool>(at: f64) -> f64 {
+        IntendedCoordinate::of::<FUSED>(at).max_distance()
     }
 
     #[test]
@@ -169,20 +169,23 @@ mod tests {
             0.625,
             1.0 / 3.0,
         ] {
-            let most = if exact == 0.0 { 1e-300 } else { 0.0 };
-            assert!(asked_radius::<false>(exact) <= most, "{exact}");
+            let maximum = if exact == 0.0 { 1e-300 } else { 0.0 };
+            assert!(intended_radius::<false>(exact) <= maximum, "{exact}");
         }
         // The error is 2.8421709430404007e-15 / 10, computed by hand.
-        let off = asked_radius::<false>(39.3);
+        let off = intended_radius::<false>(39.3);
         assert!(off > 2.84e-15 && off < 2.85e-15, "{off:e}");
-        assert_eq!(asked_radius::<false>(-39.3), off);
+        assert_eq!(intended_radius::<false>(-39.3), off);
         // The double is below 39.3.
-        let asked = IntendedCoordinate::of::<false>(39.3);
-        assert!(asked.rest > 2.84e-15 && asked.radius < 1e-29, "{asked:?}");
-        assert_eq!(asked_radius::<false>(1e-12), typed_radius(1e-12));
+        let requested = IntendedCoordinate::of::<false>(39.3);
+        assert!(
+            requested.rest > 2.84e-15 && requested.radius < 1e-29,
+            "{requested:?}"
+        );
+        assert_eq!(intended_radius::<false>(1e-12), typed_radius(1e-12));
         // 1e23 is not representable as a double, and neither is the next value; 1e22 is.
-        assert!(asked_radius::<false>(1e23) > 8e6);
-        assert!(asked_radius::<false>(-1.234_567_890_123_45e17) >= 5.0);
-        assert_eq!(asked_radius::<false>(1e22), 0.0);
+        assert!(intended_radius::<false>(1e23) > 8e6);
+        assert!(intended_radius::<false>(-1.234_567_890_123_45e17) >= 5.0);
+        assert_eq!(intended_radius::<false>(1e22), 0.0);
     }
 }

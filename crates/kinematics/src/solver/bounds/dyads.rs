@@ -1,10 +1,10 @@
 //! Bounds the dyads on circles and on rails of the ground.
 
-use super::aim::limb_of;
+use super::aim::arm_vector;
 use super::errors::Errors;
 use super::influence::Influences;
 use super::limb::LinkVector;
-use super::meeting::{Meeting, meet};
+use super::meeting::{ArmClosure, meet};
 use super::off::PointOff;
 use super::places::{Bodies, Places};
 use super::rail::Rail;
@@ -40,15 +40,15 @@ struct ArmPair<'a, S: Simd> {
 
 impl<'a, S: Simd> ArmPair<'a, S> {
     #[inline(always)]
-    fn of<const FUSED: bool>(dyad: &'a Circles, limbs: &LinkVector<f64x4<S>, FUSED>) -> Self {
-        let opposite = others(limbs.e);
+    fn of<const FUSED: bool>(dyad: &'a Circles, arm_vectors: &LinkVector<f64x4<S>, FUSED>) -> Self {
+        let opposite = others(arm_vectors.e);
         // e2 . (k x e1) is e1 x e2.
-        let inverse = opposite.all(1.0) / opposite.dot(limbs.across[0]);
+        let inverse = opposite.all(1.0) / opposite.dot(arm_vectors.across[0]);
         ArmPair {
             others: opposite,
             turning: opposite * inverse,
-            gains: others(limbs.length) * inverse.abs(),
-            lengths: limbs.length,
+            gains: others(arm_vectors.length) * inverse.abs(),
+            lengths: arm_vectors.length,
             dyad,
         }
     }
@@ -65,7 +65,7 @@ impl<'a, S: Simd> ArmPair<'a, S> {
     }
 }
 
-impl<S: Simd> Meeting<f64x4<S>> for ArmPair<'_, S> {
+impl<S: Simd> ArmClosure<f64x4<S>> for ArmPair<'_, S> {
     #[inline(always)]
     fn gains(&self) -> f64x4<S> {
         self.gains
@@ -112,7 +112,7 @@ impl<S: Simd> Meeting<f64x4<S>> for ArmPair<'_, S> {
 }
 
 /// An arm whose end is on a rail.
-struct OnRail<'a, S: Simd> {
+struct RailArm<'a, S: Simd> {
     rail: Rail<S>,
     way: f64x2<S>,
     /// 1 / (e . t).
@@ -121,7 +121,7 @@ struct OnRail<'a, S: Simd> {
     dyad: &'a CircleRail,
 }
 
-impl<S: Simd> OnRail<'_, S> {
+impl<S: Simd> RailArm<'_, S> {
     /// Writes the row of the joint. As [`ArmPair::write_rows`].
     fn write_rows(&self, rows: &mut Influences) {
         let [n, e] = [self.rail.normal, self.way].map(|v| v.vector(0));
@@ -133,7 +133,7 @@ impl<S: Simd> OnRail<'_, S> {
     }
 }
 
-impl<S: Simd> Meeting<f64x2<S>> for OnRail<'_, S> {
+impl<S: Simd> ArmClosure<f64x2<S>> for RailArm<'_, S> {
     #[inline(always)]
     fn gains(&self) -> f64x2<S> {
         self.inverse.abs()
@@ -193,7 +193,7 @@ impl Circles {
             &Bodies::of(simd, &state.links[near.link.index()]),
             &Bodies::of(simd, &state.links[far.link.index()]),
         );
-        let limbs = LinkVector::<_, FUSED>::new(
+        let arm_vectors = LinkVector::<_, FUSED>::new(
             &Places::both(&x, &x),
             &pivots,
             &links,
@@ -204,16 +204,16 @@ impl Circles {
             &PointOff::of(simd, errors.point(near.pivot)),
             &PointOff::of(simd, errors.point(far.pivot)),
         );
-        let pair = ArmPair::of(self, &limbs);
-        let met = meet(order, &limbs, &from, &pair, &mut errors.influences);
+        let pair = ArmPair::of(self, &arm_vectors);
+        let met = meet(order, &arm_vectors, &from, &pair, &mut errors.influences);
         let Some(mut met) = met else {
             return false;
         };
         errors.set_point(self.point, &met.joint, &x, state, enclosure);
-        if errors.influences.matter::<FUSED>() {
+        if errors.influences.is_long_chain::<FUSED>() {
             let rests = [(near, 0), (far, 1)].map(|(arm, i)| {
                 let own = met.own.map(|own| own.number(i));
-                let by_rows = errors.turn_by_rows(arm, (self.point, limbs.e.vector(i)), own);
+                let by_rows = errors.turn_by_rows(arm, (self.point, arm_vectors.e.vector(i)), own);
                 by_rows.unwrap_or_else(|| met.links.rest.map(|rest| rest.number(i)))
             });
             let rest = |which: usize, k: usize| number(simd, rests[which][k]);
@@ -239,24 +239,31 @@ impl CircleRail {
         let arm = &self.arm;
         let x = Places::of(simd, &state.points[self.point.index()]);
         let body = Bodies::of(simd, &state.links[arm.link.index()]);
-        let limb = limb_of::<_, FUSED>(simd, arm, (&x, &body), state);
+        let arm_vector = arm_vector::<_, FUSED>(simd, arm, (&x, &body), state);
         let rail = Rail::new::<FUSED>(simd, &x, [self.through, self.along]);
         // e x n.
-        let inverse = x.p.all(1.0) / rail.normal.dot(limb.across[0]);
-        let on_rail = OnRail {
+        let inverse = x.p.all(1.0) / rail.normal.dot(arm_vector.across[0]);
+        let on_rail = RailArm {
             rail,
-            way: limb.e,
+            way: arm_vector.e,
             inverse,
-            length: limb.length,
+            length: arm_vector.length,
             dyad: self,
         };
         let from = PointOff::of(simd, errors.point(arm.pivot));
-        let met = meet(order, &limb, &from, &on_rail, &mut errors.influences);
+        let met = meet(order, &arm_vector, &from, &on_rail, &mut errors.influences);
         let Some(met) = met else {
             return false;
         };
         errors.set_point(self.point, &met.joint, &x, state, enclosure);
-        errors.aim::<_, FUSED>(arm, (self.point, limb.e), met, &body, state, enclosure);
+        errors.aim::<_, FUSED>(
+            arm,
+            (self.point, arm_vector.e),
+            met,
+            &body,
+            state,
+            enclosure,
+        );
         true
     }
 }

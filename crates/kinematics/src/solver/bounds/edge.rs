@@ -13,25 +13,29 @@ impl Solver {
     /// Runs the steps of a mechanism of dyads in double-double. Returns `true` if that proves their
     /// results.
     #[cold]
-    pub(super) fn look_at_edge(
+    pub(super) fn solve_edge_closely(
         &self,
         order: Order,
         state: &State,
-        work: &mut Workspace<Ball>,
+        workspace: &mut Workspace<Ball>,
     ) -> bool {
         let is_dyads = self.engine.program.coupled.is_empty();
         // Rates at a dead point cannot be proved, and near a change point a series is used.
         if !is_dyads || state.condition != Condition::Ok || self.is_passing(state.at) {
             return false;
         }
-        let asked = work.errors.asked::<false>(state.at, false).most();
-        let (Some(exact), Some(edge)) = (&self.exact, &mut work.errors.edge) else {
+        let requested = workspace
+            .errors
+            .intended::<false>(state.at, false)
+            .max_distance();
+        let (Some(exact), Some(edge)) = (&self.exact, &mut workspace.errors.edge) else {
             return false;
         };
-        let at = Sharp::new(Double::exactly(state.at), asked);
+        let at = Sharp::new(Double::exactly(state.at), requested);
         let how = (&state.signs[..], None);
         // Only the bounds of doubles include the rounding of coordinates.
-        exact.tells(exact.closed) && exact.run(exact.closed, at, order, how, edge) == Condition::Ok
+        exact.decides_more(exact.closed)
+            && exact.run(exact.closed, at, order, how, edge) == Condition::Ok
     }
 }
 
@@ -50,12 +54,12 @@ impl Errors {
             PlacedPart::Point(point) => {
                 let i = point.index();
                 let error = PointError::of_sharp(&edge.points[i], &state.points[i]);
-                self.put_point(point, &error, state, enclosure);
+                self.store_point(point, &error, state, enclosure);
             }
             PlacedPart::Link(link) => {
                 let i = link.index();
                 let error = LinkError::of_sharp(&edge.links[i], &state.links[i]);
-                self.put_link(link, &error, state, enclosure);
+                self.store_link(link, &error, state, enclosure);
             }
             PlacedPart::Slide(_) => {}
         }

@@ -10,7 +10,7 @@ use super::limb::SUM;
 use super::off::{Enclosed, LinkOff, PointOff};
 use super::places::{Bodies, Places};
 use crate::arithmetic::plane::{Fallback, Simd, f64x2};
-use crate::arithmetic::{Sharp, TWICE, U};
+use crate::arithmetic::{DOUBLE_DOUBLE_ERROR, Sharp, U};
 use crate::solver::Workspace;
 use crate::solver::elements::Step;
 use crate::solver::engine::Engine;
@@ -55,7 +55,7 @@ pub(in crate::solver) struct Errors {
     /// Whether some step always needs the double-double state. `feeds_sharp`: whether this run
     /// needs it.
     has_close_steps: bool,
-    feeds_sharp: bool,
+    feeds_double_double: bool,
     /// The state of all steps run with typed decimals, for states near an end of the motion.
     pub(in crate::solver) edge: Option<Box<State<Sharp>>>,
     /// Whether numbers represent the decimals as which they were typed.
@@ -128,11 +128,11 @@ impl LinkError {
     pub(super) fn of_way(d: Vec2, way: Vec2, rest: f64) -> LinkError {
         // 1 / d is the conjugate of d over the square of its length, which differs from 1 by at
         // most |way|.
-        let most = size(way) + rest;
+        let maximum = size(way) + rest;
         LinkError {
             turn: way.turned(d.conj()),
             shift: [0.0; 2],
-            rest: [rest + most * (4.0 * most + SUM), 0.0, 0.0],
+            rest: [rest + maximum * (4.0 * maximum + SUM), 0.0, 0.0],
         }
     }
 
@@ -162,10 +162,10 @@ impl LinkError {
 impl Errors {
     /// Creates the errors for an engine's states, with those of its constants. The most accurate
     /// constants are those of `meant`.
-    pub(super) fn new(engine: &Engine, meant: &Engine, sharp: Workspace<Sharp>) -> Errors {
-        let program = &meant.program;
+    pub(super) fn new(engine: &Engine, intended: &Engine, sharp: Workspace<Sharp>) -> Errors {
+        let program = &intended.program;
         let computed = &engine.program;
-        let off = |v: Vec2<Constant>| v.map(|v| v.radius + TWICE * v.hi.abs());
+        let off = |v: Vec2<Constant>| v.map(|v| v.radius + DOUBLE_DOUBLE_ERROR * v.hi.abs());
         let way =
             |v: Vec2<Constant>, from: Vec2| (v.map(Constant::value) - from.exactly()).nearest();
         let points = program.points.iter().zip(&computed.points).map(|(&p, of)| {
@@ -182,7 +182,7 @@ impl Errors {
             influences: Influences::new(program),
             sharp: Some(Box::new(sharp)),
             has_close_steps: program.steps.iter().any(|step| !step.has_residuals()),
-            feeds_sharp: false,
+            feeds_double_double: false,
             edge: None,
             is_decimal: false,
             driven: 0.0,
@@ -192,19 +192,23 @@ impl Errors {
     /// Returns the enclosure of the intended driver coordinate. Close to an end of the motion the
     /// double itself may be intended as well.
     #[inline(always)]
-    pub(super) fn asked<const FUSED: bool>(&self, at: f64, is_clear: bool) -> IntendedCoordinate {
-        let asked = IntendedCoordinate::of::<FUSED>(at);
+    pub(super) fn intended<const FUSED: bool>(
+        &self,
+        at: f64,
+        is_clear: bool,
+    ) -> IntendedCoordinate {
+        let requested = IntendedCoordinate::of::<FUSED>(at);
         if self.is_decimal && is_clear && self.driven == 0.0 {
-            asked
+            requested
         } else {
-            IntendedCoordinate::within(asked.most().max(self.driven))
+            IntendedCoordinate::within(requested.max_distance().max(self.driven))
         }
     }
 
     /// Starts the errors of a state.
-    pub(super) fn begin(&mut self, with_forces: bool) {
-        self.influences.begin();
-        self.feeds_sharp = with_forces || self.has_close_steps;
+    pub(super) fn start(&mut self, with_forces: bool) {
+        self.influences.start();
+        self.feeds_double_double = with_forces || self.has_close_steps;
     }
 
     #[inline(always)]
@@ -219,7 +223,7 @@ impl Errors {
 
     /// Computes a slide's travel in double-double if this run needs it.
     pub(super) fn travel(&mut self, step: &Step, order: u8) {
-        if self.feeds_sharp
+        if self.feeds_double_double
             && let Some(sharp) = &mut self.sharp
         {
             super::travel(step, order, &mut sharp.state);
@@ -237,15 +241,15 @@ impl Errors {
         enclosure: &mut State<Ball>,
     ) {
         let i = point.index();
-        self.points[i] = error.kept();
+        self.points[i] = error.stored_error();
         enclosure.points[i] = error.balls(here);
-        if self.feeds_sharp {
+        if self.feeds_double_double {
             self.sharpen_point(i, state);
         }
     }
 
     /// Stores the error of a point that was computed separately, and encloses it.
-    pub(super) fn put_point(
+    pub(super) fn store_point(
         &mut self,
         point: PointId,
         error: &PointError,
@@ -267,15 +271,15 @@ impl Errors {
         enclosure: &mut State<Ball>,
     ) {
         let i = link.index();
-        self.links[i] = enclosed.kept();
+        self.links[i] = enclosed.stored_error();
         enclosure.links[i] = enclosed.balls();
-        if self.feeds_sharp {
+        if self.feeds_double_double {
             self.sharpen_link(i, state);
         }
     }
 
     /// Stores the error of a link that was computed separately, and encloses it.
-    pub(super) fn put_link(
+    pub(super) fn store_link(
         &mut self,
         link: LinkId,
         error: &LinkError,

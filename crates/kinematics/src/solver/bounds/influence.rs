@@ -47,7 +47,7 @@ pub(super) struct Influences {
 
 /// Maximum number of dyads through which rests may widen freely. Each dyad can enlarge them
 /// tenfold, and a rest is a rounding error of a rounding error.
-const FEW: usize = 8;
+const MAX_DYADS: usize = 8;
 
 /// Returns the maximum number of sources of a step.
 fn sources(step: &Step, coupled: &[Coupled]) -> usize {
@@ -169,7 +169,7 @@ impl Influences {
             .map(|step| sources(step, &program.coupled));
         let sources = counts.sum();
         let dyads = program.steps.iter().filter(|step| step.dyad().is_some());
-        let is_long = dyads.count() > FEW;
+        let is_long = dyads.count() > MAX_DYADS;
         let mut influences = Influences {
             is_long,
             bounds: std::array::from_fn(|_| vec![0.0; sources]),
@@ -241,7 +241,7 @@ impl Influences {
     }
 
     /// Starts a state, without sources.
-    pub(super) fn begin(&mut self) {
+    pub(super) fn start(&mut self) {
         self.known = 0;
     }
 
@@ -254,7 +254,7 @@ impl Influences {
     /// Returns `true` if the chain is long. Code compiled only for short chains (`FUSED`) gets
     /// `false`.
     #[inline(always)]
-    pub(super) fn matter<const FUSED: bool>(&self) -> bool {
+    pub(super) fn is_long_chain<const FUSED: bool>(&self) -> bool {
         !FUSED && self.is_long
     }
 
@@ -449,6 +449,6 @@ impl Influences {
 /// Returns a bound of the length of a vector with components up to these.
 fn larger([x, y]: [f64; 2]) -> f64 {
     // Written so that NaN is kept.
-    let most = if x <= y { y } else { x };
-    most * SQRT_2 * (1.0 + SUM)
+    let maximum = if x <= y { y } else { x };
+    maximum * SQRT_2 * (1.0 + SUM)
 }

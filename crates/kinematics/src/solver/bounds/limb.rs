@@ -53,7 +53,7 @@ pub(super) struct Drift<V> {
 
 /// The change of a vector: the first-order shift, its maximum size, and the unknown part.
 #[derive(Clone, Copy)]
-pub(super) struct Moved<V> {
+pub(super) struct ArmChange<V> {
     pub shift: V,
     pub most: V,
     pub rest: V,
@@ -89,7 +89,7 @@ pub(super) struct LinkVector<V, const FUSED: bool> {
 }
 
 /// The rate of a vector.
-pub(super) struct LimbRate<V> {
+pub(super) struct ArmRate<V> {
     /// k x w, for the high and the low part.
     across: [V; 2],
     /// Upper bound of |w|.
@@ -139,7 +139,7 @@ impl<V: Plane, const FUSED: bool> LinkVector<V, FUSED> {
 
     /// Computes sigma.
     #[inline(always)]
-    fn second_residual(&self, rate: &LimbRate<V>) -> V {
+    fn second_residual(&self, rate: &ArmRate<V>) -> V {
         let [x, p] = &self.ends;
         let [a, low] = x.a.plus(-p.a);
         let ([e, e_lost], [w, w_lost]) = (self.across, rate.across);
@@ -165,37 +165,37 @@ impl<V: Plane, const FUSED: bool> LinkVector<V, FUSED> {
 
     /// Returns the drift of the rate, given the change of e, and the rate.
     #[inline(always)]
-    pub(super) fn drift_of_rate(&self, e: &Moved<V>) -> (Drift<V>, LimbRate<V>) {
+    pub(super) fn drift_of_rate(&self, e: &ArmChange<V>) -> (Drift<V>, ArmRate<V>) {
         let (across, rho) = self.rate_residual();
         let (omega, off) = (self.omega.abs(), rho.size());
-        let most = omega * e.most + off;
+        let maximum = omega * e.most + off;
         let drift = Drift {
             shift: e.shift.perp() * self.omega - rho,
-            most,
-            new: most * (2.0 * SUM),
+            most: maximum,
+            new: maximum * (2.0 * SUM),
         };
         let speed = omega * self.length + off;
-        (drift, LimbRate { across, speed })
+        (drift, ArmRate { across, speed })
     }
 
     /// Returns the drift of the second rate, given the changes of e, w and the angular velocity.
     #[inline(always)]
     pub(super) fn drift_of_second(
         &self,
-        [e, w]: [&Moved<V>; 2],
-        rate: &LimbRate<V>,
+        [e, w]: [&ArmChange<V>; 2],
+        rate: &ArmRate<V>,
         spin: &Turned<V>,
     ) -> Drift<V> {
         let sigma = self.second_residual(rate);
         let (omega, alpha) = (self.omega.abs(), self.alpha.abs());
-        let most = alpha * e.most + omega * w.most + spin.most * rate.speed + sigma.size();
+        let maximum = alpha * e.most + omega * w.most + spin.most * rate.speed + sigma.size();
         Drift {
             shift: e.shift.perp() * self.alpha
                 + w.shift.perp() * self.omega
                 + rate.across[0] * spin.shift
                 - sigma,
-            most,
-            new: spin.most * w.most + most * (2.0 * SUM),
+            most: maximum,
+            new: spin.most * w.most + maximum * (2.0 * SUM),
         }
     }
 
@@ -213,7 +213,7 @@ impl<V: Plane, const FUSED: bool> LinkVector<V, FUSED> {
 
     /// Returns the contribution of rests of w and of the angular velocity to the second rate.
     #[inline(always)]
-    pub(super) fn carried_by_rate(&self, w: V, rate: &LimbRate<V>, spin: V) -> V {
+    pub(super) fn carried_by_rate(&self, w: V, rate: &ArmRate<V>, spin: V) -> V {
         self.omega.abs() * w + rate.speed * spin
     }
 
@@ -249,8 +249,8 @@ impl<V: Plane, const FUSED: bool> LinkVector<V, FUSED> {
     /// Returns the change of the vector or of its rate: its drift plus the rotation, with this
     /// rest.
     #[inline(always)]
-    pub(super) fn way(&self, drift: &Drift<V>, turned: &Turned<V>, rest: V) -> Moved<V> {
-        Moved {
+    pub(super) fn way(&self, drift: &Drift<V>, turned: &Turned<V>, rest: V) -> ArmChange<V> {
+        ArmChange {
             shift: drift.shift + self.across[0] * turned.shift,
             most: drift.most + self.length * turned.most,
             rest,

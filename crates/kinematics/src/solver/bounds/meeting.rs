@@ -34,7 +34,7 @@
 //! next is thus known as a multiple of R before R is.
 
 use super::influence::Influences;
-use super::limb::{Drift, LinkVector, Moved, RESIDUAL, Turned};
+use super::limb::{ArmChange, Drift, LinkVector, RESIDUAL, Turned};
 use super::off::{LinkOff, PointOff, rounding};
 use crate::arithmetic::plane::Plane;
 use crate::solver::elements::{ACCELERATION, VELOCITY};
@@ -45,7 +45,7 @@ const CONTRACTION: f64 = 0.25;
 const GROWTH: f64 = 1.5;
 
 /// The condition on the ends of one or two arms. Values common to all arms are in all lanes.
-pub(super) trait Meeting<V> {
+pub(super) trait ArmClosure<V> {
     /// Returns the gains.
     fn gains(&self) -> V;
 
@@ -63,7 +63,7 @@ pub(super) trait Meeting<V> {
 
 /// The errors of the joint and of the links that meet there, and the error that each arm leaves
 /// open at each order.
-pub(super) struct Met<V: Plane> {
+pub(super) struct ClosureErrors<V: Plane> {
     pub joint: PointOff<V::One>,
     pub links: LinkOff<V>,
     pub own: [V; 3],
@@ -71,9 +71,9 @@ pub(super) struct Met<V: Plane> {
 
 /// The result of one order of a meeting. `open` is the total gap of unknown direction: the rest of
 /// the ends.
-struct MeetingOrder<V> {
+struct ClosureOrder<V> {
     turned: Turned<V>,
-    way: Moved<V>,
+    way: ArmChange<V>,
     own: V,
     open: V,
     joint: V,
@@ -91,7 +91,7 @@ struct OpenOrder<V> {
 }
 
 /// The data common to all orders of a meeting.
-struct MeetingView<'a, V, M, const FUSED: bool> {
+struct ClosureView<'a, V, M, const FUSED: bool> {
     limb: &'a LinkVector<V, FUSED>,
     from: &'a PointOff<V>,
     meeting: &'a M,
@@ -100,7 +100,7 @@ struct MeetingView<'a, V, M, const FUSED: bool> {
     reach: V,
 }
 
-impl<V: Plane, M: Meeting<V>, const FUSED: bool> MeetingView<'_, V, M, FUSED> {
+impl<V: Plane, M: ArmClosure<V>, const FUSED: bool> ClosureView<'_, V, M, FUSED> {
     #[inline(always)]
     fn open(&self, order: usize, drift: Drift<V>, carried: Option<(V, V)>) -> OpenOrder<V> {
         let Self { from, meeting, .. } = self;
@@ -127,31 +127,31 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> MeetingView<'_, V, M, FUSED> {
         &self,
         order: usize,
         of: &OpenOrder<V>,
-        most: V,
+        maximum: V,
         (besides, sum): (V, V),
         rows: &mut Influences,
-    ) -> MeetingOrder<V> {
+    ) -> ClosureOrder<V> {
         let Self {
-            limb,
+            limb: arm_vector,
             from,
             meeting,
             ..
         } = self;
-        let none = most.all(0.0);
+        let none = maximum.all(0.0);
         let mut turned = Turned {
             shift: of.turning,
-            most,
+            most: maximum,
             rest: none,
         };
-        if rows.matter::<FUSED>() {
+        if rows.is_long_chain::<FUSED>() {
             // The rounding error of the arm's starting point is in no row.
             let own = of.drift.new + of.carried + besides + rounding(from.shift[order]);
-            let joint = most.all(meeting.rest_by_rows(order, own, from, rows));
+            let joint = maximum.all(meeting.rest_by_rows(order, own, from, rows));
             let between = from.left[order] + joint;
-            turned.rest = limb.turning(between + own);
-            return MeetingOrder {
+            turned.rest = arm_vector.turning(between + own);
+            return ClosureOrder {
                 turned,
-                way: limb.way(&of.drift, &turned, between),
+                way: arm_vector.way(&of.drift, &turned, between),
                 own,
                 open: none,
                 joint,
@@ -159,12 +159,12 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> MeetingView<'_, V, M, FUSED> {
         }
         let open = of.known + sum;
         turned.rest = self.gains * open;
-        MeetingOrder {
+        ClosureOrder {
             turned,
-            way: limb.way(&of.drift, &turned, self.reach * open),
+            way: arm_vector.way(&of.drift, &turned, self.reach * open),
             own: none,
             open,
-            joint: limb.length * turned.rest,
+            joint: arm_vector.length * turned.rest,
         }
     }
 
@@ -178,15 +178,21 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> MeetingView<'_, V, M, FUSED> {
         carried: (V, V),
         (slack, part): (V, V),
         rows: &mut Influences,
-    ) -> MeetingOrder<V> {
+    ) -> ClosureOrder<V> {
         let open = self.open(order, drift, Some(carried));
-        let most = self.gains * (open.all * GROWTH);
-        self.settle(order, &open, most, (slack * most, part * open.all), rows)
+        let maximum = self.gains * (open.all * GROWTH);
+        self.settle(
+            order,
+            &open,
+            maximum,
+            (slack * maximum, part * open.all),
+            rows,
+        )
     }
 
     /// Stores the error of the joint at an order, by the first of its arms.
     #[inline(always)]
-    fn note(&self, order: usize, found: &MeetingOrder<V>, joint: &mut PointOff<V::One>) {
+    fn note(&self, order: usize, found: &ClosureOrder<V>, joint: &mut PointOff<V::One>) {
         let shift = (self.from.shift[order] + found.way.shift).first();
         joint.settle(order, shift, found.joint.first());
     }
@@ -200,7 +206,7 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> MeetingView<'_, V, M, FUSED> {
         all: impl FnOnce() -> V,
         rows: &Influences,
     ) -> (V, V) {
-        if rows.matter::<FUSED>() {
+        if rows.is_long_chain::<FUSED>() {
             let each = each();
             (each, each.total())
         } else {
@@ -213,39 +219,39 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> MeetingView<'_, V, M, FUSED> {
 #[inline(always)]
 pub(super) fn meet<V: Plane, const FUSED: bool>(
     order: u8,
-    limb: &LinkVector<V, FUSED>,
+    arm_vector: &LinkVector<V, FUSED>,
     from: &PointOff<V>,
-    meeting: &impl Meeting<V>,
+    meeting: &impl ArmClosure<V>,
     rows: &mut Influences,
-) -> Option<Met<V>> {
+) -> Option<ClosureErrors<V>> {
     let gains = meeting.gains();
     let none = gains.all(0.0);
     let mut joint = PointOff::none(none.first());
     let mut links = LinkOff::none(none);
     let mut own = [none; 3];
-    let view = MeetingView {
-        limb,
+    let view = ClosureView {
+        limb: arm_vector,
         from,
         meeting,
         gains,
-        reach: limb.length * gains + 1.0,
+        reach: arm_vector.length * gains + 1.0,
     };
 
-    let open = view.open(0, limb.drift(), None);
-    let most = (limb.stretch.abs() + gains * open.all) * GROWTH;
-    let slack = limb.slack(most);
+    let open = view.open(0, arm_vector.drift(), None);
+    let maximum = (arm_vector.stretch.abs() + gains * open.all) * GROWTH;
+    let slack = arm_vector.slack(maximum);
     let change = (slack * gains).total();
     // Written so that NaN proves nothing.
-    if !(change.number(0) <= CONTRACTION && limb.fits()) {
+    if !(change.number(0) <= CONTRACTION && arm_vector.fits()) {
         return None;
     }
-    let besides = slack * most;
-    let found = view.settle(0, &open, most, (besides, besides.total()), rows);
+    let besides = slack * maximum;
+    let found = view.settle(0, &open, maximum, (besides, besides.total()), rows);
     view.note(0, &found, &mut joint);
-    (links.stretch, links.turn) = (limb.stretch, open.turning);
+    (links.stretch, links.turn) = (arm_vector.stretch, open.turning);
     // To second order, for a direction lengthened by the stretch.
     let rest = found.turned.rest;
-    links.rest[0] = rest + most * (rest + most * 2.0) + RESIDUAL;
+    links.rest[0] = rest + maximum * (rest + maximum * 2.0) + RESIDUAL;
     own[0] = found.own;
     let (e, first) = (found.way, found.open);
 
@@ -253,12 +259,12 @@ pub(super) fn meet<V: Plane, const FUSED: bool>(
     // of it again.
     let opening = (slack, change * GROWTH);
     if order >= VELOCITY {
-        let (drift, moving) = limb.drift_of_rate(&e);
+        let (drift, moving) = arm_vector.drift_of_rate(&e);
         let carried = view.carried(
             #[inline(always)]
-            || limb.carried_rate(e.rest),
+            || arm_vector.carried_rate(e.rest),
             #[inline(always)]
-            || limb.carried_rate(view.reach).total() * first,
+            || arm_vector.carried_rate(view.reach).total() * first,
             rows,
         );
         let found = view.rate(1, drift, carried, opening, rows);
@@ -267,14 +273,17 @@ pub(super) fn meet<V: Plane, const FUSED: bool>(
         own[1] = found.own;
         let (w, spin, second) = (found.way, found.turned, found.open);
         if order >= ACCELERATION {
-            let drift = limb.drift_of_second([&e, &w], &moving, &spin);
+            let drift = arm_vector.drift_of_second([&e, &w], &moving, &spin);
             let carried = view.carried(
                 #[inline(always)]
-                || limb.carried_second(e.rest) + limb.carried_by_rate(w.rest, &moving, spin.rest),
+                || {
+                    arm_vector.carried_second(e.rest)
+                        + arm_vector.carried_by_rate(w.rest, &moving, spin.rest)
+                },
                 #[inline(always)]
                 || {
-                    let of_first = limb.carried_second(view.reach) * first;
-                    let of_second = limb.carried_by_rate(view.reach, &moving, gains) * second;
+                    let of_first = arm_vector.carried_second(view.reach) * first;
+                    let of_second = arm_vector.carried_by_rate(view.reach, &moving, gains) * second;
                     (of_first + of_second).total()
                 },
                 rows,
@@ -285,5 +294,5 @@ pub(super) fn meet<V: Plane, const FUSED: bool>(
             own[2] = found.own;
         }
     }
-    Some(Met { joint, links, own })
+    Some(ClosureErrors { joint, links, own })
 }

@@ -61,12 +61,12 @@ impl Solver {
     /// Creates a workspace for a state with bounds.
     #[must_use]
     pub fn enclosure(&self) -> Workspace<Ball> {
-        let engine = self.meant_engine();
-        let mut enclosure = self.room_of(engine);
+        let engine = self.best_engine();
+        let mut enclosure = self.workspace_for(engine);
         let groups = engine.program.coupled.iter();
         let work = groups.map(|g| g.work()).max().unwrap_or(0);
         enclosure.scratch.work = vec![0.0; work];
-        enclosure.errors = Errors::new(&self.engine, engine, self.room_of(engine));
+        enclosure.errors = Errors::new(&self.engine, engine, self.workspace_for(engine));
         enclosure.errors.edge = self.close_state().map(Box::new);
         enclosure.errors.is_decimal = self.mechanism.has_decimals();
         enclosure
@@ -78,14 +78,19 @@ impl Solver {
     ///
     /// For forces, the bounds of the misfit of their checks decide whether rounding explains it. If
     /// it does not, the state in `work` withholds its forces.
-    pub fn enclose(&self, work: &mut Workspace, order: Order, enclosure: &mut Workspace<Ball>) {
-        let state = &mut work.state;
+    pub fn enclose(
+        &self,
+        workspace: &mut Workspace,
+        order: Order,
+        enclosure: &mut Workspace<Ball>,
+    ) {
+        let state = &mut workspace.state;
         let order = order.min(state.order);
-        let engine = self.meant_engine();
+        let engine = self.best_engine();
         let is_clear = self.motion.is_clear(state.at);
         let proved = is_clear && engine.enclose_to(Vicinity::Clear, order, state, enclosure);
         if !proved {
-            if self.look_at_edge(order, state, enclosure) {
+            if self.solve_edge_closely(order, state, enclosure) {
                 engine.enclose_to(Vicinity::Edge, order, state, enclosure);
             } else if !is_clear {
                 engine.enclose_to(Vicinity::NearEnd, order, state, enclosure);
@@ -96,13 +101,13 @@ impl Solver {
 
     /// Returns the engine with the most accurate numbers: typed decimals in double-double if
     /// available, so that the error of their doubles is known with its sign.
-    fn meant_engine(&self) -> &Engine {
+    fn best_engine(&self) -> &Engine {
         let exact = self.exact.as_ref().filter(|_| self.mechanism.is_typed());
         exact.map_or(&self.engine, |exact| &exact.engine)
     }
 
     /// Returns the intended coordinate. Close to an end of the motion it is the double itself.
-    pub(super) fn meant_coordinate(&self, at: f64) -> Double {
+    pub(super) fn intended_coordinate(&self, at: f64) -> Double {
         if self.mechanism.has_decimals() && self.motion.is_clear(at) {
             IntendedCoordinate::of::<false>(at).close(at)
         } else {
@@ -191,7 +196,7 @@ struct Enclosing<'a> {
     engine: &'a Engine,
     how: (Vicinity, Order),
     state: &'a State,
-    work: &'a mut Workspace<Ball>,
+    workspace: &'a mut Workspace<Ball>,
 }
 
 /// Passed by reference: a copy would reload recent small stores in larger pieces, which is slow.
@@ -204,7 +209,7 @@ impl Fusing for &mut Enclosing<'_> {
             engine,
             how,
             state,
-            work,
+            workspace: work,
         } = self;
         engine.enclose_here::<S, FUSED>(simd, *how, state, work)
     }
@@ -218,23 +223,25 @@ impl Engine {
         vicinity: Vicinity,
         order: Order,
         state: &State,
-        work: &mut Workspace<Ball>,
+        workspace: &mut Workspace<Ball>,
     ) -> bool {
-        work.state.condition = state.condition;
+        workspace.state.condition = state.condition;
         if state.condition == Condition::NoAssembly {
-            let asked = work.errors.asked::<false>(state.at, false);
-            work.state.begin(Ball::new(state.at, asked.most()), order);
+            let requested = workspace.errors.intended::<false>(state.at, false);
+            workspace
+                .state
+                .start(Ball::new(state.at, requested.max_distance()), order);
             return true;
         }
         // Runs with the machine's vectors and, if available, fused multiply-add; the bits are the
         // same. Long chains run separate plain code, so that their additional work does not slow
         // down short ones.
-        let is_long = work.errors.influences.is_long();
+        let is_long = workspace.errors.influences.is_long();
         let mut enclosing = Enclosing {
             engine: self,
             how: (vicinity, order),
             state,
-            work,
+            workspace,
         };
         if is_long {
             plainly(&mut enclosing)
@@ -249,20 +256,24 @@ impl Engine {
         simd: S,
         (vicinity, order): (Vicinity, Order),
         state: &State,
-        work: &mut Workspace<Ball>,
+        workspace: &mut Workspace<Ball>,
     ) -> bool {
-        let enclosure = &mut work.state;
-        let errors = &mut work.errors;
-        let asked = errors.asked::<FUSED>(state.at, vicinity == Vicinity::Clear);
-        enclosure.begin(Ball::new(state.at, asked.most()), order);
-        errors.begin(order == Order::Force);
+        let enclosure = &mut workspace.state;
+        let errors = &mut workspace.errors;
+        let requested = errors.intended::<FUSED>(state.at, vicinity == Vicinity::Clear);
+        enclosure.start(Ball::new(state.at, requested.max_distance()), order);
+        errors.start(order == Order::Force);
         let order = match order {
             Order::Position => POSITION,
             Order::Velocity => VELOCITY,
             Order::Acceleration | Order::Force => ACCELERATION,
         };
-        let heading = if self.turns {
-            CrankDirection::at::<FUSED>(state.at, asked, errors.influences.matter::<FUSED>())
+        let heading = if self.is_rotary {
+            CrankDirection::at::<FUSED>(
+                state.at,
+                requested,
+                errors.influences.is_long_chain::<FUSED>(),
+            )
         } else {
             CrankDirection::NONE
         };
@@ -318,8 +329,14 @@ impl Engine {
                 }
                 // Steps without residuals of their own.
                 _ => {
-                    let scratch = &mut work.scratch;
-                    self.enclose_closely((step, order, asked), state, enclosure, errors, scratch)
+                    let scratch = &mut workspace.scratch;
+                    self.enclose_closely(
+                        (step, order, requested),
+                        state,
+                        enclosure,
+                        errors,
+                        scratch,
+                    )
                 }
             };
             if !proved {
@@ -333,7 +350,7 @@ impl Engine {
     /// Runs a step in double-double. Returns `true` if that succeeded.
     fn enclose_closely(
         &self,
-        (step, order, asked): (&Step, u8, IntendedCoordinate),
+        (step, order, requested): (&Step, u8, IntendedCoordinate),
         state: &State,
         enclosure: &mut State<Ball>,
         errors: &mut Errors,
@@ -342,7 +359,7 @@ impl Engine {
         let Some(mut sharp) = errors.sharp.take() else {
             return false;
         };
-        let exact = Sharp::new(asked.close(state.at), asked.radius);
+        let exact = Sharp::new(requested.close(state.at), requested.radius);
         let (q, _) = self.coordinate(exact);
         if let Some(group) = step.choice() {
             sharp.state.signs[group] = Sharp::exactly(state.signs[group]);

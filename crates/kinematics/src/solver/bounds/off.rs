@@ -106,7 +106,7 @@ impl<S: Simd> PointOff<f64x2<S>> {
     }
 
     #[inline(always)]
-    pub(super) fn kept(&self) -> PointError {
+    pub(super) fn stored_error(&self) -> PointError {
         PointError {
             shift: self.shift.map(
                 #[inline(always)]
@@ -156,10 +156,10 @@ impl<V: Plane> LinkOff<V> {
     #[inline(always)]
     pub(super) fn enclosed(&self, links: &Bodies<V>) -> Enclosed<V> {
         let turning = links.d * self.stretch + links.d.perp() * self.turn;
-        let shift = self.shift[0].beside(self.shift[1]);
-        let rests = self.rest[1].beside(self.rest[2]);
+        let shift = self.shift[0].with_y_of(self.shift[1]);
+        let rests = self.rest[1].with_y_of(self.rest[2]);
         Enclosed {
-            turn: self.stretch.beside(self.turn),
+            turn: self.stretch.with_y_of(self.turn),
             shift,
             rest: self.rest[0],
             rests,
@@ -209,7 +209,7 @@ impl<S: Simd> Enclosed<f64x4<S>> {
 
 impl<S: Simd> Enclosed<f64x2<S>> {
     #[inline(always)]
-    pub(super) fn kept(&self) -> LinkError {
+    pub(super) fn stored_error(&self) -> LinkError {
         LinkError {
             turn: self.turn.vector(0),
             shift: [self.shift[0], self.shift[1]],

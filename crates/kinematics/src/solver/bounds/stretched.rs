@@ -10,7 +10,7 @@ use crate::solver::state::State;
 use crate::{Ball, LinkId, Number, PointId, Vec2};
 
 /// Returns an upper bound of the square root of a product that is about zero.
-fn most(product: Ball) -> f64 {
+fn sqrt_bound(product: Ball) -> f64 {
     (product.mid + product.radius).max(0.0).sqrt() * (1.0 + f64::EPSILON)
 }
 
@@ -40,7 +40,7 @@ impl Circles {
         let (d2, d) = (u.norm2(), u.norm());
         let reach = (d - (c - b).abs()) * (d + (c - b).abs()) * ((b + c) - d) * ((b + c) + d);
         let x = (d2 + (b - c) * (b + c)).scaled(0.5);
-        let half_chord = most(reach.scaled(0.25)) / d.smallest();
+        let half_chord = sqrt_bound(reach.scaled(0.25)) / d.smallest();
         let e = widened(u * (x / d2), half_chord);
         if !(half_chord < f64::INFINITY && e.x.radius + e.y.radius < f64::INFINITY) {
             return false;
@@ -61,7 +61,7 @@ impl CircleLine {
         let guide = self.line.at(enclosure);
         let from = enclosure.points[self.arm.pivot.index()].p - guide.q.p;
         let (h0, b) = (guide.n.dot(from), Ball::of(self.arm.length));
-        let root = Ball::new(0.0, most((b - h0) * (b + h0)));
+        let root = Ball::new(0.0, sqrt_bound((b - h0) * (b + h0)));
         let e = guide.t * root - guide.n * h0;
         let s = guide.t.dot(from) + root;
         self.place::<Ball, POSITION>(&guide, s, e, [h0, root], enclosure);
@@ -76,7 +76,7 @@ impl CircleRail {
         let t = Vec2::<Ball>::of(self.along);
         let from = enclosure.points[self.arm.pivot.index()].p - Vec2::of(self.through);
         let (h0, b) = (t.perp().dot(from), Ball::of(self.arm.length));
-        let root = Ball::new(0.0, most((b - h0) * (b + h0)));
+        let root = Ball::new(0.0, sqrt_bound((b - h0) * (b + h0)));
         let e = t * root - t.perp() * h0;
         let s = t.dot(from) + root;
         self.place::<Ball, POSITION>(s, self.arm.direction(e), [h0, root], enclosure);
@@ -91,7 +91,7 @@ impl Swing {
         let pivot = enclosure.points[self.pivot.index()].p;
         let w = enclosure.points[self.pin.index()].p - pivot;
         let (d, e) = (w.norm(), Ball::of(self.offset));
-        let s = Ball::new(0.0, most((d - e.abs()) * (d + e.abs())));
+        let s = Ball::new(0.0, sqrt_bound((d - e.abs()) * (d + e.abs())));
         let t = w.turned(Vec2::new(s, -e)) / w.norm2();
         self.place::<Ball, POSITION>(t, s, enclosure);
         stop(None, &[self.link], enclosure);

@@ -10,12 +10,12 @@ use crate::Double;
 /// If any bits differ.
 pub fn compare_bounds_without_vectors(solver: &Solver) -> u32 {
     // Written out, a number is itself alone: -0 is not 0.
-    let bits = |work: &Workspace<Ball>| {
-        let Errors { points, links, .. } = &work.errors;
-        format!("{:?} {points:?} {links:?}", work.state)
+    let bits = |workspace: &Workspace<Ball>| {
+        let Errors { points, links, .. } = &workspace.errors;
+        format!("{:?} {points:?} {links:?}", workspace.state)
     };
     let mut compared = 0;
-    let (mut work, mut balls) = (solver.state(), solver.enclosure());
+    let (mut workspace, mut balls) = (solver.state(), solver.enclosure());
     let mut plain = solver.enclosure();
     // Long chains have only one code path.
     if balls.errors.influences.is_long() {
@@ -24,17 +24,17 @@ pub fn compare_bounds_without_vectors(solver: &Solver) -> u32 {
     let orders = [Order::Position, Order::Velocity, Order::Acceleration];
     for (k, order) in (0..48).flat_map(|k| orders.map(|order| (k, order))) {
         let at = solver.mechanism().driver().start + 7.3 * f64::from(k);
-        if solver.solve(at, order, &mut work) != Condition::Ok {
+        if solver.solve(at, order, &mut workspace) != Condition::Ok {
             continue;
         }
         let engine = &solver.engine;
-        let _ = engine.enclose_to(Vicinity::Clear, order, &work.state, &mut balls);
-        plain.state.condition = work.state.condition;
+        let _ = engine.enclose_to(Vicinity::Clear, order, &workspace.state, &mut balls);
+        plain.state.condition = workspace.state.condition;
         plainly(&mut Enclosing {
             engine,
             how: (Vicinity::Clear, order),
-            state: &work.state,
-            work: &mut plain,
+            state: &workspace.state,
+            workspace: &mut plain,
         });
         assert_eq!(bits(&balls), bits(&plain), "at {at}");
         compared += 1;

@@ -30,7 +30,7 @@ impl Chain<'_> {
     fn gauge(&mut self, row: ScalarEquation) -> Option<Gauge> {
         match row {
             ScalarEquation::Along { link, end } => {
-                let (from, arm) = self.seen_from(link, end)?;
+                let (from, arm) = self.relative_joint(link, end)?;
                 let length = arm.norm();
                 Some(Gauge::Distance {
                     from,
@@ -39,7 +39,7 @@ impl Chain<'_> {
                 })
             }
             ScalarEquation::Across { link, end } => {
-                let (from, arm) = self.seen_from(link, end)?;
+                let (from, arm) = self.relative_joint(link, end)?;
                 let along = arm / arm.norm();
                 Some(Gauge::Direction {
                     from,
@@ -76,7 +76,7 @@ impl Chain<'_> {
     }
 
     /// Returns another joint of a link, and `end` relative to it in the link's frame.
-    fn seen_from(&self, link: LinkId, end: PointId) -> Option<(PointId, Vec2<Constant>)> {
+    fn relative_joint(&self, link: LinkId, end: PointId) -> Option<(PointId, Vec2<Constant>)> {
         let mut joints = self.network.joints(link).map(|m| m.point);
         let other = joints.find(|&p| p != end)?;
         Some((other, self.network.between(link, other, end)?))

@@ -12,7 +12,7 @@ use crate::solver::elements::{
     Arm, CircleLine, CircleRail, Circles, Cylinder, GuideLine, Lines, Step, Swing,
 };
 use crate::solver::network::ClassId;
-use crate::solver::plan::{GroupKind, Hold, Leg};
+use crate::solver::plan::{GroupKind, GuideConstraint, Leg};
 use crate::{Body, Constant, Input, LinkId, PointId, SlideId, Vec2};
 
 /// A joint at a fixed position of a class whose direction is not known yet.
@@ -77,13 +77,13 @@ impl Chain<'_> {
     ) {
         let class = self.network.class(link);
         let turn = self.network.turn[link.index()];
-        for (point, place) in self.network.places(link) {
+        for (point, position) in self.network.places(link) {
             let seen = |a: &Anchor| a.point == point && a.class == class;
             let is_sought = self.network.is_joint(point) && !self.point_known[point.index()];
             if !is_sought || anchors.iter().any(seen) {
                 continue;
             }
-            let arm = arm + (place - at).turned(turn);
+            let arm = arm + (position - at).turned(turn);
             anchors.push(Anchor {
                 point,
                 class,
@@ -128,7 +128,7 @@ impl Chain<'_> {
     }
 
     /// Records the guide constraint of the next step's joint.
-    fn note_hold(&mut self, hold: Hold) {
+    fn note_hold(&mut self, hold: GuideConstraint) {
         self.program.holds.push((self.program.steps.len(), hold));
     }
 
@@ -219,7 +219,7 @@ impl Chain<'_> {
             let along = self.network.frame.unit(given.angle);
             let offset = along.perp().dot(self.network.through(slide) - at - arm);
             let group = self.open_group(GroupKind::Rpr, Some(pin));
-            self.note_hold(Hold {
+            self.note_hold(GuideConstraint {
                 slide,
                 carrier: carrier.map(|anchor| anchor.link),
                 is_yoke: false,
@@ -328,7 +328,7 @@ impl Chain<'_> {
 
     /// Returns the slides that constrain a point to a known line, directly or through a link with a
     /// direction.
-    fn holds(&self, point: PointId, scope: &Scope) -> Vec<Hold> {
+    fn holds(&self, point: PointId, scope: &Scope) -> Vec<GuideConstraint> {
         let links = &self.network.mechanism.point(point).links;
         let directed: Vec<LinkId> = links.iter().copied().filter(|&l| self.knows(l)).collect();
         let mut holds = Vec::new();
@@ -344,19 +344,19 @@ impl Chain<'_> {
                 .find(|&l| self.network.local(l, slider).is_some());
             let is_yoke = directed.contains(&on) && self.point_known[slider.index()];
             if is_yoke {
-                holds.push(Hold {
+                holds.push(GuideConstraint {
                     slide,
                     carrier: Some(on),
                     is_yoke,
                 });
             } else if is_placed && slider == point {
-                holds.push(Hold {
+                holds.push(GuideConstraint {
                     slide,
                     carrier: None,
                     is_yoke,
                 });
             } else if is_placed && carrier.is_some() {
-                holds.push(Hold {
+                holds.push(GuideConstraint {
                     slide,
                     carrier,
                     is_yoke,
@@ -368,7 +368,7 @@ impl Chain<'_> {
 
     /// Returns the line on which a constrained point lies: the guide, or a parallel displaced by
     /// the carrier.
-    fn line_through(&mut self, point: PointId, hold: Hold) -> Option<GuideLine> {
+    fn line_through(&mut self, point: PointId, hold: GuideConstraint) -> Option<GuideLine> {
         let Some(carrier) = hold.carrier else {
             return self.line(hold.slide);
         };

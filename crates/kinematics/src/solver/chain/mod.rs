@@ -61,7 +61,7 @@ pub(super) fn build(
     let mut chain = Chain::new(network, dyads);
     chain.drive();
     for block in &ordering.blocks {
-        chain.settle_block(block)?;
+        chain.determine_block(block)?;
     }
     chain.watch(&ordering.set_aside);
     chain.travels();
@@ -159,7 +159,7 @@ impl<'n> Chain<'n> {
             Input::Turn(link) if self.network.mechanism.is_directed(link) => {
                 self.push(Crank { link });
                 self.learn_class(link);
-                self.settle_links(&self.network.members[self.network.class(link).0].clone());
+                self.place_link_points(&self.network.members[self.network.class(link).0].clone());
             }
             Input::Turn(_) | Input::Push(_) => {}
         }
@@ -167,10 +167,10 @@ impl<'n> Chain<'n> {
             let following = following.clone();
             self.push(Timed { link, following });
             self.learn_class(link);
-            self.settle_links(&self.network.members[self.network.class(link).0].clone());
+            self.place_link_points(&self.network.members[self.network.class(link).0].clone());
         }
         let ground = self.network.members[GROUND.0].clone();
-        self.settle_links(&ground);
+        self.place_link_points(&ground);
     }
 
     // ---- unknowns that follow directly
@@ -200,7 +200,7 @@ impl<'n> Chain<'n> {
 
     /// Places all points of the links that have a direction and a known point. Returns `true` if
     /// there were any.
-    fn settle_links(&mut self, links: &[LinkId]) -> bool {
+    fn place_link_points(&mut self, links: &[LinkId]) -> bool {
         let mut any = false;
         for &link in links.iter().filter(|&&l| self.knows(l)).collect::<Vec<_>>() {
             let Some((base, at)) = self.footing(link) else {
@@ -210,9 +210,9 @@ impl<'n> Chain<'n> {
             if let (true, Some(group)) = (is_new, self.groups.last_mut()) {
                 group.links.push(link);
             }
-            for (point, place) in self.network.places(link) {
+            for (point, position) in self.network.places(link) {
                 if !self.point_known[point.index()] {
-                    self.push(self.ride_on(link, base, point, place - at));
+                    self.push(self.ride_on(link, base, point, position - at));
                     self.learn_point(point);
                     any = true;
                 }
@@ -328,11 +328,11 @@ impl<'n> Chain<'n> {
 
     // ---- blocks
 
-    fn settle_block(&mut self, block: &CoupledBlock) -> Result<(), Fault> {
+    fn determine_block(&mut self, block: &CoupledBlock) -> Result<(), Fault> {
         let scope = self.scope(block);
-        while self.settle_known(&scope) {}
+        while self.determine_known(&scope) {}
         while self.aim_links(&scope.links) || self.dyad(&scope) {
-            while self.settle_known(&scope) {}
+            while self.determine_known(&scope) {}
         }
         if self.is_settled(&scope) {
             Ok(())
@@ -343,8 +343,8 @@ impl<'n> Chain<'n> {
 
     /// Determines unknowns that follow directly from known ones, including inputs. Returns `true`
     /// if there were any.
-    fn settle_known(&mut self, scope: &Scope) -> bool {
-        self.settle_links(&scope.links)
+    fn determine_known(&mut self, scope: &Scope) -> bool {
+        self.place_link_points(&scope.links)
             || self.push_slides(&scope.slides)
             || self.turn_elbows(&scope.elbows)
     }
@@ -496,7 +496,7 @@ impl<'n> Chain<'n> {
             self.learn_point(point);
         }
         self.program.coupled.push(group);
-        while self.settle_links(&scope.links) || self.aim_links(&scope.links) {}
+        while self.place_link_points(&scope.links) || self.aim_links(&scope.links) {}
         if self.is_settled(scope) {
             Ok(())
         } else {

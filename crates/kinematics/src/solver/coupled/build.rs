@@ -6,7 +6,7 @@ use crate::solver::network::ClassId;
 use crate::{Body, Constant, Input, LinkId, PointId, SlideId, Vec2};
 
 /// A coupled group under construction.
-pub(super) struct Maker<'a> {
+pub(super) struct GroupMaker<'a> {
     part: &'a Remainder<'a>,
     pub(super) spots: Vec<(PointId, Spot)>,
     pub(super) turning: Vec<LinkId>,
@@ -16,9 +16,9 @@ pub(super) struct Maker<'a> {
     pub(super) equations: Vec<GroupEquation>,
 }
 
-impl<'a> Maker<'a> {
+impl<'a> GroupMaker<'a> {
     pub(super) fn new(part: &'a Remainder<'a>) -> Self {
-        let mut maker = Maker {
+        let mut builder = GroupMaker {
             part,
             spots: Vec::new(),
             turning: Vec::new(),
@@ -31,14 +31,14 @@ impl<'a> Maker<'a> {
             let link = part.network.members[class.0]
                 .iter()
                 .copied()
-                .find(|&l| maker.is_frame(l));
+                .find(|&l| builder.is_frame(l));
             if let Some(link) = link {
-                maker.turning.push(link);
-                maker.turns.push(part.network.turn[link.index()]);
-                maker.classes.push(class);
+                builder.turning.push(link);
+                builder.turns.push(part.network.turn[link.index()]);
+                builder.classes.push(class);
             }
         }
-        maker
+        builder
     }
 
     /// Returns `true` if a link of the group is more than a distance between two of its points.
@@ -172,7 +172,7 @@ impl<'a> Maker<'a> {
     /// Returns the joint of a frame from which the other joints are measured: a known one if
     /// possible, or else a free one. Creates a free spot if neither exists.
     fn foot(&mut self, link: LinkId, joints: &[PointId]) -> PointId {
-        let bare = |spot: Spot| spot.arm.is_none();
+        let plain = |spot: Spot| spot.arm.is_none();
         let known = joints
             .iter()
             .copied()
@@ -181,7 +181,7 @@ impl<'a> Maker<'a> {
             joints
                 .iter()
                 .copied()
-                .find(|&p| self.spot(p).is_some_and(bare))
+                .find(|&p| self.spot(p).is_some_and(plain))
         };
         if let Some(foot) = known.or_else(placed) {
             return foot;

@@ -16,24 +16,24 @@ impl Coupled {
         dual: &mut State<Dual>,
         scratch: &mut Scratch<Dual>,
     ) -> bool {
-        let mut room = self.open(scratch);
-        self.read_as(state, room.z, Dual::exactly);
-        self.residuals(q, dual, &mut room);
-        self.jacobian(q, dual, &mut room);
+        let mut buffers = self.open(scratch);
+        self.read_as(state, buffers.z, Dual::exactly);
+        self.residuals(q, dual, &mut buffers);
+        self.jacobian(q, dual, &mut buffers);
         let n = self.unknowns();
-        if lu::factor(room.matrix, room.pivots, n).is_none() {
+        if lu::factor(buffers.matrix, buffers.pivots, n).is_none() {
             return false;
         }
-        lu::solve(room.matrix, room.pivots, room.right, n);
+        lu::solve(buffers.matrix, buffers.pivots, buffers.right, n);
         let joints = 2 * self.free;
-        for (z, asked) in room.z.iter_mut().zip(&room.right[..joints]) {
-            z.slope = -asked.slope;
+        for (z, requested) in buffers.z.iter_mut().zip(&buffers.right[..joints]) {
+            z.slope = -requested.slope;
         }
-        for (d, asked) in room.z[joints..]
+        for (d, requested) in buffers.z[joints..]
             .chunks_exact_mut(2)
-            .zip(&room.right[joints..])
+            .zip(&buffers.right[joints..])
         {
-            let turning = Vec2::new(d[0].value, d[1].value).perp() * -asked.slope;
+            let turning = Vec2::new(d[0].value, d[1].value).perp() * -requested.slope;
             (d[0].slope, d[1].slope) = (turning.x, turning.y);
         }
         self.finish(q, order, dual, scratch)

@@ -1,7 +1,7 @@
 //! Solves a group's equations by textbook methods, for comparison: Newton's method with a
 //! tolerance, one correction from a more precise residual, and bisection.
 
-use super::{Base, Coupled, GroupEquation, Room, Scratch, Spot, Turning};
+use super::{Base, Coupled, GroupEquation, GroupScratch, Scratch, Spot, Turning};
 use crate::solver::lu;
 use crate::solver::state::State;
 use crate::{Double, Number, Vec2};
@@ -13,14 +13,14 @@ const MAX_HALVINGS: u32 = 60;
 
 /// The single unknown angle of a group, with the condition that closes the group.
 #[derive(Clone, Debug)]
-pub(in crate::solver) struct Closing(ClosingWay);
+pub(in crate::solver) struct ClosingCondition(ClosingKind);
 
 #[derive(Clone, Debug)]
 #[expect(
     clippy::large_enum_variant,
     reason = "a group has one, and a copy of it is made once"
 )]
-enum ClosingWay {
+enum ClosingKind {
     /// The unknown is an angle: a link turns until the only equation holds.
     Turn,
     /// A free joint moves on a circle about a known point until the other equation holds.
@@ -36,10 +36,15 @@ enum ClosingWay {
 
 impl Coupled {
     /// Sets the z in the scratch to `base` changed by `change`.
-    pub(in crate::solver) fn put(&self, base: &[f64], change: &[f64], scratch: &mut Scratch) {
-        let room = self.open(scratch);
-        room.z.copy_from_slice(base);
-        self.shift(room.z, change);
+    pub(in crate::solver) fn set_unknowns(
+        &self,
+        base: &[f64],
+        change: &[f64],
+        scratch: &mut Scratch,
+    ) {
+        let buffers = self.open(scratch);
+        buffers.z.copy_from_slice(base);
+        self.shift(buffers.z, change);
     }
 
     /// Takes full Newton steps from the z in the scratch until one is at most the tolerance, and
@@ -51,28 +56,33 @@ impl Coupled {
         state: &State<T>,
         scratch: &mut Scratch<T>,
     ) -> Option<u32> {
-        let mut room = self.open(scratch);
+        let mut buffers = self.open(scratch);
         for steps in 1..=MAX_STEPS {
-            self.residuals(q, state, &mut room);
-            if self.step(q, state, &mut room)? <= tolerance {
+            self.residuals(q, state, &mut buffers);
+            if self.step(q, state, &mut buffers)? <= tolerance {
                 return Some(steps);
             }
         }
         None
     }
 
-    /// Takes one Newton step from the residuals in `room`, and returns its largest component.
+    /// Takes one Newton step from the residuals in `buffers`, and returns its largest component.
     /// Returns `None` if the matrix is singular.
-    fn step<T: Number>(&self, q: T, state: &State<T>, room: &mut Room<'_, T>) -> Option<f64> {
+    fn step<T: Number>(
+        &self,
+        q: T,
+        state: &State<T>,
+        buffers: &mut GroupScratch<'_, T>,
+    ) -> Option<f64> {
         let n = self.unknowns();
-        self.jacobian(q, state, room);
-        lu::factor(room.matrix, room.pivots, n)?;
-        lu::solve(room.matrix, room.pivots, room.right, n);
-        for v in room.right.iter_mut() {
+        self.jacobian(q, state, buffers);
+        lu::factor(buffers.matrix, buffers.pivots, n)?;
+        lu::solve(buffers.matrix, buffers.pivots, buffers.right, n);
+        for v in buffers.right.iter_mut() {
             *v = -*v;
         }
-        self.shift(room.z, room.right);
-        let size = lu::largest(room.right);
+        self.shift(buffers.z, buffers.right);
+        let size = lu::largest(buffers.right);
         size.is_finite().then_some(size)
     }
 
@@ -87,32 +97,32 @@ impl Coupled {
         exact: &State<Double>,
         exact_scratch: &mut Scratch<Double>,
     ) -> bool {
-        let mut room = self.open(scratch);
+        let mut buffers = self.open(scratch);
         let mut fine = self.open(exact_scratch);
-        for (fine, z) in fine.z.iter_mut().zip(room.z.iter()) {
+        for (fine, z) in fine.z.iter_mut().zip(buffers.z.iter()) {
             *fine = Double::exactly(*z);
         }
         self.residuals(Double::exactly(q), exact, &mut fine);
-        for (right, fine) in room.right.iter_mut().zip(fine.right.iter()) {
+        for (right, fine) in buffers.right.iter_mut().zip(fine.right.iter()) {
             *right = fine.nearest();
         }
-        self.step(q, state, &mut room).is_some()
+        self.step(q, state, &mut buffers).is_some()
     }
 
     /// Returns the sign of the determinant at the z in the scratch, or 0 if the matrix is singular.
     pub(in crate::solver) fn side_at(&self, q: f64, state: &State, scratch: &mut Scratch) -> f64 {
-        let mut room = self.open(scratch);
-        self.jacobian(q, state, &mut room);
-        lu::factor(room.matrix, room.pivots, self.unknowns()).unwrap_or(0.0)
+        let mut buffers = self.open(scratch);
+        self.jacobian(q, state, &mut buffers);
+        lu::factor(buffers.matrix, buffers.pivots, self.unknowns()).unwrap_or(0.0)
     }
 
     // ---- one unknown angle
 
     /// Returns the closing condition of a group with one unknown angle, or `None` for other groups.
-    pub(in crate::solver) fn closing(&self) -> Option<Closing> {
+    pub(in crate::solver) fn closing(&self) -> Option<ClosingCondition> {
         match (self.free, self.turning.len(), &self.equations[..]) {
             (0, 1, [GroupEquation::Distance { .. } | GroupEquation::Slot { .. }]) => {
-                Some(Closing(ClosingWay::Turn))
+                Some(ClosingCondition(ClosingKind::Turn))
             }
             (1, 0, [one, two]) => {
                 let first = circle(one, 1).filter(|_| two.count() == 1);
@@ -130,16 +140,16 @@ impl Coupled {
     /// values, and exactly one solution lies on either side between them.
     pub(in crate::solver) fn bisect(
         &self,
-        Closing(way): &Closing,
+        ClosingCondition(way): &ClosingCondition,
         side: f64,
         q: f64,
         state: &State,
         scratch: &mut Scratch,
     ) -> Option<u32> {
-        let mut room = self.open(scratch);
+        let mut buffers = self.open(scratch);
         let mut value = |angle: f64| {
             let (sin, cos) = angle.sin_cos();
-            self.condition(way, Vec2::new(cos, sin), q, state, &mut room)
+            self.condition(way, Vec2::new(cos, sin), q, state, &mut buffers)
         };
         let quarter = std::f64::consts::FRAC_PI_2;
         let [east, north, west] = [0.0, quarter, 2.0 * quarter].map(&mut value);
@@ -148,8 +158,8 @@ impl Coupled {
         // From the maximum down, clockwise if the condition increases with the angle at the
         // solution.
         let sense = match way {
-            ClosingWay::Circle { row: 0, .. } => side,
-            ClosingWay::Turn | ClosingWay::Circle { .. } => -side,
+            ClosingKind::Circle { row: 0, .. } => side,
+            ClosingKind::Turn | ClosingKind::Circle { .. } => -side,
         };
         let (mut above, mut below) = (highest, highest + sense * 2.0 * quarter);
         if !(value(above) >= 0.0 && value(below) <= 0.0) {
@@ -175,32 +185,32 @@ impl Coupled {
     /// Moves the group to an angle, and returns the residual of the condition there.
     fn condition(
         &self,
-        way: &ClosingWay,
+        way: &ClosingKind,
         direction: Vec2,
         q: f64,
         state: &State,
-        room: &mut Room<'_>,
+        buffers: &mut GroupScratch<'_>,
     ) -> f64 {
         let (at, row) = match way {
-            ClosingWay::Turn => (direction, 0),
-            ClosingWay::Circle {
+            ClosingKind::Turn => (direction, 0),
+            ClosingKind::Circle {
                 centre,
                 length,
                 row,
             } => {
-                let centre = self.moving(centre, q, state, room).p;
+                let centre = self.moving(centre, q, state, buffers).p;
                 (centre + direction * *length, *row)
             }
         };
-        (room.z[0], room.z[1]) = (at.x, at.y);
-        self.residuals(q, state, room);
-        room.right[row]
+        (buffers.z[0], buffers.z[1]) = (at.x, at.y);
+        self.residuals(q, state, buffers);
+        buffers.right[row]
     }
 }
 
 /// Returns the circle on which an equation keeps a free joint, if any. `row` is the row of the
 /// other equation.
-fn circle(equation: &GroupEquation, row: usize) -> Option<Closing> {
+fn circle(equation: &GroupEquation, row: usize) -> Option<ClosingCondition> {
     let GroupEquation::Distance { a, b, length, .. } = equation else {
         return None;
     };
@@ -214,7 +224,7 @@ fn circle(equation: &GroupEquation, row: usize) -> Option<Closing> {
         _ => return None,
     };
     let length = length.nearest();
-    Some(Closing(ClosingWay::Circle {
+    Some(ClosingCondition(ClosingKind::Circle {
         centre,
         length,
         row,

@@ -18,9 +18,9 @@ const MAX_LEN: f64 = 0.04;
 const MIN_LEN: f64 = 1e-5;
 /// Maximum first correction after a step, relative to the step: a larger one could lead to another
 /// curve.
-const STRAIN: f64 = 0.1;
+const MAX_RELATIVE_CORRECTION: f64 = 0.1;
 /// Minimum cosine of the angle by which a curve may turn in one step.
-const BEND: f64 = 0.98;
+const MIN_TURN_COSINE: f64 = 0.98;
 /// Maximum number of corrections from a predicted point back to the curve.
 const CORRECTIONS: usize = 6;
 /// Maximum size of the last correction, in scaled lengths and radians.
@@ -30,7 +30,7 @@ const ON_CURVE: f64 = 1e-10;
 const NEAR_MISS: f64 = 0.05;
 /// Maximum coordinate of a joint, in scaled lengths: beyond it the curve is given up, since a slide
 /// may run away.
-const FAR: f64 = 64.0;
+const MAX_COORDINATE: f64 = 64.0;
 /// Budget of factored matrices for a group of one unknown; each matrix of n unknowns uses n^3.
 const WORK: usize = 20_000_000;
 /// Maximum number of solutions from which curves are followed.
@@ -93,15 +93,15 @@ impl Tracer<'_> {
             return;
         }
         for sense in [1.0, -1.0] {
-            if self.goes_around(root, row, sense) {
+            if self.follow_curve(root, row, sense) {
                 return;
             }
         }
     }
 
     /// Follows the curve in one direction. Returns `true` if it closes.
-    fn goes_around(&mut self, root: usize, row: usize, sense: f64) -> bool {
-        let Some(mut here) = self.begin(root, row, sense) else {
+    fn follow_curve(&mut self, root: usize, row: usize, sense: f64) -> bool {
+        let Some(mut here) = self.start_curve(root, row, sense) else {
             return false;
         };
         let mut step = 0.25 * MAX_LEN;
@@ -117,7 +117,7 @@ impl Tracer<'_> {
             // Consecutive points that are all solutions: the group moves while its inputs are
             // fixed.
             let is_free = !is_first && here.miss.abs().max(there.miss.abs()) <= ON_CURVE;
-            if is_free || there.z.iter().any(|v| v.abs() > FAR) {
+            if is_free || there.z.iter().any(|v| v.abs() > MAX_COORDINATE) {
                 return false;
             }
             let met = if is_first {
@@ -125,7 +125,7 @@ impl Tracer<'_> {
             } else if here.miss * there.miss <= 0.0 {
                 self.between(row, &here, &there, step)
             } else if here.miss.abs() < before.min(there.miss.abs()).min(NEAR_MISS) {
-                self.settled(&here.z, true)
+                self.solve_from(&here.z, true)
             } else {
                 None
             };
@@ -158,14 +158,14 @@ impl Tracer<'_> {
 
     /// Returns a solution as a point on the curve of an equation; `None` if the curve is singular
     /// there.
-    fn begin(&mut self, root: usize, row: usize, sense: f64) -> Option<CurvePlace> {
+    fn start_curve(&mut self, root: usize, row: usize, sense: f64) -> Option<CurvePlace> {
         let z = self.roots[root].clone();
         // Any direction along which the equation changes will do: its own gradient.
-        let mut room = self.group.open(self.scratch);
-        room.z.copy_from_slice(&z);
-        self.group.jacobian(self.q, self.state, &mut room);
+        let mut buffers = self.group.open(self.scratch);
+        buffers.z.copy_from_slice(&z);
+        self.group.jacobian(self.q, self.state, &mut buffers);
         let n = self.group.unknowns();
-        let mut along = room.matrix[row * n..(row + 1) * n].to_vec();
+        let mut along = buffers.matrix[row * n..(row + 1) * n].to_vec();
         along.iter_mut().for_each(|v| *v *= sense);
         self.direction(row, z, &along)
     }
@@ -173,37 +173,37 @@ impl Tracer<'_> {
     /// Takes one step along the curve. Returns `None` if the curve is not straight enough for it.
     fn advance(&mut self, row: usize, from: &CurvePlace, step: f64) -> Option<CurvePlace> {
         let (z, strain) = self.land(row, from, step)?;
-        if strain > STRAIN * step {
+        if strain > MAX_RELATIVE_CORRECTION * step {
             return None;
         }
         let place = self.direction(row, z, &from.along)?;
         let cosine = lu::dot(&place.along, &from.along);
-        (cosine >= BEND).then_some(place)
+        (cosine >= MIN_TURN_COSINE).then_some(place)
     }
 
     /// Returns the point of the curve reached from a step along its tangent, and the size of the
     /// first correction. Returns `None` if the corrections do not converge.
     fn land(&mut self, row: usize, from: &CurvePlace, step: f64) -> Option<(Vec<f64>, f64)> {
         let n = self.group.unknowns();
-        let mut room = self.group.open(self.scratch);
-        room.z.copy_from_slice(&from.z);
+        let mut buffers = self.group.open(self.scratch);
+        buffers.z.copy_from_slice(&from.z);
         let change: Vec<f64> = from.along.iter().map(|v| v * step).collect();
-        self.group.shift(room.z, &change);
+        self.group.shift(buffers.z, &change);
         let mut strain = None;
         for _ in 0..CORRECTIONS {
             self.work = self.work.saturating_sub(n.pow(3));
-            self.group.residuals(self.q, self.state, &mut room);
-            self.group.jacobian(self.q, self.state, &mut room);
-            room.matrix[row * n..(row + 1) * n].copy_from_slice(&from.along);
-            room.right[row] = 0.0;
-            lu::factor(room.matrix, room.pivots, n)?;
-            lu::solve(room.matrix, room.pivots, room.right, n);
-            let size = lu::largest(room.right);
+            self.group.residuals(self.q, self.state, &mut buffers);
+            self.group.jacobian(self.q, self.state, &mut buffers);
+            buffers.matrix[row * n..(row + 1) * n].copy_from_slice(&from.along);
+            buffers.right[row] = 0.0;
+            lu::factor(buffers.matrix, buffers.pivots, n)?;
+            lu::solve(buffers.matrix, buffers.pivots, buffers.right, n);
+            let size = lu::largest(buffers.right);
             let strain = *strain.get_or_insert(size);
-            room.right.iter_mut().for_each(|v| *v = -*v);
-            self.group.shift(room.z, room.right);
+            buffers.right.iter_mut().for_each(|v| *v = -*v);
+            self.group.shift(buffers.z, buffers.right);
             if size <= ON_CURVE {
-                return Some((room.z.to_vec(), strain));
+                return Some((buffers.z.to_vec(), strain));
             }
         }
         None
@@ -214,18 +214,18 @@ impl Tracer<'_> {
     fn direction(&mut self, row: usize, z: Vec<f64>, along: &[f64]) -> Option<CurvePlace> {
         let n = self.group.unknowns();
         self.work = self.work.saturating_sub(n.pow(3));
-        let mut room = self.group.open(self.scratch);
-        room.z.copy_from_slice(&z);
-        self.group.residuals(self.q, self.state, &mut room);
-        let miss = room.right[row];
-        self.group.jacobian(self.q, self.state, &mut room);
-        room.matrix[row * n..(row + 1) * n].copy_from_slice(along);
-        room.right.fill(0.0);
-        room.right[row] = 1.0;
-        lu::factor(room.matrix, room.pivots, n)?;
-        lu::solve(room.matrix, room.pivots, room.right, n);
-        let norm = lu::dot(room.right, room.right).sqrt();
-        let along = room.right.iter().map(|v| v / norm).collect();
+        let mut buffers = self.group.open(self.scratch);
+        buffers.z.copy_from_slice(&z);
+        self.group.residuals(self.q, self.state, &mut buffers);
+        let miss = buffers.right[row];
+        self.group.jacobian(self.q, self.state, &mut buffers);
+        buffers.matrix[row * n..(row + 1) * n].copy_from_slice(along);
+        buffers.right.fill(0.0);
+        buffers.right[row] = 1.0;
+        lu::factor(buffers.matrix, buffers.pivots, n)?;
+        lu::solve(buffers.matrix, buffers.pivots, buffers.right, n);
+        let norm = lu::dot(buffers.right, buffers.right).sqrt();
+        let along = buffers.right.iter().map(|v| v / norm).collect();
         norm.is_finite().then_some(CurvePlace { z, along, miss })
     }
 
@@ -244,12 +244,12 @@ impl Tracer<'_> {
         });
         let at = at.ok()?;
         let (z, _) = self.land(row, from, at)?;
-        self.settled(&z, false)
+        self.solve_from(&z, false)
     }
 
     /// Returns the solution found from z by Newton's method. With `downhill`, damped steps first
     /// reduce the residuals.
-    fn settled(&mut self, z: &[f64], downhill: bool) -> Option<Vec<f64>> {
+    fn solve_from(&mut self, z: &[f64], downhill: bool) -> Option<Vec<f64>> {
         self.group.open(self.scratch).z.copy_from_slice(z);
         let settled = if downhill {
             self.group.approach(self.q, self.state, self.scratch)
@@ -263,12 +263,12 @@ impl Tracer<'_> {
 
 /// Maximum distance of two approximations of one solution, in units of about the longest link and
 /// in radians.
-pub(in crate::solver) const SAME: f64 = 1e-6;
+pub(in crate::solver) const EQUALITY_TOLERANCE: f64 = 1e-6;
 /// Minimum distance of distinguishable solutions: the square root of the rounding error.
 const MIN_DISTANCE: f64 = 1e-8;
 /// Maximum residual halfway between two approximations of one solution: the rounding error of the
 /// terms. Between different solutions it is larger.
-const HALFWAY: f64 = 4.0 * f64::EPSILON;
+const MAX_MIDPOINT_RESIDUAL: f64 = 4.0 * f64::EPSILON;
 
 /// Returns the largest difference between the components of two solutions.
 pub(in crate::solver) fn distance(a: &[f64], b: &[f64]) -> f64 {
@@ -286,19 +286,19 @@ impl Coupled {
         state: &State,
         scratch: &mut Scratch,
     ) -> bool {
-        let apart = distance(a, b);
-        if !(apart < SAME) || apart < MIN_DISTANCE {
-            return apart < MIN_DISTANCE;
+        let separation = distance(a, b);
+        if !(separation < EQUALITY_TOLERANCE) || separation < MIN_DISTANCE {
+            return separation < MIN_DISTANCE;
         }
-        let room = self.open(scratch);
-        for (z, (a, b)) in room.z.iter_mut().zip(a.iter().zip(b)) {
+        let buffers = self.open(scratch);
+        for (z, (a, b)) in buffers.z.iter_mut().zip(a.iter().zip(b)) {
             *z = 0.5 * (a + b);
         }
-        for d in room.z[2 * self.free..].chunks_exact_mut(2) {
+        for d in buffers.z[2 * self.free..].chunks_exact_mut(2) {
             let unit = Vec2::new(d[0], d[1]);
             let unit = unit / unit.norm();
             (d[0], d[1]) = (unit.x, unit.y);
         }
-        self.gap(q, state, scratch) <= HALFWAY
+        self.gap(q, state, scratch) <= MAX_MIDPOINT_RESIDUAL
     }
 }

@@ -9,7 +9,7 @@
 //! The matrix consists of balls. The equations are evaluated at the computed state in
 //! double-double, so that their residuals are known with their signs.
 
-use super::{Coupled, Room, Scratch};
+use super::{Coupled, GroupScratch, Scratch};
 use crate::arithmetic::{Sharp, U};
 use crate::solver::elements::{ACCELERATION, VELOCITY};
 use crate::solver::lu;
@@ -80,7 +80,7 @@ impl Coupled {
         let (inputs, scratch) = &mut views.balls;
         let mut box_room = self.open(scratch);
         let (known, scratch) = &mut views.sharp;
-        let mut room = self.open(scratch);
+        let mut buffers = self.open(scratch);
         let (rows, rest) = work.split_at_mut(n * n);
         let (matrix, rest) = rest.split_at_mut(n * n);
         let (left, rest) = rest.split_at_mut(n);
@@ -89,7 +89,7 @@ impl Coupled {
         let (first, second) = rates[..2 * n].split_at_mut(n);
         self.read(state, z);
         self.read_rates(state, first, second);
-        self.centre(z, &mut room);
+        self.centre(z, &mut buffers);
         for (ball, z) in box_room.z.iter_mut().zip(&*z) {
             *ball = Ball::exactly(*z);
         }
@@ -104,8 +104,8 @@ impl Coupled {
             most: f64::INFINITY,
         };
         inverse.fill(matrix, box_room.pivots, column)?;
-        self.residuals(q.1, known, &mut room);
-        let size = inverse.most_step(room.right);
+        self.residuals(q.1, known, &mut buffers);
+        let size = inverse.largest_component(buffers.right);
         self.spread(z, BOX * size, box_room.z);
         self.jacobian(q.0, inputs, &mut box_room);
         inverse.measure(box_room.matrix);
@@ -113,32 +113,32 @@ impl Coupled {
         if !(inverse.most <= CONTRACTION) {
             return None;
         }
-        self.advance(&inverse, &mut room);
+        self.advance(&inverse, &mut buffers);
         let exactly = |to: &mut [Sharp], from: &[f64]| {
             for (to, from) in to.iter_mut().zip(from) {
                 *to = Sharp::exactly(*from);
             }
         };
         if order >= VELOCITY {
-            exactly(room.first, first);
-            self.rates(q.1, known, &mut room, 1);
-            inverse.correct(room.right, room.first);
+            exactly(buffers.first, first);
+            self.rates(q.1, known, &mut buffers, 1);
+            inverse.correct(buffers.right, buffers.first);
         }
         if order >= ACCELERATION {
-            exactly(room.second, second);
-            self.rates(q.1, known, &mut room, 2);
-            inverse.correct(room.right, room.second);
+            exactly(buffers.second, second);
+            self.rates(q.1, known, &mut buffers, 2);
+            inverse.correct(buffers.right, buffers.second);
         }
         Some(())
     }
 
-    /// Copies the computed z into `room`, with directions scaled to length 1, and clears the rates.
-    fn centre(&self, z: &[f64], room: &mut Room<'_, Sharp>) {
+    /// Copies the computed z into `buffers`, with directions scaled to length 1, and clears the rates.
+    fn centre(&self, z: &[f64], buffers: &mut GroupScratch<'_, Sharp>) {
         let joints = 2 * self.free;
-        for (to, &z) in room.z.iter_mut().zip(z) {
+        for (to, &z) in buffers.z.iter_mut().zip(z) {
             *to = Sharp::exactly(z);
         }
-        for d in room.z[joints..].chunks_exact_mut(2) {
+        for d in buffers.z[joints..].chunks_exact_mut(2) {
             let stored = Vec2::new(d[0].mid, d[1].mid);
             // One Newton step corrects the length, which is off by a few u.
             let long = stored.norm2() - Double::ONE;
@@ -146,8 +146,8 @@ impl Coupled {
             let unit = unit.map(|v| Sharp::new(v, long.hi * long.hi + UNIT));
             (d[0], d[1]) = (unit.x, unit.y);
         }
-        room.first.fill(Sharp::default());
-        room.second.fill(Sharp::default());
+        buffers.first.fill(Sharp::default());
+        buffers.second.fill(Sharp::default());
     }
 
     /// Sets `balls` to all z within `radius` of the computed one in every unknown.
@@ -160,17 +160,17 @@ impl Coupled {
     }
 
     /// Moves z by the Newton step for the residuals, with a bound.
-    fn advance(&self, inverse: &Inverse<'_>, room: &mut Room<'_, Sharp>) {
+    fn advance(&self, inverse: &Inverse<'_>, buffers: &mut GroupScratch<'_, Sharp>) {
         let joints = 2 * self.free;
-        let around = inverse.most_step(room.right) / (1.0 - inverse.most);
+        let around = inverse.largest_component(buffers.right) / (1.0 - inverse.most);
         for i in 0..inverse.n {
-            let step = inverse.step(i, room.right, around);
+            let step = inverse.step(i, buffers.right, around);
             if i < joints {
-                room.z[i] += step;
+                buffers.z[i] += step;
                 continue;
             }
             let at = joints + 2 * (i - joints);
-            let d = Vec2::new(room.z[at], room.z[at + 1]);
+            let d = Vec2::new(buffers.z[at], buffers.z[at + 1]);
             // Rotated to second order.
             let angle = step.mid.hi.abs() + step.radius;
             let along = Sharp::new(Double::exactly(-0.5 * step.mid.hi * step.mid.hi), 0.0);
@@ -178,7 +178,7 @@ impl Coupled {
             let turned = d + d.perp() * step + d * along;
             let widened =
                 turned.map(|v| Sharp::new(v.mid, v.radius + more + step.radius * step.radius));
-            (room.z[at], room.z[at + 1]) = (widened.x, widened.y);
+            (buffers.z[at], buffers.z[at + 1]) = (widened.x, widened.y);
         }
     }
 }
@@ -209,7 +209,7 @@ impl Inverse<'_> {
     }
 
     /// Returns the largest component of |R| |v|, v the residuals.
-    pub(super) fn most_step(&self, residuals: &[Sharp]) -> f64 {
+    pub(super) fn largest_component(&self, residuals: &[Sharp]) -> f64 {
         let size = |r: Sharp| r.mid.hi.abs() + r.radius;
         let step = |i| -> f64 {
             let terms = self.row(i).iter().zip(residuals);
@@ -261,7 +261,7 @@ impl Inverse<'_> {
 
     /// Corrects computed solutions of a linear system by their residuals, with a bound.
     fn correct(&self, residuals: &[Sharp], solutions: &mut [Sharp]) {
-        let around = self.most_step(residuals) / (1.0 - self.most);
+        let around = self.largest_component(residuals) / (1.0 - self.most);
         for (i, solution) in solutions.iter_mut().enumerate() {
             *solution += self.step(i, residuals, around);
         }

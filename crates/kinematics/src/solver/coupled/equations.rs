@@ -1,7 +1,7 @@
 //! Evaluates the equations of a coupled group, their rates and their matrix, from the motion of its
 //! spots.
 
-use super::{Base, Bearing, Coupled, GroupEquation, Moving, Room, Spot, Turning};
+use super::{Base, Bearing, Coupled, GroupEquation, GroupScratch, Spot, SpotMotion, Turning};
 use crate::solver::following::{Following, InputMotion};
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Number, Vec2};
@@ -13,7 +13,7 @@ impl Coupled {
         &self,
         turning: Turning,
         state: &State<T>,
-        room: &Room<'_, T>,
+        buffers: &GroupScratch<'_, T>,
     ) -> LinkState<T> {
         match turning {
             Turning::Known(link) => state.links[link.index()],
@@ -21,9 +21,9 @@ impl Coupled {
                 let at = 2 * (self.free + i);
                 let angle = 2 * self.free + i;
                 LinkState {
-                    d: Vec2::new(room.z[at], room.z[at + 1]),
-                    w: room.first[angle],
-                    a: room.second[angle],
+                    d: Vec2::new(buffers.z[at], buffers.z[at + 1]),
+                    w: buffers.first[angle],
+                    a: buffers.second[angle],
                 }
             }
         }
@@ -34,22 +34,22 @@ impl Coupled {
         spot: &Spot,
         q: T,
         state: &State<T>,
-        room: &Room<'_, T>,
-    ) -> Moving<T> {
+        buffers: &GroupScratch<'_, T>,
+    ) -> SpotMotion<T> {
         let pair = |v: &[T], i: usize| Vec2::new(v[2 * i], v[2 * i + 1]);
         let mut moving = match spot.base {
             Base::Known(point) => {
                 let PointState { p, v, a } = state.points[point.index()];
-                Moving { p, v, a }
+                SpotMotion { p, v, a }
             }
-            Base::Free(i) => Moving {
-                p: pair(room.z, i),
-                v: pair(room.first, i),
-                a: pair(room.second, i),
+            Base::Free(i) => SpotMotion {
+                p: pair(buffers.z, i),
+                v: pair(buffers.first, i),
+                a: pair(buffers.second, i),
             },
         };
         if let Some((turning, arm)) = spot.arm {
-            let link = self.turning_state(turning, state, room);
+            let link = self.turning_state(turning, state, buffers);
             let r = spot.reach(arm, q).turned(link.d);
             let mut tau = Vec2::of(spot.along).turned(link.d);
             if let Some(following) = &spot.following {
@@ -66,21 +66,28 @@ impl Coupled {
 
     // ---- equations
 
-    pub(super) fn residuals<T: Number>(&self, q: T, state: &State<T>, room: &mut Room<'_, T>) {
+    pub(super) fn residuals<T: Number>(
+        &self,
+        q: T,
+        state: &State<T>,
+        buffers: &mut GroupScratch<'_, T>,
+    ) {
         let mut row = 0;
         for equation in &self.equations {
             match equation {
                 GroupEquation::Distance { a, b, length, .. } => {
-                    let e = self.moving(a, q, state, room).p - self.moving(b, q, state, room).p;
+                    let e =
+                        self.moving(a, q, state, buffers).p - self.moving(b, q, state, buffers).p;
                     let size = e.norm2().sqrt();
                     // (|e| - r)(|e| + r) / 2 keeps the digits that |e|^2 - r^2 would lose.
                     let length = T::of(*length);
-                    room.right[row] = (size - length) * (size + length).scaled(0.5);
+                    buffers.right[row] = (size - length) * (size + length).scaled(0.5);
                     row += 1;
                 }
                 GroupEquation::Meeting { a, b, .. } => {
-                    let gap = self.moving(a, q, state, room).p - self.moving(b, q, state, room).p;
-                    (room.right[row], room.right[row + 1]) = (gap.x, gap.y);
+                    let gap =
+                        self.moving(a, q, state, buffers).p - self.moving(b, q, state, buffers).p;
+                    (buffers.right[row], buffers.right[row + 1]) = (gap.x, gap.y);
                     row += 2;
                 }
                 GroupEquation::Slot {
@@ -90,9 +97,10 @@ impl Coupled {
                     turning,
                     ..
                 } => {
-                    let gap = self.moving(x, q, state, room).p - self.moving(on, q, state, room).p;
-                    let t = Vec2::of(*along).turned(self.turning_state(*turning, state, room).d);
-                    room.right[row] = t.cross(gap);
+                    let gap =
+                        self.moving(x, q, state, buffers).p - self.moving(on, q, state, buffers).p;
+                    let t = Vec2::of(*along).turned(self.turning_state(*turning, state, buffers).d);
+                    buffers.right[row] = t.cross(gap);
                     row += 1;
                 }
                 GroupEquation::Elbow {
@@ -101,8 +109,9 @@ impl Coupled {
                     following,
                 } => {
                     let ways = [link, from];
-                    let (off, along) = self.apart(ways, following.as_ref(), q, state, room);
-                    room.right[row] = off.scaled(2.0) / (T::exactly(1.0) + along);
+                    let (off, along) =
+                        self.input_lead_sin_cos(ways, following.as_ref(), q, state, buffers);
+                    buffers.right[row] = off.scaled(2.0) / (T::exactly(1.0) + along);
                     row += 1;
                 }
             }
@@ -115,7 +124,7 @@ impl Coupled {
         &self,
         q: T,
         state: &State<T>,
-        room: &mut Room<'_, T>,
+        buffers: &mut GroupScratch<'_, T>,
         order: u8,
     ) {
         let second = order == 2;
@@ -124,11 +133,11 @@ impl Coupled {
             match equation {
                 GroupEquation::Distance { a, b, .. } => {
                     let (a, b) = (
-                        self.moving(a, q, state, room),
-                        self.moving(b, q, state, room),
+                        self.moving(a, q, state, buffers),
+                        self.moving(b, q, state, buffers),
                     );
                     let (e, v) = (a.p - b.p, a.v - b.v);
-                    room.right[row] = if second {
+                    buffers.right[row] = if second {
                         v.norm2() + e.dot(a.a - b.a)
                     } else {
                         e.dot(v)
@@ -137,11 +146,11 @@ impl Coupled {
                 }
                 GroupEquation::Meeting { a, b, .. } => {
                     let (a, b) = (
-                        self.moving(a, q, state, room),
-                        self.moving(b, q, state, room),
+                        self.moving(a, q, state, buffers),
+                        self.moving(b, q, state, buffers),
                     );
                     let gap = if second { a.a - b.a } else { a.v - b.v };
-                    (room.right[row], room.right[row + 1]) = (gap.x, gap.y);
+                    (buffers.right[row], buffers.right[row + 1]) = (gap.x, gap.y);
                     row += 2;
                 }
                 GroupEquation::Slot {
@@ -151,15 +160,15 @@ impl Coupled {
                     turning,
                     ..
                 } => {
-                    let link = self.turning_state(*turning, state, room);
+                    let link = self.turning_state(*turning, state, buffers);
                     let (x, on) = (
-                        self.moving(x, q, state, room),
-                        self.moving(on, q, state, room),
+                        self.moving(x, q, state, buffers),
+                        self.moving(on, q, state, buffers),
                     );
                     let t = Vec2::of(*along).turned(link.d);
                     let n = t.perp();
                     let (d, v, a) = (x.p - on.p, x.v - on.v, x.a - on.a);
-                    room.right[row] = if second {
+                    buffers.right[row] = if second {
                         n.dot(a)
                             - (link.w * t.dot(v)).scaled(2.0)
                             - link.a * t.dot(d)
@@ -175,37 +184,44 @@ impl Coupled {
                     following,
                 } => {
                     let [link_rate, from_rate] = [link, from].map(|bearing| {
-                        let turning = self.turning_state(bearing.turning, state, room);
+                        let turning = self.turning_state(bearing.turning, state, buffers);
                         if second { turning.a } else { turning.w }
                     });
                     let motion = InputMotion::of(following.as_ref(), q);
                     let input = if second { motion.a } else { motion.w };
                     let ways = [link, from];
-                    let (_, along) = self.apart(ways, following.as_ref(), q, state, room);
-                    room.right[row] = (link_rate - from_rate - input) * steepness(along);
+                    let (_, along) =
+                        self.input_lead_sin_cos(ways, following.as_ref(), q, state, buffers);
+                    buffers.right[row] = (link_rate - from_rate - input) * steepness(along);
                     row += 1;
                 }
             }
         }
     }
 
-    pub(super) fn jacobian<T: Number>(&self, q: T, state: &State<T>, room: &mut Room<'_, T>) {
+    pub(super) fn jacobian<T: Number>(
+        &self,
+        q: T,
+        state: &State<T>,
+        buffers: &mut GroupScratch<'_, T>,
+    ) {
         let n = self.unknowns();
-        room.matrix.fill(T::default());
+        buffers.matrix.fill(T::default());
         let mut row = 0;
         for equation in &self.equations {
             match equation {
                 GroupEquation::Distance { a, b, .. } => {
-                    let e = self.moving(a, q, state, room).p - self.moving(b, q, state, room).p;
-                    self.add_columns(a, e, row * n, q, state, room);
-                    self.add_columns(b, -e, row * n, q, state, room);
+                    let e =
+                        self.moving(a, q, state, buffers).p - self.moving(b, q, state, buffers).p;
+                    self.add_columns(a, e, row * n, q, state, buffers);
+                    self.add_columns(b, -e, row * n, q, state, buffers);
                     row += 1;
                 }
                 GroupEquation::Meeting { a, b, .. } => {
                     for axis in [Vec2::X, Vec2::X.perp()] {
                         let axis = axis.exactly();
-                        self.add_columns(a, axis, row * n, q, state, room);
-                        self.add_columns(b, -axis, row * n, q, state, room);
+                        self.add_columns(a, axis, row * n, q, state, buffers);
+                        self.add_columns(b, -axis, row * n, q, state, buffers);
                         row += 1;
                     }
                 }
@@ -216,12 +232,13 @@ impl Coupled {
                     turning,
                     ..
                 } => {
-                    let t = Vec2::of(*along).turned(self.turning_state(*turning, state, room).d);
-                    let gap = self.moving(x, q, state, room).p - self.moving(on, q, state, room).p;
-                    self.add_columns(x, t.perp(), row * n, q, state, room);
-                    self.add_columns(on, -t.perp(), row * n, q, state, room);
+                    let t = Vec2::of(*along).turned(self.turning_state(*turning, state, buffers).d);
+                    let gap =
+                        self.moving(x, q, state, buffers).p - self.moving(on, q, state, buffers).p;
+                    self.add_columns(x, t.perp(), row * n, q, state, buffers);
+                    self.add_columns(on, -t.perp(), row * n, q, state, buffers);
                     if let Turning::Unknown(i) = turning {
-                        room.matrix[row * n + 2 * self.free + i] += -t.dot(gap);
+                        buffers.matrix[row * n + 2 * self.free + i] += -t.dot(gap);
                     }
                     row += 1;
                 }
@@ -231,11 +248,12 @@ impl Coupled {
                     following,
                 } => {
                     let ways = [link, from];
-                    let (_, along) = self.apart(ways, following.as_ref(), q, state, room);
+                    let (_, along) =
+                        self.input_lead_sin_cos(ways, following.as_ref(), q, state, buffers);
                     let slope = steepness(along);
                     for (bearing, slope) in [(link, slope), (from, -slope)] {
                         if let Turning::Unknown(i) = bearing.turning {
-                            room.matrix[row * n + 2 * self.free + i] += slope;
+                            buffers.matrix[row * n + 2 * self.free + i] += slope;
                         }
                     }
                     row += 1;
@@ -246,16 +264,16 @@ impl Coupled {
 
     /// Returns the sine and the cosine of the angle by which a link is ahead of its input's
     /// coordinate.
-    fn apart<T: Number>(
+    fn input_lead_sin_cos<T: Number>(
         &self,
         ways: [&Bearing; 2],
         following: Option<&Following>,
         q: T,
         state: &State<T>,
-        room: &Room<'_, T>,
+        buffers: &GroupScratch<'_, T>,
     ) -> (T, T) {
         let [link, from] = ways.map(|bearing| {
-            let d = self.turning_state(bearing.turning, state, room).d;
+            let d = self.turning_state(bearing.turning, state, buffers).d;
             Vec2::of(bearing.turn).turned(d)
         });
         let wanted = from.turned(T::unit(InputMotion::of(following, q).p));
@@ -271,17 +289,17 @@ impl Coupled {
         row: usize,
         q: T,
         state: &State<T>,
-        room: &mut Room<'_, T>,
+        buffers: &mut GroupScratch<'_, T>,
     ) {
         if let Base::Free(i) = spot.base {
-            room.matrix[row + 2 * i] += weight.x;
-            room.matrix[row + 2 * i + 1] += weight.y;
+            buffers.matrix[row + 2 * i] += weight.x;
+            buffers.matrix[row + 2 * i + 1] += weight.y;
         }
         if let Some((turning @ Turning::Unknown(i), arm)) = spot.arm {
             let r = spot
                 .reach(arm, q)
-                .turned(self.turning_state(turning, state, room).d);
-            room.matrix[row + 2 * self.free + i] += weight.dot(r.perp());
+                .turned(self.turning_state(turning, state, buffers).d);
+            buffers.matrix[row + 2 * self.free + i] += weight.dot(r.perp());
         }
     }
 }

@@ -39,7 +39,9 @@ impl FoldResiduals {
     /// Returns the radius of the box in which a solution must be proved.
     pub(in crate::solver) fn radius(&self) -> f64 {
         let (mut rows, mut left) = (self.inverse.clone(), Vec::new());
-        BOX * self.view(&mut rows, &mut left).most_step(&self.right)
+        BOX * self
+            .view(&mut rows, &mut left)
+            .largest_component(&self.right)
     }
 
     fn view<'a>(&self, rows: &'a mut [f64], left: &'a mut [f64]) -> Inverse<'a> {
@@ -142,7 +144,7 @@ impl Coupled {
         if !(inverse.most <= CONTRACTION) {
             return None;
         }
-        let around = inverse.most_step(&residuals.right) / (1.0 - inverse.most);
+        let around = inverse.largest_component(&residuals.right) / (1.0 - inverse.most);
         let step = inverse.step(self.unknowns(), &residuals.right, around);
         Some(step.mid.hi.abs() + step.radius)
     }
@@ -155,8 +157,8 @@ impl Coupled {
         scratch: &mut Scratch<T>,
     ) -> System<T> {
         let c: Vec<T> = c.iter().map(|&c| T::exactly(c)).collect();
-        let mut room = self.open(scratch);
-        room.z.copy_from_slice(z);
-        self.fold_system(v, &c, q, state, &mut room)
+        let mut buffers = self.open(scratch);
+        buffers.z.copy_from_slice(z);
+        self.fold_system(v, &c, q, state, &mut buffers)
     }
 }

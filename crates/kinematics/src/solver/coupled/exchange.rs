@@ -1,6 +1,6 @@
 //! Writes a coupled group's unknowns into states and reads them back.
 
-use super::{Base, Coupled, Moving, Room, Spot};
+use super::{Base, Coupled, GroupScratch, Spot, SpotMotion};
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Number, PointId, Vec2};
 
@@ -10,14 +10,14 @@ impl Coupled {
         &self,
         q: T,
         state: &mut State<T>,
-        room: &Room<'_, T>,
+        buffers: &GroupScratch<'_, T>,
     ) {
         for (i, (&link, &turn)) in self.turning.iter().zip(&self.turns).enumerate() {
             let at = 2 * (self.free + i);
-            let d = Vec2::new(room.z[at], room.z[at + 1]);
+            let d = Vec2::new(buffers.z[at], buffers.z[at + 1]);
             let (w, a) = (
-                room.first[2 * self.free + i],
-                room.second[2 * self.free + i],
+                buffers.first[2 * self.free + i],
+                buffers.second[2 * self.free + i],
             );
             state.links[link.index()] = LinkState {
                 d: d.turned(Vec2::of(turn)),
@@ -26,7 +26,7 @@ impl Coupled {
             };
         }
         for (point, spot) in &self.spots {
-            let Moving { p, v, a } = self.moving(spot, q, state, room);
+            let SpotMotion { p, v, a } = self.moving(spot, q, state, buffers);
             state.points[point.index()] = PointState { p, v, a };
         }
     }

@@ -7,7 +7,7 @@
 //! Parameter in Marquardt's Method, 1999, eq. 2.5; the rest is Madsen, Nielsen and Tingleff,
 //! Methods for Non-Linear Least Squares Problems, 2004, algorithm 3.16).
 
-use super::{Coupled, Room, Scratch};
+use super::{Coupled, GroupScratch, Scratch};
 use crate::solver::lu;
 use crate::solver::state::State;
 
@@ -30,8 +30,8 @@ impl Coupled {
     ) -> bool {
         let mut region = Region::new(self.unknowns());
         for _ in 0..STEPS {
-            let mut room = self.open(scratch);
-            if !region.step(self, q, state, &mut room) {
+            let mut buffers = self.open(scratch);
+            if !region.step(self, q, state, &mut buffers) {
                 break;
             }
         }
@@ -64,15 +64,25 @@ impl Region {
 
     /// Tries one step, and keeps it if it leads downhill. Returns `false` once the steps are small
     /// or the matrix is singular.
-    fn step(&mut self, group: &Coupled, q: f64, state: &State, room: &mut Room<'_>) -> bool {
+    fn step(
+        &mut self,
+        group: &Coupled,
+        q: f64,
+        state: &State,
+        buffers: &mut GroupScratch<'_>,
+    ) -> bool {
         let n = self.n;
-        group.residuals(q, state, room);
-        group.jacobian(q, state, room);
-        let before = lu::dot(room.right, room.right);
+        group.residuals(q, state, buffers);
+        group.jacobian(q, state, buffers);
+        let before = lu::dot(buffers.right, buffers.right);
         let slope: Vec<f64> = (0..n)
-            .map(|j| (0..n).map(|i| room.matrix[i * n + j] * room.right[i]).sum())
+            .map(|j| {
+                (0..n)
+                    .map(|i| buffers.matrix[i * n + j] * buffers.right[i])
+                    .sum()
+            })
             .collect();
-        let largest = self.square(room.matrix);
+        let largest = self.square(buffers.matrix);
         let damping = *self.damping.get_or_insert(DAMPING * largest);
         for (i, slope) in slope.iter().enumerate() {
             self.matrix[i * n + i] += damping;
@@ -87,18 +97,18 @@ impl Region {
         if !(size > NEAR) {
             return false;
         }
-        let kept = room.z.to_vec();
-        group.shift(room.z, &self.step);
-        group.residuals(q, state, room);
+        let kept = buffers.z.to_vec();
+        group.shift(buffers.z, &self.step);
+        group.residuals(q, state, buffers);
         let steps = self.step.iter().zip(&slope);
         let promised: f64 = steps.map(|(d, g)| d * (damping * d - g)).sum();
-        let gain = (before - lu::dot(room.right, room.right)) / promised;
+        let gain = (before - lu::dot(buffers.right, buffers.right)) / promised;
         if gain > 0.0 {
             let shrunk = 1.0 - (2.0 * gain - 1.0).powi(3);
             self.damping = Some(damping * shrunk.max(1.0 / 3.0));
             self.growth = 2.0;
         } else {
-            room.z.copy_from_slice(&kept);
+            buffers.z.copy_from_slice(&kept);
             self.damping = Some(damping * self.growth);
             self.growth *= 2.0;
         }

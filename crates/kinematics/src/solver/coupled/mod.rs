@@ -17,8 +17,8 @@ mod singular;
 mod twice;
 mod unfolding;
 
-pub(super) use comparison::Closing;
-pub(super) use curve_tracing::{SAME, distance};
+pub(super) use comparison::ClosingCondition;
+pub(super) use curve_tracing::{EQUALITY_TOLERANCE, distance};
 pub(super) use enclose::Views;
 pub use readout::{Newton, NewtonRow, NewtonUnknown};
 
@@ -28,7 +28,7 @@ use super::lu;
 use super::network::{ClassId, Network};
 use super::state::State;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
-use build::Maker;
+use build::GroupMaker;
 pub(super) use exact_fold::{ExactFold, FoldResiduals};
 pub(super) use singular::{Correction, Crossing, Fold};
 
@@ -36,12 +36,12 @@ pub(super) use singular::{Correction, Crossing, Fold};
 const CORRECTIONS: usize = 24;
 /// Maximum size of the last correction of a solved group: the square root of the rounding error.
 /// One more correction would be below the rounding error itself.
-const SETTLED: f64 = 1.5e-8;
+const MAX_LAST_CORRECTION: f64 = 1.5e-8;
 /// Size of a correction below which the iteration ends: 4 u, in scaled lengths and radians. Further
 /// corrections change nothing.
-const FINEST: f64 = 4.0 * 0.5 * f64::EPSILON;
+const CORRECTION_TOLERANCE: f64 = 4.0 * 0.5 * f64::EPSILON;
 /// Maximum change of a joint or an angle in one correction: half a link length, or half a radian.
-const REACH: f64 = 0.5;
+const MAX_CORRECTION: f64 = 0.5;
 
 /// The base of a joint's position.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -204,7 +204,7 @@ pub(super) struct Corrected {
 
 /// Position, velocity and acceleration of a spot, at given z' and z''.
 #[derive(Clone, Copy, Default)]
-struct Moving<T = f64> {
+struct SpotMotion<T = f64> {
     p: Vec2<T>,
     v: Vec2<T>,
     a: Vec2<T>,
@@ -224,7 +224,7 @@ pub(super) struct Scratch<T = f64> {
 /// One group's part of the scratch: z with its derivatives z' and z'', the matrix and the right
 /// side. In z, free joints are coordinates and angles are unit vectors; z' and z'' hold the rates
 /// of the angles.
-pub(super) struct Room<'a, T = f64> {
+pub(super) struct GroupScratch<'a, T = f64> {
     pub z: &'a mut [T],
     pub first: &'a mut [T],
     pub second: &'a mut [T],
@@ -236,17 +236,17 @@ pub(super) struct Room<'a, T = f64> {
 impl Coupled {
     /// Chooses the unknowns and lists the equations. Returns `None` if their numbers differ.
     pub(super) fn new(part: &Remainder<'_>) -> Option<Coupled> {
-        let mut maker = Maker::new(part);
-        maker.place_joints();
-        maker.list_equations();
-        let Maker {
+        let mut builder = GroupMaker::new(part);
+        builder.place_joints();
+        builder.list_equations();
+        let GroupMaker {
             spots,
             turning,
             turns,
             free,
             equations,
             ..
-        } = maker;
+        } = builder;
         let group = Coupled {
             spots,
             turning,
@@ -321,20 +321,20 @@ impl Coupled {
     }
 
     /// Returns how many numbers the group needs in the scratch.
-    pub(super) fn room(&self) -> usize {
+    pub(super) fn scratch_len(&self) -> usize {
         let n = self.unknowns();
         self.width() + 2 * n + n * n + n
     }
 
-    pub(super) fn open<'a, T>(&self, scratch: &'a mut Scratch<T>) -> Room<'a, T> {
+    pub(super) fn open<'a, T>(&self, scratch: &'a mut Scratch<T>) -> GroupScratch<'a, T> {
         let n = self.unknowns();
         let pivots = &mut scratch.pivots[..n];
-        let own = &mut scratch.numbers[self.offset..self.offset + self.room()];
+        let own = &mut scratch.numbers[self.offset..self.offset + self.scratch_len()];
         let (z, rest) = own.split_at_mut(self.width());
         let (first, rest) = rest.split_at_mut(n);
         let (second, rest) = rest.split_at_mut(n);
         let (matrix, right) = rest.split_at_mut(n * n);
-        Room {
+        GroupScratch {
             z,
             first,
             second,
@@ -345,16 +345,16 @@ impl Coupled {
     }
 
     /// Moves z by dq along its first and second derivatives.
-    pub(super) fn predict(&self, room: &mut Room<'_>, dq: f64) {
+    pub(super) fn predict(&self, buffers: &mut GroupScratch<'_>, dq: f64) {
         for i in 0..self.unknowns() {
-            room.right[i] = dq * (room.first[i] + 0.5 * dq * room.second[i]);
+            buffers.right[i] = dq * (buffers.first[i] + 0.5 * dq * buffers.second[i]);
         }
-        self.shift(room.z, room.right);
+        self.shift(buffers.z, buffers.right);
     }
 
     /// Returns the largest components of z' dq and of z'' dq^2 / 2.
-    pub(super) fn move_sizes(&self, room: &Room<'_>, dq: f64) -> [f64; 2] {
-        let (first, second) = (lu::largest(room.first), lu::largest(room.second));
+    pub(super) fn move_sizes(&self, buffers: &GroupScratch<'_>, dq: f64) -> [f64; 2] {
+        let (first, second) = (lu::largest(buffers.first), lu::largest(buffers.second));
         [first * dq.abs(), second * (0.5 * dq * dq)]
     }
 
@@ -380,7 +380,7 @@ impl Coupled {
 
     /// Applies Newton's corrections to the z in the scratch, until a step no longer shrinks.
     pub(super) fn correct(&self, q: f64, state: &mut State, scratch: &mut Scratch) -> Corrected {
-        let mut room = self.open(scratch);
+        let mut buffers = self.open(scratch);
         let n = self.unknowns();
         let mut outcome = Corrected {
             first: f64::INFINITY,
@@ -389,32 +389,36 @@ impl Coupled {
         };
         let mut last = f64::INFINITY;
         for i in 0..CORRECTIONS {
-            self.residuals(q, state, &mut room);
-            self.jacobian(q, state, &mut room);
-            let Some(side) = lu::factor(room.matrix, room.pivots, n) else {
+            self.residuals(q, state, &mut buffers);
+            self.jacobian(q, state, &mut buffers);
+            let Some(side) = lu::factor(buffers.matrix, buffers.pivots, n) else {
                 return outcome;
             };
             outcome.side = side;
-            lu::solve(room.matrix, room.pivots, room.right, n);
-            let size = lu::largest(room.right);
+            lu::solve(buffers.matrix, buffers.pivots, buffers.right, n);
+            let size = lu::largest(buffers.right);
             if i == 0 {
                 outcome.first = size;
             }
             // Negated so that NaN also ends the loop.
-            if !(size < last || size > SETTLED) {
+            if !(size < last || size > MAX_LAST_CORRECTION) {
                 break;
             }
-            let reach = if size > REACH { REACH / size } else { 1.0 };
-            for v in room.right.iter_mut() {
+            let reach = if size > MAX_CORRECTION {
+                MAX_CORRECTION / size
+            } else {
+                1.0
+            };
+            for v in buffers.right.iter_mut() {
                 *v *= -reach;
             }
-            self.shift(room.z, room.right);
+            self.shift(buffers.z, buffers.right);
             last = size;
-            if size <= FINEST {
+            if size <= CORRECTION_TOLERANCE {
                 break;
             }
         }
-        outcome.settled = last <= SETTLED;
+        outcome.settled = last <= MAX_LAST_CORRECTION;
         outcome
     }
 
@@ -427,33 +431,33 @@ impl Coupled {
         state: &mut State<T>,
         scratch: &mut Scratch<T>,
     ) -> bool {
-        let mut room = self.open(scratch);
+        let mut buffers = self.open(scratch);
         let n = self.unknowns();
-        room.first.fill(T::default());
-        room.second.fill(T::default());
+        buffers.first.fill(T::default());
+        buffers.second.fill(T::default());
         if order >= super::elements::VELOCITY {
-            self.rates(q, state, &mut room, 1);
-            self.jacobian(q, state, &mut room);
-            if lu::factor(room.matrix, room.pivots, n).is_none() {
+            self.rates(q, state, &mut buffers, 1);
+            self.jacobian(q, state, &mut buffers);
+            if lu::factor(buffers.matrix, buffers.pivots, n).is_none() {
                 return false;
             }
-            lu::solve(room.matrix, room.pivots, room.right, n);
-            negate_into(room.right, room.first);
+            lu::solve(buffers.matrix, buffers.pivots, buffers.right, n);
+            negate_into(buffers.right, buffers.first);
         }
         if order >= super::elements::ACCELERATION {
-            self.rates(q, state, &mut room, 2);
-            lu::solve(room.matrix, room.pivots, room.right, n);
-            negate_into(room.right, room.second);
+            self.rates(q, state, &mut buffers, 2);
+            lu::solve(buffers.matrix, buffers.pivots, buffers.right, n);
+            negate_into(buffers.right, buffers.second);
         }
-        self.write(q, state, &room);
+        self.write(q, state, &buffers);
         true
     }
 
     /// Returns the largest residual of the equations at the z in the scratch, as a length.
     pub(super) fn gap(&self, q: f64, state: &State, scratch: &mut Scratch) -> f64 {
-        let mut room = self.open(scratch);
-        self.residuals(q, state, &mut room);
-        lu::largest(room.right)
+        let mut buffers = self.open(scratch);
+        self.residuals(q, state, &mut buffers);
+        lu::largest(buffers.right)
     }
 
     /// Returns the points and links of earlier groups from which the group is built.

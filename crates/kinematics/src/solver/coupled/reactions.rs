@@ -3,14 +3,14 @@
 //! With Q the forces and couples on the unknowns, J^T lambda = Q. Each equation exerts -lambda
 //! times its gradient on the parts that it connects.
 
-use super::{Base, Bearing, Coupled, GroupEquation, Room, Scratch, Spot, Turning};
+use super::{Base, Bearing, Coupled, GroupEquation, GroupScratch, Scratch, Spot, Turning};
 use crate::solver::forces::{ForceState, Slots};
 use crate::solver::lu;
 use crate::solver::state::State;
 use crate::{Number, Vec2};
 
 /// Inputs and outputs of a group's force analysis.
-struct Ledger<'a, T> {
+struct ForceExchange<'a, T> {
     q: T,
     slots: &'a Slots,
     state: &'a State<T>,
@@ -28,42 +28,46 @@ impl Coupled {
         scratch: &mut Scratch<T>,
         forces: &mut ForceState<T>,
     ) -> bool {
-        let mut room = self.open(scratch);
-        self.read(state, room.z);
-        self.jacobian(q, state, &mut room);
+        let mut buffers = self.open(scratch);
+        self.read(state, buffers.z);
+        self.jacobian(q, state, &mut buffers);
         let n = self.unknowns();
-        let solved = lu::factor(room.matrix, room.pivots, n).is_some();
+        let solved = lu::factor(buffers.matrix, buffers.pivots, n).is_some();
         if solved {
-            let mut ledger = Ledger {
+            let mut exchange = ForceExchange {
                 q,
                 slots,
                 state,
                 forces,
             };
-            self.gather(&mut room, &mut ledger);
-            lu::solve_transposed(room.matrix, room.pivots, room.right, n);
-            self.press(&room, &mut ledger);
+            self.sum_loads(&mut buffers, &mut exchange);
+            lu::solve_transposed(buffers.matrix, buffers.pivots, buffers.right, n);
+            self.press(&buffers, &mut exchange);
         }
         solved
     }
 
     /// Sums the loads on each unknown into the right side: a force on a free joint, a couple on a
     /// direction.
-    fn gather<T: Number>(&self, room: &mut Room<'_, T>, ledger: &mut Ledger<'_, T>) {
-        room.right.fill(T::default());
+    fn sum_loads<T: Number>(
+        &self,
+        buffers: &mut GroupScratch<'_, T>,
+        exchange: &mut ForceExchange<'_, T>,
+    ) {
+        buffers.right.fill(T::default());
         for (point, spot) in &self.spots {
-            let force = ledger.forces.points[point.index()];
-            let couple = self.carry(spot, force, room, ledger);
+            let force = exchange.forces.points[point.index()];
+            let couple = self.carry(spot, force, buffers, exchange);
             if let Base::Free(i) = spot.base {
-                room.right[2 * i] += force.x;
-                room.right[2 * i + 1] += force.y;
+                buffers.right[2 * i] += force.x;
+                buffers.right[2 * i + 1] += force.y;
             }
             if let Some((Turning::Unknown(i), couple)) = couple {
-                room.right[2 * self.free + i] += couple;
+                buffers.right[2 * self.free + i] += couple;
             }
         }
         for (i, link) in self.turning.iter().enumerate() {
-            room.right[2 * self.free + i] += ledger.forces.links[link.index()];
+            buffers.right[2 * self.free + i] += exchange.forces.links[link.index()];
         }
     }
 
@@ -74,22 +78,22 @@ impl Coupled {
         &self,
         spot: &Spot,
         force: Vec2<T>,
-        room: &Room<'_, T>,
-        ledger: &mut Ledger<'_, T>,
+        buffers: &GroupScratch<'_, T>,
+        exchange: &mut ForceExchange<'_, T>,
     ) -> Option<(Turning, T)> {
-        let forces = &mut *ledger.forces;
+        let forces = &mut *exchange.forces;
         if let Base::Known(point) = spot.base {
             forces.points[point.index()] += force;
         }
         if let Some(seat) = spot.seat {
             if let Some(end) = seat.end {
-                forces.note(ledger.slots.of(seat.link, end), force);
+                forces.note(exchange.slots.of(seat.link, end), force);
             }
-            forces.note(ledger.slots.of(seat.link, seat.foot), -force);
+            forces.note(exchange.slots.of(seat.link, seat.foot), -force);
         }
         let (turning, arm) = spot.arm?;
-        let link = self.turning_state(turning, ledger.state, room);
-        let r = spot.reach(arm, ledger.q).turned(link.d);
+        let link = self.turning_state(turning, exchange.state, buffers);
+        let r = spot.reach(arm, exchange.q).turned(link.d);
         let couple = r.cross(force);
         self.twist(turning, spot, couple, forces);
         Some((turning, couple))
@@ -125,35 +129,35 @@ impl Coupled {
 
     /// Applies the force or couple of every equation to the parts that it connects, and records the
     /// forces in joints, guides and drives.
-    fn press<T: Number>(&self, room: &Room<'_, T>, ledger: &mut Ledger<'_, T>) {
-        let mut rows = room.right.iter().map(|&lambda| -lambda);
+    fn press<T: Number>(&self, buffers: &GroupScratch<'_, T>, exchange: &mut ForceExchange<'_, T>) {
+        let mut rows = buffers.right.iter().map(|&lambda| -lambda);
         for equation in &self.equations {
-            let place = |spot: &Spot, ledger: &Ledger<'_, T>| {
-                self.moving(spot, ledger.q, ledger.state, room).p
+            let place = |spot: &Spot, exchange: &ForceExchange<'_, T>| {
+                self.moving(spot, exchange.q, exchange.state, buffers).p
             };
             let mut next = || rows.next().unwrap_or_default();
             match equation {
                 GroupEquation::Distance { a, b, bar, .. } => {
-                    let e = place(a, ledger) - place(b, ledger);
+                    let e = place(a, exchange) - place(b, exchange);
                     let force = e * next();
-                    self.carry(a, force, room, ledger);
-                    self.carry(b, -force, room, ledger);
-                    let [from, to] = bar.1.map(|end| ledger.slots.of(bar.0, end));
-                    ledger.forces.note(from, -force);
-                    ledger.forces.note(to, force);
+                    self.carry(a, force, buffers, exchange);
+                    self.carry(b, -force, buffers, exchange);
+                    let [from, to] = bar.1.map(|end| exchange.slots.of(bar.0, end));
+                    exchange.forces.note(from, -force);
+                    exchange.forces.note(to, force);
                 }
                 GroupEquation::Meeting { a, b, pushed } => {
                     let force = Vec2::new(next(), next());
-                    self.carry(a, force, room, ledger);
-                    self.carry(b, -force, room, ledger);
+                    self.carry(a, force, buffers, exchange);
+                    self.carry(b, -force, buffers, exchange);
                     if let (Some(slide), Some((turning, _))) = (pushed, b.arm) {
-                        let link = self.turning_state(turning, ledger.state, room);
+                        let link = self.turning_state(turning, exchange.state, buffers);
                         let tau = Vec2::of(b.along).turned(link.d);
-                        ledger.forces.normals[slide.index()] = tau.cross(force);
+                        exchange.forces.normals[slide.index()] = tau.cross(force);
                         let along = T::default() - tau.dot(force);
-                        ledger
+                        exchange
                             .forces
-                            .drive_by(b.following.as_ref(), along, ledger.state);
+                            .drive_by(b.following.as_ref(), along, exchange.state);
                     }
                 }
                 GroupEquation::Elbow {
@@ -162,12 +166,12 @@ impl Coupled {
                     following,
                 } => {
                     let couple = next();
-                    self.wrench(link, couple, ledger.forces);
-                    self.wrench(from, -couple, ledger.forces);
+                    self.wrench(link, couple, exchange.forces);
+                    self.wrench(from, -couple, exchange.forces);
                     let effort = T::default() - couple;
-                    ledger
+                    exchange
                         .forces
-                        .drive_by(following.as_ref(), effort, ledger.state);
+                        .drive_by(following.as_ref(), effort, exchange.state);
                 }
                 GroupEquation::Slot {
                     x,
@@ -176,15 +180,15 @@ impl Coupled {
                     turning,
                     slide,
                 } => {
-                    let link = self.turning_state(*turning, ledger.state, room);
+                    let link = self.turning_state(*turning, exchange.state, buffers);
                     let t = Vec2::of(*along).turned(link.d);
-                    let gap = place(x, ledger) - place(on, ledger);
+                    let gap = place(x, exchange) - place(on, exchange);
                     let across = next();
                     let force = t.perp() * across;
-                    self.carry(x, force, room, ledger);
-                    self.carry(on, -force, room, ledger);
-                    self.twist(*turning, on, -(t.dot(gap) * across), ledger.forces);
-                    ledger.forces.normals[slide.index()] = across;
+                    self.carry(x, force, buffers, exchange);
+                    self.carry(on, -force, buffers, exchange);
+                    self.twist(*turning, on, -(t.dot(gap) * across), exchange.forces);
+                    exchange.forces.normals[slide.index()] = across;
                 }
             }
         }

@@ -69,10 +69,10 @@ impl Solver {
 
 impl Coupled {
     fn last_step(&self, q: f64, state: &State, scratch: &mut Scratch) -> Newton {
-        let mut room = self.open(scratch);
-        self.read(state, room.z);
-        self.residuals(q, state, &mut room);
-        self.jacobian(q, state, &mut room);
+        let mut buffers = self.open(scratch);
+        self.read(state, buffers.z);
+        self.residuals(q, state, &mut buffers);
+        self.jacobian(q, state, &mut buffers);
         let unit = state.frame.scale;
         let n = self.unknowns();
         let rows = self.rows(unit);
@@ -87,12 +87,12 @@ impl Coupled {
         let residuals = rows
             .iter()
             .enumerate()
-            .map(|(i, row)| room.right[i] * size(row));
+            .map(|(i, row)| buffers.right[i] * size(row));
         let derivatives = rows.iter().enumerate().flat_map(|(i, row)| {
-            let matrix = &room.matrix;
+            let matrix = &buffers.matrix;
             (0..n).map(move |j| matrix[i * n + j] * size(row) / column(j))
         });
-        let (unknowns, values) = self.named_unknowns(state, room.z);
+        let (unknowns, values) = self.named_unknowns(state, buffers.z);
         Newton {
             group: GroupId::new(self.group),
             unknowns,
@@ -109,9 +109,9 @@ impl Coupled {
         for i in 0..self.free {
             let joint = self.spots.iter().find(|(_, spot)| spot.is_free(i));
             let Some(&(point, _)) = joint else { continue };
-            let place = state.frame.place(Vec2::new(z[2 * i], z[2 * i + 1]));
+            let position = state.frame.place(Vec2::new(z[2 * i], z[2 * i + 1]));
             unknowns.extend([NewtonUnknown::X(point), NewtonUnknown::Y(point)]);
-            values.extend([place.x, place.y]);
+            values.extend([position.x, position.y]);
         }
         for (i, &link) in self.turning.iter().enumerate() {
             let at = 2 * (self.free + i);

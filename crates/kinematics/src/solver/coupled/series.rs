@@ -7,7 +7,7 @@
 //! order determines s: w.r_(k+1) = 0. For k = 1 this is the quadratic of the second-order tangents,
 //! with one root for each of the branches that meet. For larger k it is linear.
 
-use super::{Coupled, Room, Scratch};
+use super::{Coupled, GroupScratch, Scratch};
 use crate::arithmetic::Series;
 use crate::solver::lu::{self, dot};
 use crate::solver::state::State;
@@ -103,10 +103,10 @@ impl Coupled {
         toward: Option<&[f64]>,
         series: &mut Workspace<Series>,
     ) -> bool {
-        let mut room = self.open(&mut here.scratch);
-        self.jacobian(q.nearest(), &here.state, &mut room);
-        let z = room.z.to_vec();
-        let matrix = room.matrix.to_vec();
+        let mut buffers = self.open(&mut here.scratch);
+        self.jacobian(q.nearest(), &here.state, &mut buffers);
+        let z = buffers.z.to_vec();
+        let matrix = buffers.matrix.to_vec();
         let Workspace { state, scratch, .. } = series;
         let n = self.unknowns();
         let mut path = Path {
@@ -118,11 +118,11 @@ impl Coupled {
         };
         let done = path.solve(&matrix, toward, state, scratch).is_some();
         if done {
-            let mut room = self.open(scratch);
-            room.first.fill(Series::default());
-            room.second.fill(Series::default());
-            path.fill(path.known, &mut room);
-            self.write(q, state, &room);
+            let mut buffers = self.open(scratch);
+            buffers.first.fill(Series::default());
+            buffers.second.fill(Series::default());
+            path.fill(path.known, &mut buffers);
+            self.write(q, state, &buffers);
         }
         done
     }
@@ -233,10 +233,10 @@ impl Path<'_> {
         state: &State<Series>,
         scratch: &mut Scratch<Series>,
     ) -> Vec<f64> {
-        let mut room = self.group.open(scratch);
-        self.fill(k + 1, &mut room);
-        self.group.residuals(self.q, state, &mut room);
-        room.right.iter().map(|r| r.c[k].hi).collect()
+        let mut buffers = self.group.open(scratch);
+        self.fill(k + 1, &mut buffers);
+        self.group.residuals(self.q, state, &mut buffers);
+        buffers.right.iter().map(|r| r.c[k].hi).collect()
     }
 
     fn add(&mut self, k: usize, change: &[f64], times: f64) {
@@ -246,10 +246,10 @@ impl Path<'_> {
     }
 
     /// Writes the first `known` coefficients of the unknowns into z.
-    fn fill(&self, known: usize, room: &mut Room<'_, Series>) {
+    fn fill(&self, known: usize, buffers: &mut GroupScratch<'_, Series>) {
         let joints = 2 * self.group.free;
         for i in 0..joints {
-            room.z[i] = Series::exactly(self.z[i]) + self.unknowns[i].cut(known);
+            buffers.z[i] = Series::exactly(self.z[i]) + self.unknowns[i].cut(known);
         }
         for (i, angle) in self.unknowns[joints..].iter().enumerate() {
             let angle = angle.cut(known);
@@ -261,7 +261,7 @@ impl Path<'_> {
             let nudge = Vec2::new(Double::ONE, angle.c[0]);
             let start = unit.turned(nudge).map(Series::constant);
             let turned = start.turned(angle.turning());
-            (room.z[at], room.z[at + 1]) = (turned.x, turned.y);
+            (buffers.z[at], buffers.z[at + 1]) = (turned.x, turned.y);
         }
     }
 }

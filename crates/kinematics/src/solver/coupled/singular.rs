@@ -22,7 +22,7 @@
 //! If the branches really meet, b is zero, and z' = p + s v on them.
 
 use super::series::Null;
-use super::{Coupled, Room, Scratch};
+use super::{Coupled, GroupScratch, Scratch};
 use crate::Number;
 use crate::solver::lu::{self, dot};
 use crate::solver::state::State;
@@ -92,15 +92,15 @@ impl Coupled {
         state: &State,
         scratch: &'s mut Scratch,
     ) -> &'s [f64] {
-        let room = self.open(scratch);
-        self.read(state, room.z);
-        let mut room = self.open(scratch);
-        self.jacobian(q, state, &mut room);
-        for row in room.matrix.chunks_mut(self.unknowns()) {
+        let buffers = self.open(scratch);
+        self.read(state, buffers.z);
+        let mut buffers = self.open(scratch);
+        self.jacobian(q, state, &mut buffers);
+        for row in buffers.matrix.chunks_mut(self.unknowns()) {
             let size = dot(row, row).sqrt();
             row.iter_mut().for_each(|v| *v /= size);
         }
-        room.matrix
+        buffers.matrix
     }
 
     /// Returns the determinant of the matrix with rows of unit length, at the z in the scratch; 0
@@ -112,17 +112,17 @@ impl Coupled {
         scratch: &mut Scratch,
     ) -> f64 {
         let n = self.unknowns();
-        let mut room = self.open(scratch);
-        self.jacobian(q, state, &mut room);
+        let mut buffers = self.open(scratch);
+        self.jacobian(q, state, &mut buffers);
         let mut det = 1.0;
-        for row in room.matrix.chunks(n) {
+        for row in buffers.matrix.chunks(n) {
             det /= dot(row, row).sqrt();
         }
-        let Some(sign) = lu::factor(room.matrix, room.pivots, n) else {
+        let Some(sign) = lu::factor(buffers.matrix, buffers.pivots, n) else {
             return 0.0;
         };
         for k in 0..n {
-            det *= room.matrix[k * n + k].abs();
+            det *= buffers.matrix[k * n + k].abs();
         }
         sign * det
     }
@@ -130,9 +130,9 @@ impl Coupled {
     /// Returns a start for [`Coupled::approach_fold`] from a state close to a fold, where the group
     /// moves along its null vector. Returns `None` without finite rates in the scratch.
     pub(in crate::solver) fn fold(&self, scratch: &mut Scratch) -> Option<Fold> {
-        let room = self.open(scratch);
-        let length = dot(room.first, room.first).sqrt();
-        let v: Vec<f64> = room.first.iter().map(|x| x / length).collect();
+        let buffers = self.open(scratch);
+        let length = dot(buffers.first, buffers.first).sqrt();
+        let v: Vec<f64> = buffers.first.iter().map(|x| x / length).collect();
         let c = v.clone();
         v.iter().all(|x| x.is_finite()).then_some(Fold { v, c })
     }
@@ -148,10 +148,10 @@ impl Coupled {
         scratch: &mut Scratch,
     ) -> Option<Correction> {
         let n = self.unknowns();
-        let mut room = self.open(scratch);
-        let system = self.fold_system(&fold.v, &fold.c, q, state, &mut room);
+        let mut buffers = self.open(scratch);
+        let system = self.fold_system(&fold.v, &fold.c, q, state, &mut buffers);
         let (size, change) = system.solved()?;
-        self.shift(room.z, &change[..n]);
+        self.shift(buffers.z, &change[..n]);
         add(&mut fold.v, &change[n + 1..]);
         Some(Correction {
             size,
@@ -166,17 +166,17 @@ impl Coupled {
         c: &[T],
         q: T,
         state: &State<T>,
-        room: &mut Room<'_, T>,
+        buffers: &mut GroupScratch<'_, T>,
     ) -> System<T> {
         let n = self.unknowns();
-        let local = Local::new(self, q, state, room);
+        let local = Local::new(self, q, state, buffers);
         let (z, by_q, by_v) = (0, n, n + 1);
         let mut system = System::new(2 * n + 1);
         system.right[..n].copy_from_slice(&local.misfit);
         system.block(0, z, &local.matrix, n);
         system.column(0, by_q, &local.by_q);
         system.add_right(n, &local.times_matrix(v));
-        system.block(n, z, &local.bent(self, v, q, state, room), n);
+        system.block(n, z, &local.bent(self, v, q, state, buffers), n);
         system.column(n, by_q, &local.times_mixed(v));
         system.block(n, by_v, &local.matrix, n);
         system.row(2 * n, by_v, c);
@@ -192,10 +192,10 @@ impl Coupled {
         scratch: &mut Scratch,
     ) -> Option<Crossing> {
         let n = self.unknowns();
-        let mut room = self.open(scratch);
-        let rate = room.first.to_vec();
-        self.jacobian(q, state, &mut room);
-        let null = Null::of(room.matrix, n)?;
+        let mut buffers = self.open(scratch);
+        let rate = buffers.first.to_vec();
+        self.jacobian(q, state, &mut buffers);
+        let null = Null::of(buffers.matrix, n)?;
         let along = dot(&rate, &null.v);
         let p = rate.iter().zip(&null.v).map(|(r, v)| r - along * v);
         Some(Crossing {
@@ -215,15 +215,15 @@ impl Coupled {
         scratch: &mut Scratch,
     ) -> Option<Correction> {
         let n = self.unknowns();
-        let mut room = self.open(scratch);
-        let local = Local::new(self, q, state, &mut room);
+        let mut buffers = self.open(scratch);
+        let local = Local::new(self, q, state, &mut buffers);
         let Crossing {
             v,
             p,
             unfolding,
             null,
         } = crossing;
-        let mut system = self.crossing_system([v, p], null, &local, q, state, &mut room);
+        let mut system = self.crossing_system([v, p], null, &local, q, state, &mut buffers);
         system.right[..n].copy_from_slice(&local.misfit);
         let open: Vec<f64> = null.w.iter().map(|w| w * *unfolding).collect();
         system.add_right(0, &open);
@@ -236,7 +236,7 @@ impl Coupled {
 
         let (size, change) = system.solved()?;
         let places = CrossingPlaces::of(n);
-        self.shift(room.z, &change[..n]);
+        self.shift(buffers.z, &change[..n]);
         add(v, &change[places.v.clone()]);
         add(p, &change[places.p.clone()]);
         *unfolding += change[places.unfolding];
@@ -255,7 +255,7 @@ impl Coupled {
         local: &Local,
         q: f64,
         state: &State,
-        room: &mut Room<'_>,
+        buffers: &mut GroupScratch<'_>,
     ) -> System {
         let n = self.unknowns();
         let places = CrossingPlaces::of(n);
@@ -264,13 +264,13 @@ impl Coupled {
         system.column(0, places.q, &local.by_q);
         system.column(0, places.unfolding, &null.w);
 
-        system.block(n, 0, &local.bent(self, v, q, state, room), n);
+        system.block(n, 0, &local.bent(self, v, q, state, buffers), n);
         system.column(n, places.q, &local.times_mixed(v));
         system.block(n, places.v.start, &local.matrix, n);
         system.row(2 * n, places.v.start, &null.v);
 
         let third = 2 * n + 1;
-        system.block(third, 0, &local.bent(self, p, q, state, room), n);
+        system.block(third, 0, &local.bent(self, p, q, state, buffers), n);
         system.block(third, 0, &local.mixed, n);
         system.column(third, places.q, &local.times_mixed(p));
         system.column(third, places.q, &local.still);
@@ -285,11 +285,11 @@ impl Coupled {
         first: &[T],
         q: T,
         state: &State<T>,
-        room: &mut Room<'_, T>,
+        buffers: &mut GroupScratch<'_, T>,
     ) -> Vec<T> {
-        room.first.copy_from_slice(first);
-        self.rates(q, state, room, 2);
-        room.right.to_vec()
+        buffers.first.copy_from_slice(first);
+        self.rates(q, state, buffers, 2);
+        buffers.right.to_vec()
     }
 }
 
@@ -311,24 +311,29 @@ pub(super) struct Local<T = f64> {
 }
 
 impl<T: Number> Local<T> {
-    pub(super) fn new(group: &Coupled, q: T, state: &State<T>, room: &mut Room<'_, T>) -> Local<T> {
+    pub(super) fn new(
+        group: &Coupled,
+        q: T,
+        state: &State<T>,
+        buffers: &mut GroupScratch<'_, T>,
+    ) -> Local<T> {
         let n = group.unknowns();
-        group.residuals(q, state, room);
-        let misfit = room.right.to_vec();
-        room.first.fill(T::default());
-        room.second.fill(T::default());
-        group.rates(q, state, room, 1);
-        let by_q = room.right.to_vec();
-        group.jacobian(q, state, room);
-        let matrix = room.matrix.to_vec();
+        group.residuals(q, state, buffers);
+        let misfit = buffers.right.to_vec();
+        buffers.first.fill(T::default());
+        buffers.second.fill(T::default());
+        group.rates(q, state, buffers, 1);
+        let by_q = buffers.right.to_vec();
+        group.jacobian(q, state, buffers);
+        let matrix = buffers.matrix.to_vec();
         let mut unit = vec![T::default(); n];
-        let still = group.second_rates(&unit, q, state, room);
+        let still = group.second_rates(&unit, q, state, buffers);
         let (mut units, mut mixed) = (Vec::new(), vec![T::default(); n * n]);
         for j in 0..n {
             unit[j] = T::exactly(-1.0);
-            let back = group.second_rates(&unit, q, state, room);
+            let back = group.second_rates(&unit, q, state, buffers);
             unit[j] = T::exactly(1.0);
-            let forth = group.second_rates(&unit, q, state, room);
+            let forth = group.second_rates(&unit, q, state, buffers);
             unit[j] = T::default();
             for i in 0..n {
                 mixed[i * n + j] = (forth[i] - back[i]).scaled(0.25);
@@ -361,15 +366,15 @@ impl<T: Number> Local<T> {
         v: &[T],
         q: T,
         state: &State<T>,
-        room: &mut Room<'_, T>,
+        buffers: &mut GroupScratch<'_, T>,
     ) -> Vec<T> {
         let n = self.n;
-        let alone = group.second_rates(v, q, state, room);
+        let alone = group.second_rates(v, q, state, buffers);
         let mut bent = vec![T::default(); n * n];
         let mut sum = v.to_vec();
         for j in 0..n {
             sum[j] += T::exactly(1.0);
-            let both = group.second_rates(&sum, q, state, room);
+            let both = group.second_rates(&sum, q, state, buffers);
             sum[j] = v[j];
             for i in 0..n {
                 let both = both[i] - alone[i] - self.units[j][i] + self.still[i];

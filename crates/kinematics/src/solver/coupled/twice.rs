@@ -1,6 +1,6 @@
 //! Refines the solution of a coupled group in double-double.
 
-use super::{Coupled, Room, Scratch};
+use super::{Coupled, GroupScratch, Scratch};
 use crate::solver::elements::{ACCELERATION, VELOCITY};
 use crate::solver::lu;
 use crate::solver::state::State;
@@ -22,12 +22,12 @@ impl Coupled {
         scratch: &mut Scratch<Double>,
     ) -> bool {
         let mut work = std::mem::take(&mut scratch.work);
-        let mut room = self.open(scratch);
-        self.read_as(state, room.z, Double::exactly);
-        self.read_rates(state, room.first, room.second);
-        let solved = self.refine_in(q, order, twice, &mut room, &mut work);
+        let mut buffers = self.open(scratch);
+        self.read_as(state, buffers.z, Double::exactly);
+        self.read_rates(state, buffers.first, buffers.second);
+        let solved = self.refine_in(q, order, twice, &mut buffers, &mut work);
         if solved {
-            self.write(q, twice, &room);
+            self.write(q, twice, &buffers);
         }
         scratch.work = work;
         solved
@@ -38,48 +38,48 @@ impl Coupled {
         q: Double,
         order: u8,
         twice: &State<Double>,
-        room: &mut Room<'_, Double>,
+        buffers: &mut GroupScratch<'_, Double>,
         work: &mut [f64],
     ) -> bool {
         let n = self.unknowns();
         let (matrix, right) = work.split_at_mut(n * n);
         let right = &mut right[..n];
-        self.jacobian(q, twice, room);
-        for (copy, value) in matrix.iter_mut().zip(&*room.matrix) {
+        self.jacobian(q, twice, buffers);
+        for (copy, value) in matrix.iter_mut().zip(&*buffers.matrix) {
             *copy = value.hi;
         }
-        if lu::factor(matrix, room.pivots, n).is_none() {
+        if lu::factor(matrix, buffers.pivots, n).is_none() {
             return false;
         }
         for _ in 0..CORRECTIONS {
-            self.residuals(q, twice, room);
-            self.correction(matrix, right, room);
-            self.turn(room.z, right);
+            self.residuals(q, twice, buffers);
+            self.correction(matrix, right, buffers);
+            self.turn(buffers.z, right);
         }
         for _ in 0..CORRECTIONS {
             if order >= VELOCITY {
-                self.rates(q, twice, room, 1);
-                self.correction(matrix, right, room);
-                add(right, room.first);
+                self.rates(q, twice, buffers, 1);
+                self.correction(matrix, right, buffers);
+                add(right, buffers.first);
             }
         }
         for _ in 0..CORRECTIONS {
             if order >= ACCELERATION {
-                self.rates(q, twice, room, 2);
-                self.correction(matrix, right, room);
-                add(right, room.second);
+                self.rates(q, twice, buffers, 2);
+                self.correction(matrix, right, buffers);
+                add(right, buffers.second);
             }
         }
         true
     }
 
-    /// Computes into `right` the correction for the residuals in `room`, in doubles. `matrix` is
+    /// Computes into `right` the correction for the residuals in `buffers`, in doubles. `matrix` is
     /// factored.
-    fn correction(&self, matrix: &[f64], right: &mut [f64], room: &Room<'_, Double>) {
-        for (to, from) in right.iter_mut().zip(&*room.right) {
+    fn correction(&self, matrix: &[f64], right: &mut [f64], buffers: &GroupScratch<'_, Double>) {
+        for (to, from) in right.iter_mut().zip(&*buffers.right) {
             *to = -from.hi;
         }
-        lu::solve(matrix, room.pivots, right, self.unknowns());
+        lu::solve(matrix, buffers.pivots, right, self.unknowns());
     }
 
     /// Adds a change of the unknowns to z; directions are rotated and keep their length.

@@ -7,7 +7,7 @@
 //! zero if the branches really meet.
 
 use super::singular::{Crossing, CrossingPlaces, Local};
-use super::{Coupled, Room, Scratch};
+use super::{Coupled, GroupScratch, Scratch};
 use crate::Double;
 use crate::solver::lu;
 use crate::solver::state::State;
@@ -39,14 +39,15 @@ impl Coupled {
             scratch: own,
             ..
         } = here;
-        let mut room = self.open(own);
-        let local = Local::new(self, q, state, &mut room);
+        let mut buffers = self.open(own);
+        let local = Local::new(self, q, state, &mut buffers);
         let vectors = [&crossing.v[..], &crossing.p];
-        let mut system = self.crossing_system(vectors, &crossing.null, &local, q, state, &mut room);
+        let mut system =
+            self.crossing_system(vectors, &crossing.null, &local, q, state, &mut buffers);
         let mut pivots = vec![0; system.n];
         lu::factor(&mut system.matrix, &mut pivots, system.n)?;
         let exactly = |values: &[f64]| values.iter().map(|&v| Double::exactly(v)).collect();
-        let z: Vec<Double> = exactly(room.z);
+        let z: Vec<Double> = exactly(buffers.z);
         self.open(scratch).z.copy_from_slice(&z);
         Some(Unfolding {
             v: exactly(&crossing.v),
@@ -67,8 +68,8 @@ impl Coupled {
         state: &State<Double>,
         scratch: &mut Scratch<Double>,
     ) -> f64 {
-        let mut room = self.open(scratch);
-        let mut change = unfolding.left(self, q, state, &mut room);
+        let mut buffers = self.open(scratch);
+        let mut change = unfolding.left(self, q, state, &mut buffers);
         let places = CrossingPlaces::of(self.unknowns());
         lu::solve(
             &unfolding.matrix,
@@ -77,7 +78,7 @@ impl Coupled {
             places.count,
         );
         change.iter_mut().for_each(|x| *x = -*x);
-        self.turn(room.z, &change[..self.unknowns()]);
+        self.turn(buffers.z, &change[..self.unknowns()]);
         let add = |to: &mut [Double], change: &[f64]| {
             to.iter_mut()
                 .zip(change)
@@ -102,20 +103,29 @@ impl Unfolding {
         group: &Coupled,
         q: Double,
         state: &State<Double>,
-        room: &mut Room<'_, Double>,
+        buffers: &mut GroupScratch<'_, Double>,
     ) -> Vec<f64> {
         let n = group.unknowns();
         let null = &self.crossing.null;
-        group.residuals(q, state, room);
+        group.residuals(q, state, buffers);
         let opened = null.w.iter().map(|&w| Double::exactly(w) * self.by);
-        let open: Vec<Double> = room.right.iter().zip(opened).map(|(&f, w)| f + w).collect();
-        room.first.fill(Double::ZERO);
-        room.second.fill(Double::ZERO);
-        group.rates(q, state, room, 1);
-        let by_q = room.right.to_vec();
-        group.jacobian(q, state, room);
+        let open: Vec<Double> = buffers
+            .right
+            .iter()
+            .zip(opened)
+            .map(|(&f, w)| f + w)
+            .collect();
+        buffers.first.fill(Double::ZERO);
+        buffers.second.fill(Double::ZERO);
+        group.rates(q, state, buffers, 1);
+        let by_q = buffers.right.to_vec();
+        group.jacobian(q, state, buffers);
         let times = |v: &[Double]| -> Vec<Double> {
-            room.matrix.chunks(n).map(|row| product(row, v)).collect()
+            buffers
+                .matrix
+                .chunks(n)
+                .map(|row| product(row, v))
+                .collect()
         };
         let along = |v: &[Double]| {
             let terms = null.v.iter().zip(v);

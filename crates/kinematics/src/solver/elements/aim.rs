@@ -1,6 +1,6 @@
 //! Computes the direction of a link with two known points.
 
-use super::{ACCELERATION, Arm, Backwards, Element, StepOutcome, VELOCITY};
+use super::{ACCELERATION, Arm, BackwardPass, Element, StepOutcome, VELOCITY};
 use crate::solver::demand::PlacedPart;
 use crate::solver::forces::{ArmSite, ForceState, Site};
 use crate::solver::state::{LinkState, State};
@@ -15,7 +15,7 @@ pub(in crate::solver) struct Aim {
 
 impl Element for Aim {
     const HAS_RESIDUALS: bool = true;
-    type Back = AimBack;
+    type Back = AimBackward;
 
     fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
         places(PlacedPart::Link(self.arm.link));
@@ -60,8 +60,8 @@ impl Element for Aim {
         self.arm = self.arm.varied(place);
     }
 
-    fn back(&self, site: &Site<'_>) -> Option<AimBack> {
-        Some(AimBack {
+    fn back(&self, site: &Site<'_>) -> Option<AimBackward> {
+        Some(AimBackward {
             arm: site.reach(&self.arm, self.end),
             end: self.end,
         })
@@ -70,12 +70,12 @@ impl Element for Aim {
 
 /// The backward pass: the link's ends resist the couple on the link.
 #[derive(Clone, Debug)]
-pub(in crate::solver) struct AimBack {
+pub(in crate::solver) struct AimBackward {
     arm: ArmSite,
     end: PointId,
 }
 
-impl Backwards for AimBack {
+impl BackwardPass for AimBackward {
     #[inline(always)]
     fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let at = |point: PointId| -> Vec2<T> { state.points[point.index()].p };

@@ -7,14 +7,14 @@
 //! ```
 
 use super::line::{Chord, GuideAt};
-use super::through::{Cut, FEW, Snap, turned};
+use super::through::{Cut, FEW_TERMS, SingularShift, turned};
 use super::{
-    ACCELERATION, Arm, Backwards, Dyad, Element, FRAMES, GuideLine, POSITION, RelativeMotion,
+    ACCELERATION, Arm, BackwardPass, Dyad, Element, FRAMES, GuideLine, POSITION, RelativeMotion,
     StepOutcome, Stretching, TwoAssemblies, VELOCITY, sum,
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::PlacedPart;
-use crate::solver::forces::{ArmSite, ForceState, Held, Site};
+use crate::solver::forces::{ArmSite, ForceState, LineReaction, Site};
 use crate::solver::state::{LinkState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, PointId, Vec2};
@@ -89,7 +89,7 @@ impl CircleLine {
 }
 
 impl Element for CircleLine {
-    type Back = CircleLineBack;
+    type Back = CircleLineBackward;
 
     fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
         places(PlacedPart::Point(self.point));
@@ -129,8 +129,8 @@ impl Element for CircleLine {
         *self = CircleLine::new(self.point, arm, self.line, self.group);
     }
 
-    fn back(&self, site: &Site<'_>) -> Option<CircleLineBack> {
-        Some(CircleLineBack {
+    fn back(&self, site: &Site<'_>) -> Option<CircleLineBackward> {
+        Some(CircleLineBackward {
             point: self.point,
             arm: site.reach(&self.arm, self.point),
             line: self.line,
@@ -145,7 +145,7 @@ impl Element for CircleLine {
     }
 
     fn inner_joint(&self) -> Option<InnerJoint> {
-        Some(InnerJoint::beside_normal(self.group))
+        Some(InnerJoint::line_and_normal(self.group))
     }
 }
 
@@ -197,12 +197,23 @@ impl TwoAssemblies for CircleLine {
     }
 
     fn reach(&self, state: &State<Series>) -> [Series; 2] {
-        self.in_series(Series::default(), Snap::default(), FEW, state)
-            .reach()
+        self.in_series(
+            Series::default(),
+            SingularShift::default(),
+            FEW_TERMS,
+            state,
+        )
+        .reach()
     }
 
     /// Returns the chord in series.
-    fn in_series(&self, _q: Series, snap: Snap, terms: usize, state: &State<Series>) -> Cut {
+    fn in_series(
+        &self,
+        _q: Series,
+        snap: SingularShift,
+        terms: usize,
+        state: &State<Series>,
+    ) -> Cut {
         let mut line = self.line;
         line.along = turned(line.along, snap);
         let guide = line.at(state);
@@ -215,7 +226,13 @@ impl TwoAssemblies for CircleLine {
         self.arm.length.hi.powi(2)
     }
 
-    fn run_through(&self, q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
+    fn run_through(
+        &self,
+        q: Series,
+        snap: SingularShift,
+        height: Series,
+        state: &mut State<Series>,
+    ) {
         let cut = self.in_series(q, snap, TERMS, state);
         let e = cut.arm(height);
         let guide = self.line.at(state);
@@ -227,14 +244,14 @@ impl TwoAssemblies for CircleLine {
 
 /// The backward pass: the arm takes the force along the line, the guide takes the rest.
 #[derive(Clone, Debug)]
-pub(in crate::solver) struct CircleLineBack {
+pub(in crate::solver) struct CircleLineBackward {
     point: PointId,
     arm: ArmSite,
     line: GuideLine,
-    hold: Held,
+    hold: LineReaction,
 }
 
-impl Backwards for CircleLineBack {
+impl BackwardPass for CircleLineBackward {
     #[inline(always)]
     fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let guide = self.line.at(state);

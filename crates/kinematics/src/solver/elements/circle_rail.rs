@@ -1,14 +1,14 @@
 //! Solves the dyad RRP on the ground: a [`CircleLine`](super::CircleLine) whose line is fixed.
 
 use super::line::Chord;
-use super::through::{Cut, FEW, Snap, turned};
+use super::through::{Cut, FEW_TERMS, SingularShift, turned};
 use super::{
-    ACCELERATION, Arm, Backwards, Dyad, Element, FRAMES, POSITION, RelativeMotion, StepOutcome,
+    ACCELERATION, Arm, BackwardPass, Dyad, Element, FRAMES, POSITION, RelativeMotion, StepOutcome,
     Stretching, TwoAssemblies, VELOCITY,
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::PlacedPart;
-use crate::solver::forces::{ArmSite, ForceState, Held, Site};
+use crate::solver::forces::{ArmSite, ForceState, LineReaction, Site};
 use crate::solver::state::{LinkState, PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, PointId, Vec2};
@@ -47,7 +47,7 @@ impl CircleRail {
 
     /// Returns the components t.v and n.v.
     #[inline(always)]
-    fn seen<T: Number>(&self, v: Vec2<T>) -> Vec2<T> {
+    fn components<T: Number>(&self, v: Vec2<T>) -> Vec2<T> {
         v.turned(Vec2::of(self.along).conj())
     }
 
@@ -55,7 +55,7 @@ impl CircleRail {
     #[inline(always)]
     fn chord<T: Number>(&self, state: &State<T>) -> (Vec2<T>, Chord<T>) {
         let from = state.points[self.arm.pivot.index()].p - Vec2::of(self.through);
-        let seen = self.seen(from);
+        let seen = self.components(from);
         (seen, Chord::new(T::of(self.arm.length), seen.y, from))
     }
 
@@ -74,11 +74,11 @@ impl CircleRail {
         if ORDER >= VELOCITY {
             let p = state.points[self.arm.pivot.index()];
             let scale = T::exactly(1.0) / root;
-            let v = self.seen(p.v);
+            let v = self.components(p.v);
             link.w = -v.y * scale;
             point.v = t * (link.w * h0 + v.x);
             if ORDER >= ACCELERATION {
-                let (a, w2) = (self.seen(p.a), link.w * link.w);
+                let (a, w2) = (self.components(p.a), link.w * link.w);
                 link.a = -(a.y + w2 * h0) * scale;
                 point.a = t * (link.a * h0 - w2 * root + a.x);
             }
@@ -91,7 +91,7 @@ impl CircleRail {
 impl Element for CircleRail {
     const IS_FREQUENT: bool = true;
     const HAS_RESIDUALS: bool = true;
-    type Back = CircleRailBack;
+    type Back = CircleRailBackward;
 
     fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
         places(PlacedPart::Point(self.point));
@@ -133,8 +133,8 @@ impl Element for CircleRail {
         *self = CircleRail::new(self.point, arm, rail, self.group);
     }
 
-    fn back(&self, site: &Site<'_>) -> Option<CircleRailBack> {
-        Some(CircleRailBack {
+    fn back(&self, site: &Site<'_>) -> Option<CircleRailBackward> {
+        Some(CircleRailBackward {
             point: self.point,
             arm: site.reach(&self.arm, self.point),
             along: self.along,
@@ -149,7 +149,7 @@ impl Element for CircleRail {
     }
 
     fn inner_joint(&self) -> Option<InnerJoint> {
-        Some(InnerJoint::beside_normal(self.group))
+        Some(InnerJoint::line_and_normal(self.group))
     }
 }
 
@@ -194,12 +194,23 @@ impl TwoAssemblies for CircleRail {
     }
 
     fn reach(&self, state: &State<Series>) -> [Series; 2] {
-        self.in_series(Series::default(), Snap::default(), FEW, state)
-            .reach()
+        self.in_series(
+            Series::default(),
+            SingularShift::default(),
+            FEW_TERMS,
+            state,
+        )
+        .reach()
     }
 
     /// Returns the chord in series.
-    fn in_series(&self, _q: Series, snap: Snap, terms: usize, state: &State<Series>) -> Cut {
+    fn in_series(
+        &self,
+        _q: Series,
+        snap: SingularShift,
+        terms: usize,
+        state: &State<Series>,
+    ) -> Cut {
         let t = Vec2::of(turned(self.along, snap));
         let from = state.points[self.arm.pivot.index()].p - Vec2::of(self.through);
         let from = from.map(|v| v.cut(terms));
@@ -210,7 +221,13 @@ impl TwoAssemblies for CircleRail {
         self.arm.length.hi.powi(2)
     }
 
-    fn run_through(&self, q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
+    fn run_through(
+        &self,
+        q: Series,
+        snap: SingularShift,
+        height: Series,
+        state: &mut State<Series>,
+    ) {
         let cut = self.in_series(q, snap, TERMS, state);
         let e = cut.arm(height);
         let s = cut.along + height;
@@ -222,14 +239,14 @@ impl TwoAssemblies for CircleRail {
 
 /// The backward pass: the arm takes the force along the rail, the rail takes the rest.
 #[derive(Clone, Debug)]
-pub(in crate::solver) struct CircleRailBack {
+pub(in crate::solver) struct CircleRailBackward {
     point: PointId,
     arm: ArmSite,
     along: Vec2<Constant>,
-    hold: Held,
+    hold: LineReaction,
 }
 
-impl Backwards for CircleRailBack {
+impl BackwardPass for CircleRailBackward {
     #[inline(always)]
     fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let at = |point: PointId| -> Vec2<T> { state.points[point.index()].p };

@@ -6,10 +6,10 @@
 //! |e| = b, |f| = c       e.V = e.V_P, f.V = f.V_Q       e x f = s h: twice the area of the triangle
 //! ```
 
-use super::through::{SeriesTriangle, Snap, ZERO, between, shifted};
+use super::through::{SeriesTriangle, SingularShift, ZERO, between, shifted};
 use super::{
-    ACCELERATION, Arm, Backwards, Dyad, Element, POSITION, REACH_SLACK, StepOutcome, TwoAssemblies,
-    VELOCITY, triangle_reserve,
+    ACCELERATION, Arm, BackwardPass, Dyad, Element, POSITION, REACH_SLACK, StepOutcome,
+    TwoAssemblies, VELOCITY, triangle_reserve,
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::PlacedPart;
@@ -19,7 +19,7 @@ use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, PointId, Vec2};
 
 /// Minimum number of known coefficients to conclude that a link does not rotate.
-const SURE: usize = 8;
+const MIN_KNOWN_COEFFICIENTS: usize = 8;
 
 /// Two circles, RRR. The shorter arm comes first: the point is computed from its pivot. The sign of
 /// the group is +1 if the point lies on the left of near.pivot -> far.pivot.
@@ -86,7 +86,7 @@ impl Circles {
     /// Returns the tolerances of the reaches: (d + slack)^2 - d^2.
     #[inline(always)]
     fn slacks<T: Number>(&self) -> [T; 2] {
-        let slack = self.slack * T::GRAIN;
+        let slack = self.slack * T::RELATIVE_ROUNDING;
         self.ends.map(|d| T::exactly(slack * (d + slack)))
     }
 
@@ -129,7 +129,7 @@ impl Circles {
     pub(in crate::solver) fn translate(&self, state: &mut State<Series>) {
         let stays = |v: Series| {
             let mut rest = v.c[..v.known].iter().skip(1);
-            v.known >= SURE && rest.all(|c| c.hi.abs() <= ZERO)
+            v.known >= MIN_KNOWN_COEFFICIENTS && rest.all(|c| c.hi.abs() <= ZERO)
         };
         for arm in [&self.near, &self.far] {
             let link = &mut state.links[arm.link.index()].d;
@@ -155,7 +155,7 @@ impl Circles {
 impl Element for Circles {
     const IS_FREQUENT: bool = true;
     const HAS_RESIDUALS: bool = true;
-    type Back = CirclesBack;
+    type Back = CirclesBackward;
 
     fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
         places(PlacedPart::Point(self.point));
@@ -187,8 +187,8 @@ impl Element for Circles {
         let (inner, outer) = self.reaches(d2);
         let product = inner * outer;
         state.measures[self.group] = product * T::exactly(self.inverse_square);
-        let [least, most] = self.slacks();
-        if !(inner.exceeds(least) && outer.exceeds(most)) {
+        let [minimum, maximum] = self.slacks();
+        if !(inner.exceeds(minimum) && outer.exceeds(maximum)) {
             return StepOutcome::Unclear;
         }
         let x = (d2 + T::of(self.squares)).scaled(0.5);
@@ -208,8 +208,8 @@ impl Element for Circles {
         *self = Circles::measured(self.point, arms, self.group);
     }
 
-    fn back(&self, site: &Site<'_>) -> Option<CirclesBack> {
-        Some(CirclesBack {
+    fn back(&self, site: &Site<'_>) -> Option<CirclesBackward> {
+        Some(CirclesBackward {
             point: self.point,
             near: site.reach(&self.near, self.point),
             far: site.reach(&self.far, self.point),
@@ -239,9 +239,9 @@ impl TwoAssemblies for Circles {
         let u = self.between(state);
         let d2 = u.norm2();
         let (inner, outer) = self.reaches(d2);
-        let [least, most] = self.slacks::<T>();
-        let is_open = (-least).exceeds(inner) || (-most).exceeds(outer);
-        let slack = T::exactly(self.slack * T::GRAIN);
+        let [minimum, maximum] = self.slacks::<T>();
+        let is_open = (-minimum).exceeds(inner) || (-maximum).exceeds(outer);
+        let slack = T::exactly(self.slack * T::RELATIVE_ROUNDING);
         // With equal arms about one pivot, the point could be anywhere around it.
         d2.is_finite() && T::norm(u).exceeds(slack) && !is_open
     }
@@ -266,7 +266,7 @@ impl TwoAssemblies for Circles {
         Some([self.near.pivot, self.far.pivot])
     }
 
-    fn arms_apart(&self, _q: Series) -> f64 {
+    fn arm_difference(&self, _q: Series) -> f64 {
         (self.near.length - self.far.length).hi
     }
 
@@ -274,20 +274,20 @@ impl TwoAssemblies for Circles {
     fn in_series(
         &self,
         _q: Series,
-        snap: Snap,
+        snap: SingularShift,
         terms: usize,
         state: &State<Series>,
     ) -> SeriesTriangle {
         let u = shifted(between(self.near.pivot, self.far.pivot, state), snap, terms);
         let (b, c) = (self.near.length, self.far.length);
         let c = if snap.equal_arms { b } else { c };
-        let [least, most, squares] =
+        let [minimum, maximum, squares] =
             [(c - b) * (c - b), (c + b) * (c + b), (b - c) * (b + c)].map(Series::of);
         SeriesTriangle {
             u,
             d2: u.norm2(),
-            least,
-            most,
+            least: minimum,
+            most: maximum,
             squares,
             pair: snap.pair,
         }
@@ -297,7 +297,13 @@ impl TwoAssemblies for Circles {
         self.near.length.hi.powi(2) * self.far.length.hi.powi(2)
     }
 
-    fn run_through(&self, q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
+    fn run_through(
+        &self,
+        q: Series,
+        snap: SingularShift,
+        height: Series,
+        state: &mut State<Series>,
+    ) {
         let triangle = self.in_series(q, snap, TERMS, state);
         let e = triangle.arm(height);
         self.place::<Series, POSITION>(e, e - triangle.u, height, state);
@@ -306,13 +312,13 @@ impl TwoAssemblies for Circles {
 
 /// The backward pass: two arms share the force at their joint.
 #[derive(Clone, Debug)]
-pub(in crate::solver) struct CirclesBack {
+pub(in crate::solver) struct CirclesBackward {
     point: PointId,
     near: ArmSite,
     far: ArmSite,
 }
 
-impl Backwards for CirclesBack {
+impl BackwardPass for CirclesBackward {
     #[inline(always)]
     fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         forces.share(self.point, &self.near, &self.far, state);

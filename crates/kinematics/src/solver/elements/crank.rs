@@ -1,7 +1,7 @@
 //! Places the driven link and its points: the driver's coordinate is the link's angle.
 
-use super::ride::Carry;
-use super::{Element, Nothing, StepOutcome};
+use super::ride::RideBackward;
+use super::{Element, NoBackwardPass, StepOutcome};
 use crate::solver::demand::PlacedPart;
 use crate::solver::forces::Site;
 use crate::solver::state::{LinkState, PointState, State};
@@ -16,7 +16,7 @@ pub(in crate::solver) struct Crank {
 impl Element for Crank {
     const IS_FREQUENT: bool = true;
     const HAS_RESIDUALS: bool = true;
-    type Back = Nothing;
+    type Back = NoBackwardPass;
 
     fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
         places(PlacedPart::Link(self.link));
@@ -39,7 +39,7 @@ impl Element for Crank {
         StepOutcome::Done
     }
 
-    fn back(&self, _site: &Site<'_>) -> Option<Nothing> {
+    fn back(&self, _site: &Site<'_>) -> Option<NoBackwardPass> {
         None
     }
 }
@@ -55,7 +55,7 @@ pub(in crate::solver) struct Spin {
 impl Element for Spin {
     const IS_FREQUENT: bool = true;
     const HAS_RESIDUALS: bool = true;
-    type Back = Carry;
+    type Back = RideBackward;
 
     fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
         places(PlacedPart::Point(self.point));
@@ -87,9 +87,9 @@ impl Element for Spin {
         place(&mut self.local);
     }
 
-    fn back(&self, site: &Site<'_>) -> Option<Carry> {
+    fn back(&self, site: &Site<'_>) -> Option<RideBackward> {
         match site.input() {
-            Input::Turn(link) => Some(Carry::new(site, [self.point, self.pivot], link)),
+            Input::Turn(link) => Some(RideBackward::new(site, [self.point, self.pivot], link)),
             Input::Push(_) => None,
         }
     }

@@ -1,8 +1,8 @@
 //! Solves the dyad RRR with a driven arm: a cylinder between moving links.
 
-use super::through::{SeriesTriangle, Snap, between, shifted};
+use super::through::{SeriesTriangle, SingularShift, between, shifted};
 use super::{
-    ACCELERATION, Arm, Backwards, Dyad, Element, FRAMES, POSITION, REACH_SLACK, RelativeMotion,
+    ACCELERATION, Arm, BackwardPass, Dyad, Element, FRAMES, POSITION, REACH_SLACK, RelativeMotion,
     StepOutcome, Stretching, TwoAssemblies, VELOCITY, settled, triangle_reserve,
 };
 use crate::arithmetic::{Series, TERMS};
@@ -141,7 +141,7 @@ impl Cylinder {
 }
 
 impl Element for Cylinder {
-    type Back = CylinderBack;
+    type Back = CylinderBackward;
 
     fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
         places(PlacedPart::Point(self.point));
@@ -166,7 +166,7 @@ impl Element for Cylinder {
         let c = self.far.length.hi;
         let scale = of.rho2 * T::exactly(4.0 * c * c);
         state.measures[self.group] = of.product / scale;
-        let slack = (of.rho + T::exactly(c)).scaled(REACH_SLACK * T::GRAIN);
+        let slack = (of.rho + T::exactly(c)).scaled(REACH_SLACK * T::RELATIVE_ROUNDING);
         if !of.inner.min(of.outer).exceeds(slack) {
             return StepOutcome::Unclear;
         }
@@ -185,8 +185,8 @@ impl Element for Cylinder {
         self.far = self.far.varied(place);
     }
 
-    fn back(&self, site: &Site<'_>) -> Option<CylinderBack> {
-        Some(CylinderBack {
+    fn back(&self, site: &Site<'_>) -> Option<CylinderBackward> {
+        Some(CylinderBackward {
             point: self.point,
             barrel: site.barrel(self.link, self.pivot),
             along: self.along,
@@ -218,7 +218,7 @@ impl TwoAssemblies for Cylinder {
     fn is_in_reach<T: Number>(&self, q: T, state: &State<T>) -> bool {
         let of = self.triangle(q, state);
         let size = of.rho + T::exactly(self.far.length.hi);
-        let slack = size.scaled(REACH_SLACK * T::GRAIN);
+        let slack = size.scaled(REACH_SLACK * T::RELATIVE_ROUNDING);
         let misses = |reach: T| (-slack).exceeds(reach);
         let has_direction = of.rho.exceeds(T::default()) && of.d2.sqrt().exceeds(slack);
         of.d2.is_finite() && has_direction && !misses(of.inner) && !misses(of.outer)
@@ -274,7 +274,7 @@ impl TwoAssemblies for Cylinder {
         Some([self.pivot, self.far.pivot])
     }
 
-    fn arms_apart(&self, q: Series) -> f64 {
+    fn arm_difference(&self, q: Series) -> f64 {
         (self.arm_square(q.cut(1)).sqrt() - Series::of(self.far.length)).nearest()
     }
 
@@ -282,7 +282,7 @@ impl TwoAssemblies for Cylinder {
     fn in_series(
         &self,
         q: Series,
-        snap: Snap,
+        snap: SingularShift,
         terms: usize,
         state: &State<Series>,
     ) -> SeriesTriangle {
@@ -303,7 +303,13 @@ impl TwoAssemblies for Cylinder {
         self.arm_square(q.cut(1)).nearest() * self.far.length.hi.powi(2)
     }
 
-    fn run_through(&self, q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
+    fn run_through(
+        &self,
+        q: Series,
+        snap: SingularShift,
+        height: Series,
+        state: &mut State<Series>,
+    ) {
         let triangle = self.in_series(q, snap, TERMS, state);
         let e = triangle.arm(height);
         self.place::<Series, POSITION>(q, e, e - triangle.u, height, state);
@@ -313,7 +319,7 @@ impl TwoAssemblies for Cylinder {
 /// The backward pass: two arms share the force. The driver takes the component along the barrel,
 /// the guide takes the rest.
 #[derive(Clone, Debug)]
-pub(in crate::solver) struct CylinderBack {
+pub(in crate::solver) struct CylinderBackward {
     point: PointId,
     barrel: ArmSite,
     along: Vec2<Constant>,
@@ -322,7 +328,7 @@ pub(in crate::solver) struct CylinderBack {
     following: Option<Following>,
 }
 
-impl Backwards for CylinderBack {
+impl BackwardPass for CylinderBackward {
     #[inline(always)]
     fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let force = forces.share(self.point, &self.barrel, &self.far, state);

@@ -1,6 +1,6 @@
 //! Defines the common interface of the dyads with two assemblies.
 
-use super::through::{FEW, Height, InSeries, Snap, between, squared};
+use super::through::{FEW_TERMS, Height, InSeries, SingularShift, between, squared};
 use super::{
     CircleLine, CircleRail, Circles, Cylinder, Element, RelativeMotion, StepOutcome, Stretching,
     Swing, sum,
@@ -90,7 +90,7 @@ pub(super) trait TwoAssemblies {
     }
 
     /// Returns the difference of its arms. If they are equal, the pivots can coincide.
-    fn arms_apart(&self, _q: Series) -> f64 {
+    fn arm_difference(&self, _q: Series) -> f64 {
         f64::INFINITY
     }
 
@@ -98,14 +98,14 @@ pub(super) trait TwoAssemblies {
     /// the distance of pivot and guide. Where the quantity is extreme, the arms can be in line.
     fn reach(&self, state: &State<Series>) -> [Series; 2] {
         let u = self.pivots().map(|[a, b]| between(a, b, state));
-        squared(u.unwrap_or_default().map(|v| v.cut(FEW)))
+        squared(u.unwrap_or_default().map(|v| v.cut(FEW_TERMS)))
     }
 
     /// Returns its series representation to at most this number of terms.
     fn in_series(
         &self,
         q: Series,
-        snap: Snap,
+        snap: SingularShift,
         terms: usize,
         state: &State<Series>,
     ) -> Self::InSeries;
@@ -114,7 +114,13 @@ pub(super) trait TwoAssemblies {
     fn right_angle(&self, q: Series, state: &State<Series>) -> f64;
 
     /// Places it with this signed height.
-    fn run_through(&self, q: Series, snap: Snap, height: Series, state: &mut State<Series>);
+    fn run_through(
+        &self,
+        q: Series,
+        snap: SingularShift,
+        height: Series,
+        state: &mut State<Series>,
+    );
 }
 
 /// Returns how far a triangle of the sides d, b, c is from being flat.
@@ -188,7 +194,7 @@ impl Dyad<'_> {
     }
 
     /// Returns `true` if both its pivots move.
-    pub(in crate::solver) fn is_afloat(self, state: &State<Series>) -> bool {
+    pub(in crate::solver) fn has_moving_pivots(self, state: &State<Series>) -> bool {
         let moves = |p: PointId| {
             let Vec2 { x, y } = state.points[p.index()].p;
             [x, y].iter().any(|v| v.c[1..].iter().any(|c| c.hi != 0.0))
@@ -197,13 +203,23 @@ impl Dyad<'_> {
     }
 
     /// Returns the square of its height.
-    pub(in crate::solver) fn square(self, q: Series, snap: Snap, state: &State<Series>) -> Series {
+    pub(in crate::solver) fn square(
+        self,
+        q: Series,
+        snap: SingularShift,
+        state: &State<Series>,
+    ) -> Series {
         each!(self, d => d.in_series(q, snap, TERMS, state).square())
     }
 
     /// Returns the first terms of the square of its height, with their sizes and slopes.
-    pub(in crate::solver) fn height(self, q: Series, snap: Snap, state: &State<Series>) -> Height {
-        each!(self, d => d.in_series(q, snap, FEW, state).height())
+    pub(in crate::solver) fn height(
+        self,
+        q: Series,
+        snap: SingularShift,
+        state: &State<Series>,
+    ) -> Height {
+        each!(self, d => d.in_series(q, snap, FEW_TERMS, state).height())
     }
 
     /// Returns the vector from pivot to pivot if the pivots may coincide, that is, if the arms are
@@ -214,8 +230,8 @@ impl Dyad<'_> {
         slack: f64,
         state: &State<Series>,
     ) -> Option<Vec2<Double>> {
-        let apart = each!(self, d => d.arms_apart(q));
-        let u = self.pivots(state).filter(|_| apart.abs() <= slack)?;
+        let distance = each!(self, d => d.arm_difference(q));
+        let u = self.pivots(state).filter(|_| distance.abs() <= slack)?;
         Some(u.map(|v| v.c[0]))
     }
 
@@ -229,7 +245,7 @@ impl Dyad<'_> {
     pub(in crate::solver) fn run_through(
         self,
         q: Series,
-        snap: Snap,
+        snap: SingularShift,
         height: Series,
         state: &mut State<Series>,
     ) {

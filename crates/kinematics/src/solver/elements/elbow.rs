@@ -1,6 +1,6 @@
 //! Places a link that an input turns against another link, which carries the motor.
 
-use super::{Backwards, Element, StepOutcome};
+use super::{BackwardPass, Element, StepOutcome};
 use crate::solver::demand::PlacedPart;
 use crate::solver::following::{Following, InputMotion};
 use crate::solver::forces::{ForceState, Site};
@@ -20,7 +20,7 @@ pub(in crate::solver) struct Elbow {
 }
 
 impl Element for Elbow {
-    type Back = ElbowBack;
+    type Back = ElbowBackward;
 
     fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
         places(PlacedPart::Link(self.link));
@@ -58,18 +58,18 @@ impl Element for Elbow {
         StepOutcome::Done
     }
 
-    fn back(&self, _site: &Site<'_>) -> Option<ElbowBack> {
-        Some(ElbowBack { step: self.clone() })
+    fn back(&self, _site: &Site<'_>) -> Option<ElbowBackward> {
+        Some(ElbowBackward { step: self.clone() })
     }
 }
 
 /// The backward pass: the motor resists the couple on the link, which passes on to the other link.
 #[derive(Clone, Debug)]
-pub(in crate::solver) struct ElbowBack {
+pub(in crate::solver) struct ElbowBackward {
     step: Elbow,
 }
 
-impl Backwards for ElbowBack {
+impl BackwardPass for ElbowBackward {
     #[inline(always)]
     fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let Elbow {

@@ -86,7 +86,8 @@ impl<T: Number> Chord<T> {
         Chord {
             product: left * right,
             reaches: [left, right],
-            slack: (length + from.x.abs() + from.y.abs()).scaled(REACH_SLACK * T::GRAIN),
+            slack: (length + from.x.abs() + from.y.abs())
+                .scaled(REACH_SLACK * T::RELATIVE_ROUNDING),
         }
     }
 

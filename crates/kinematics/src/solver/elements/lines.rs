@@ -1,9 +1,9 @@
 //! Solves the dyads PRP and RPP: a joint on two known lines.
 
 use super::line::GuideAt;
-use super::{ACCELERATION, Backwards, Element, GuideLine, StepOutcome, VELOCITY};
+use super::{ACCELERATION, BackwardPass, Element, GuideLine, StepOutcome, VELOCITY};
 use crate::solver::demand::PlacedPart;
-use crate::solver::forces::{ForceState, Held, Site};
+use crate::solver::forces::{ForceState, LineReaction, Site};
 use crate::solver::state::{PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Number, PointId, Vec2};
@@ -22,7 +22,7 @@ pub(in crate::solver) struct Lines {
 }
 
 impl Element for Lines {
-    type Back = LinesBack;
+    type Back = LinesBackward;
 
     fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
         places(PlacedPart::Point(self.point));
@@ -50,8 +50,8 @@ impl Element for Lines {
         StepOutcome::Done
     }
 
-    fn back(&self, site: &Site<'_>) -> Option<LinesBack> {
-        Some(LinesBack {
+    fn back(&self, site: &Site<'_>) -> Option<LinesBackward> {
+        Some(LinesBackward {
             point: self.point,
             lines: [self.first, self.second],
             holds: [site.held(0, self.point)?, site.held(1, self.point)?],
@@ -65,7 +65,7 @@ impl Element for Lines {
     }
 
     fn inner_joint(&self) -> Option<InnerJoint> {
-        Some(InnerJoint::beside_normal(self.group))
+        Some(InnerJoint::line_and_normal(self.group))
     }
 }
 
@@ -95,13 +95,13 @@ fn meet<T: Number, const ORDER: u8>(one: &GuideAt<T>, two: &GuideAt<T>) -> Optio
 
 /// The backward pass: the force at the joint is resolved along the normals of the two lines.
 #[derive(Clone, Debug)]
-pub(in crate::solver) struct LinesBack {
+pub(in crate::solver) struct LinesBackward {
     point: PointId,
     lines: [GuideLine; 2],
-    holds: [Held; 2],
+    holds: [LineReaction; 2],
 }
 
-impl Backwards for LinesBack {
+impl BackwardPass for LinesBackward {
     #[inline(always)]
     fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let [one, two] = [self.lines[0].at(state), self.lines[1].at(state)];

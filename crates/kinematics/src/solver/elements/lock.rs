@@ -1,6 +1,6 @@
 //! Places a link that keeps its angle to another link.
 
-use super::{Backwards, Element, StepOutcome};
+use super::{BackwardPass, Element, StepOutcome};
 use crate::solver::demand::PlacedPart;
 use crate::solver::forces::{ForceState, Site};
 use crate::solver::state::State;
@@ -16,7 +16,7 @@ pub(in crate::solver) struct Lock {
 
 impl Element for Lock {
     const HAS_RESIDUALS: bool = true;
-    type Back = LockBack;
+    type Back = LockBackward;
 
     fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
         places(PlacedPart::Link(self.link));
@@ -39,8 +39,8 @@ impl Element for Lock {
         StepOutcome::Done
     }
 
-    fn back(&self, _site: &Site<'_>) -> Option<LockBack> {
-        Some(LockBack {
+    fn back(&self, _site: &Site<'_>) -> Option<LockBackward> {
+        Some(LockBackward {
             link: self.link,
             to: self.to,
         })
@@ -49,12 +49,12 @@ impl Element for Lock {
 
 /// The backward pass: the lock passes the couple on.
 #[derive(Clone, Debug)]
-pub(in crate::solver) struct LockBack {
+pub(in crate::solver) struct LockBackward {
     link: LinkId,
     to: LinkId,
 }
 
-impl Backwards for LockBack {
+impl BackwardPass for LockBackward {
     #[inline(always)]
     fn run<T: Number>(&self, _state: &State<T>, forces: &mut ForceState<T>) {
         let couple = forces.couple(self.link);

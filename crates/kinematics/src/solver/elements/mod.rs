@@ -44,7 +44,7 @@ pub(super) use ride::Ride;
 pub(super) use slide_readout::SlideReadout;
 pub(super) use stretching::{FRAMES, RelativeMotion, Stretching, settled, sum};
 pub(super) use swing::Swing;
-pub(super) use through::{Height, Pair, Snap, ZERO, root};
+pub(super) use through::{Height, Pair, SingularShift, ZERO, root};
 pub(super) use timed::Timed;
 
 use super::coupled::Coupled;
@@ -88,7 +88,7 @@ pub(super) trait Element {
     const HAS_RESIDUALS: bool = false;
 
     /// The element's backward pass.
-    type Back: Backwards;
+    type Back: BackwardPass;
 
     /// Calls `places` for everything that the element places.
     fn outputs(&self, places: &mut impl FnMut(PlacedPart));
@@ -129,16 +129,16 @@ pub(super) trait Element {
 }
 
 /// The backward pass of an element.
-pub(super) trait Backwards {
+pub(super) trait BackwardPass {
     /// Transfers the forces on the element's outputs to its inputs, and records the joint forces.
     fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>);
 }
 
 /// The backward pass of elements without one.
 #[derive(Clone, Debug)]
-pub(super) enum Nothing {}
+pub(super) enum NoBackwardPass {}
 
-impl Backwards for Nothing {
+impl BackwardPass for NoBackwardPass {
     fn run<T: Number>(&self, _state: &State<T>, _forces: &mut ForceState<T>) {
         match *self {}
     }
@@ -275,7 +275,7 @@ macro_rules! elements {
         }
 
         impl Pass {
-            /// Runs the backward pass: see [`Backwards::run`].
+            /// Runs the backward pass: see [`BackwardPass::run`].
             #[inline(always)]
             pub(super) fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
                 match self {

@@ -1,7 +1,7 @@
 //! Places a driven slide: its input's coordinate is its position along the guide.
 
 use super::ride::carried;
-use super::{Backwards, Element, StepOutcome};
+use super::{BackwardPass, Element, StepOutcome};
 use crate::solver::demand::PlacedPart;
 use crate::solver::following::{Following, InputMotion};
 use crate::solver::forces::{ForceState, Site, Slot};
@@ -22,7 +22,7 @@ pub(in crate::solver) struct Push {
 }
 
 impl Element for Push {
-    type Back = PushBack;
+    type Back = PushBackward;
 
     fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
         places(PlacedPart::Point(self.point));
@@ -58,8 +58,8 @@ impl Element for Push {
         StepOutcome::Done
     }
 
-    fn back(&self, site: &Site<'_>) -> Option<PushBack> {
-        Some(PushBack {
+    fn back(&self, site: &Site<'_>) -> Option<PushBackward> {
+        Some(PushBackward {
             step: self.clone(),
             slot: site.slot(self.link, self.base),
         })
@@ -68,12 +68,12 @@ impl Element for Push {
 
 /// The backward pass: the driver takes the force along the guide, the guide takes the rest.
 #[derive(Clone, Debug)]
-pub(in crate::solver) struct PushBack {
+pub(in crate::solver) struct PushBackward {
     step: Push,
     slot: Slot,
 }
 
-impl Backwards for PushBack {
+impl BackwardPass for PushBackward {
     #[inline(always)]
     fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let Push {

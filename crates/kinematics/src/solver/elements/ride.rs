@@ -1,6 +1,6 @@
 //! Places a point that rides on a link with a known direction and another known point.
 
-use super::{ACCELERATION, Backwards, Element, StepOutcome, VELOCITY};
+use super::{ACCELERATION, BackwardPass, Element, StepOutcome, VELOCITY};
 use crate::solver::demand::PlacedPart;
 use crate::solver::forces::{ForceState, Site, Slot};
 use crate::solver::state::{LinkState, PointState, State};
@@ -39,7 +39,7 @@ pub(super) fn carried<T: Number, const ORDER: u8>(
 impl Element for Ride {
     const IS_FREQUENT: bool = true;
     const HAS_RESIDUALS: bool = true;
-    type Back = Carry;
+    type Back = RideBackward;
 
     fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
         places(PlacedPart::Point(self.point));
@@ -68,23 +68,23 @@ impl Element for Ride {
         place(&mut self.local);
     }
 
-    fn back(&self, site: &Site<'_>) -> Option<Carry> {
-        Some(Carry::new(site, [self.point, self.base], self.link))
+    fn back(&self, site: &Site<'_>) -> Option<RideBackward> {
+        Some(RideBackward::new(site, [self.point, self.base], self.link))
     }
 }
 
 /// The backward pass of a point of a link: the link carries the force from the point to the base.
 #[derive(Clone, Debug)]
-pub(in crate::solver) struct Carry {
+pub(in crate::solver) struct RideBackward {
     points: [PointId; 2],
     link: LinkId,
     /// The slots for the force on the link at the point and at the base.
     slots: [Slot; 2],
 }
 
-impl Carry {
-    pub(super) fn new(site: &Site<'_>, points: [PointId; 2], link: LinkId) -> Carry {
-        Carry {
+impl RideBackward {
+    pub(super) fn new(site: &Site<'_>, points: [PointId; 2], link: LinkId) -> RideBackward {
+        RideBackward {
             points,
             link,
             slots: points.map(|point| site.slot(link, point)),
@@ -92,7 +92,7 @@ impl Carry {
     }
 }
 
-impl Backwards for Carry {
+impl BackwardPass for RideBackward {
     #[inline(always)]
     fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let [point, base] = self.points;

@@ -1,6 +1,6 @@
 //! Computes a slide's position and rates along its guide.
 
-use super::{Element, GuideLine, Nothing, StepOutcome};
+use super::{Element, GuideLine, NoBackwardPass, StepOutcome};
 use crate::solver::demand::PlacedPart;
 use crate::solver::forces::Site;
 use crate::solver::state::{LinkState, State, TravelState};
@@ -16,7 +16,7 @@ pub(in crate::solver) struct SlideReadout {
 
 impl Element for SlideReadout {
     const HAS_RESIDUALS: bool = true;
-    type Back = Nothing;
+    type Back = NoBackwardPass;
 
     fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
         places(PlacedPart::Slide(self.slide));
@@ -51,7 +51,7 @@ impl Element for SlideReadout {
         StepOutcome::Done
     }
 
-    fn back(&self, _site: &Site<'_>) -> Option<Nothing> {
+    fn back(&self, _site: &Site<'_>) -> Option<NoBackwardPass> {
         None
     }
 }

@@ -36,19 +36,19 @@ impl Stretching {
     /// the cosine of an angle between links. Returns `None` at rest.
     pub(in crate::solver) fn rate(&self) -> Option<f64> {
         let rate = self.growth / self.seen[0].v.norm();
-        let moves = rate.is_finite() && !self.rests();
+        let moves = rate.is_finite() && !self.is_at_rest();
         moves.then_some(rate)
     }
 
     /// Returns `true` if the ends are at rest relative to each other, without acceleration.
-    pub(in crate::solver) fn rests(&self) -> bool {
+    pub(in crate::solver) fn is_at_rest(&self) -> bool {
         let mut seen = self.seen.iter();
         seen.any(|seen| seen.v == Vec2::ZERO && seen.a == Vec2::ZERO)
     }
 
     /// Returns the sign of the rate just next to a position where the motion in a frame stops or
     /// reverses, on the side of `sense`.
-    pub(in crate::solver) fn rate_beside(&self, frame: usize, sense: f64) -> f64 {
+    pub(in crate::solver) fn adjacent_rate_sign(&self, frame: usize, sense: f64) -> f64 {
         sense * self.toward.dot(self.seen[frame].a)
     }
 }
@@ -56,7 +56,9 @@ impl Stretching {
 /// Adds vectors that may cancel; returns zero for a sum that is only rounding error.
 pub(in crate::solver) fn sum<const N: usize>(terms: [Vec2; N]) -> Vec2 {
     let sum = terms.into_iter().fold(Vec2::ZERO, |sum, term| sum + term);
-    let largest = terms.iter().fold(0.0, |most, term| term.norm().max(most));
+    let largest = terms
+        .iter()
+        .fold(0.0, |maximum, term| term.norm().max(maximum));
     let is_rounding = sum.norm() <= ROUNDING * largest;
     if is_rounding { Vec2::ZERO } else { sum }
 }

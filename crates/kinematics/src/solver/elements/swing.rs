@@ -1,8 +1,8 @@
 //! Solves the dyad RPR: an arm that turns about a known joint and slides through another one.
 
-use super::through::{Height, InSeries, Snap, between, quotient, shifted, squared};
+use super::through::{Height, InSeries, SingularShift, between, quotient, shifted, squared};
 use super::{
-    ACCELERATION, Backwards, Dyad, Element, POSITION, REACH_SLACK, StepOutcome, TwoAssemblies,
+    ACCELERATION, BackwardPass, Dyad, Element, POSITION, REACH_SLACK, StepOutcome, TwoAssemblies,
     VELOCITY,
 };
 use crate::arithmetic::{Series, TERMS};
@@ -36,7 +36,7 @@ impl Swing {
         let d2 = w.norm2();
         let d = d2.sqrt();
         let size = d + T::of(self.offset.abs()) + pin.x.abs() + pin.y.abs();
-        (w, d, d2, size.scaled(REACH_SLACK * T::GRAIN))
+        (w, d, d2, size.scaled(REACH_SLACK * T::RELATIVE_ROUNDING))
     }
 
     /// Stores the arm with its guide along t and the pin at s along it.
@@ -67,7 +67,7 @@ impl Swing {
 }
 
 impl Element for Swing {
-    type Back = SwingBack;
+    type Back = SwingBackward;
 
     fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
         places(PlacedPart::Link(self.link));
@@ -106,14 +106,14 @@ impl Element for Swing {
 
     fn vary(&mut self, place: &mut impl FnMut(&mut Vec2<Constant>)) {
         // As a position, the offset is across the guide.
-        let mut beside = Vec2::new(Constant::default(), self.offset);
-        place(&mut beside);
-        self.offset = beside.y;
+        let mut nearby = Vec2::new(Constant::default(), self.offset);
+        place(&mut nearby);
+        self.offset = nearby.y;
     }
 
-    fn back(&self, site: &Site<'_>) -> Option<SwingBack> {
+    fn back(&self, site: &Site<'_>) -> Option<SwingBackward> {
         let (slide, legs) = site.swung(self.pin);
-        Some(SwingBack {
+        Some(SwingBackward {
             pivot: self.pivot,
             pin: self.pin,
             link: self.link,
@@ -131,12 +131,12 @@ impl Element for Swing {
     }
 
     fn inner_joint(&self) -> Option<InnerJoint> {
-        Some(InnerJoint::beside_normal(self.group))
+        Some(InnerJoint::line_and_normal(self.group))
     }
 }
 
 impl TwoAssemblies for Swing {
-    type InSeries = SeriesWay;
+    type InSeries = SwingSeries;
 
     fn group(&self) -> usize {
         self.group
@@ -167,19 +167,25 @@ impl TwoAssemblies for Swing {
         Some([self.pivot, self.pin])
     }
 
-    fn arms_apart(&self, _q: Series) -> f64 {
+    fn arm_difference(&self, _q: Series) -> f64 {
         self.offset.hi
     }
 
     /// Returns the vector from pivot to pin and the guide's offset, in series.
-    fn in_series(&self, _q: Series, snap: Snap, terms: usize, state: &State<Series>) -> SeriesWay {
+    fn in_series(
+        &self,
+        _q: Series,
+        snap: SingularShift,
+        terms: usize,
+        state: &State<Series>,
+    ) -> SwingSeries {
         let w = shifted(between(self.pivot, self.pin, state), snap, terms);
         let offset = if snap.equal_arms {
             Series::default()
         } else {
             Series::of(self.offset)
         };
-        SeriesWay { w, e: offset }
+        SwingSeries { w, e: offset }
     }
 
     fn right_angle(&self, _q: Series, state: &State<Series>) -> f64 {
@@ -187,27 +193,33 @@ impl TwoAssemblies for Swing {
         w.map(|v| v.cut(1)).norm2().nearest()
     }
 
-    fn run_through(&self, q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
-        let SeriesWay { w, e } = self.in_series(q, snap, TERMS, state);
+    fn run_through(
+        &self,
+        q: Series,
+        snap: SingularShift,
+        height: Series,
+        state: &mut State<Series>,
+    ) {
+        let SwingSeries { w, e } = self.in_series(q, snap, TERMS, state);
         let t = quotient(w.turned(Vec2::new(height, -e)), w, w.norm2(), snap.pair);
         self.place::<Series, POSITION>(t, height, state);
     }
 }
 
 /// The vector from pivot to pin and the guide's offset from the pivot, in series.
-pub(super) struct SeriesWay {
+pub(super) struct SwingSeries {
     w: Vec2<Series>,
     e: Series,
 }
 
-impl InSeries for SeriesWay {
+impl InSeries for SwingSeries {
     /// s^2 = w^2 - e^2.
     fn square(&self) -> Series {
         self.w.norm2() - self.e * self.e
     }
 
     fn height(&self) -> Height {
-        let SeriesWay { w, e } = *self;
+        let SwingSeries { w, e } = *self;
         Height {
             square: self.square(),
             size: squared(w)[1] + e * e,
@@ -218,7 +230,7 @@ impl InSeries for SeriesWay {
 
 /// The backward pass: the couple on the arm presses its guide against the pin.
 #[derive(Clone, Debug)]
-pub(in crate::solver) struct SwingBack {
+pub(in crate::solver) struct SwingBackward {
     pivot: PointId,
     pin: PointId,
     link: LinkId,
@@ -229,7 +241,7 @@ pub(in crate::solver) struct SwingBack {
     legs: Vec<LegSite>,
 }
 
-impl Backwards for SwingBack {
+impl BackwardPass for SwingBackward {
     #[inline(always)]
     fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let at = |point: PointId| -> Vec2<T> { state.points[point.index()].p };

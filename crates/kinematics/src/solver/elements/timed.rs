@@ -1,6 +1,6 @@
 //! Places a further link turned by an input whose angle follows the driver's coordinate.
 
-use super::{Backwards, Element, StepOutcome};
+use super::{BackwardPass, Element, StepOutcome};
 use crate::solver::demand::PlacedPart;
 use crate::solver::following::{Following, InputMotion};
 use crate::solver::forces::{ForceState, Site};
@@ -15,7 +15,7 @@ pub(in crate::solver) struct Timed {
 }
 
 impl Element for Timed {
-    type Back = TimedBack;
+    type Back = TimedBackward;
 
     fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
         places(PlacedPart::Link(self.link));
@@ -36,19 +36,19 @@ impl Element for Timed {
         StepOutcome::Done
     }
 
-    fn back(&self, _site: &Site<'_>) -> Option<TimedBack> {
-        Some(TimedBack { step: self.clone() })
+    fn back(&self, _site: &Site<'_>) -> Option<TimedBackward> {
+        Some(TimedBackward { step: self.clone() })
     }
 }
 
 /// The backward pass: the driver resists the couple on the link, through the law by which it
 /// follows.
 #[derive(Clone, Debug)]
-pub(in crate::solver) struct TimedBack {
+pub(in crate::solver) struct TimedBackward {
     step: Timed,
 }
 
-impl Backwards for TimedBack {
+impl BackwardPass for TimedBackward {
     #[inline(always)]
     fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let Timed { link, following } = &self.step;

@@ -114,9 +114,9 @@ impl ReadyTable {
                 InputMotion { p, ..before }
             }
             (Some(period), _) => {
-                let behind = self.piece(1, q - T::exactly(period));
-                let p = behind.p + (last_value - first_value);
-                InputMotion { p, ..behind }
+                let after = self.piece(1, q - T::exactly(period));
+                let p = after.p + (last_value - first_value);
+                InputMotion { p, ..after }
             }
         }
     }

@@ -7,7 +7,7 @@
 mod acted;
 mod springs;
 
-pub use acted::{Acted, PressStroke};
+pub use acted::{LoadAction, PressStroke};
 
 use super::TorquePart;
 use super::profile::ReadyProfile;
@@ -22,7 +22,7 @@ use crate::{
 use springs::{LineSpring, TorsionSpring};
 
 /// A receiver of loads: the forces of a state, or a sum of their sizes.
-pub(super) trait Bears<T: Number> {
+pub(super) trait LoadReceiver<T: Number> {
     /// Adds a force at a point.
     fn push(&mut self, part: TorquePart, point: PointId, force: Vec2<T>, state: &State<T>);
 
@@ -33,13 +33,13 @@ pub(super) trait Bears<T: Number> {
     fn twist(&mut self, part: TorquePart, link: LinkId, couple: T, state: &State<T>);
 
     /// Records a force on a link at one of its points that does not come from the pin there.
-    fn note_apart(&mut self, slot: Slot, force: Vec2<T>);
+    fn add_off_pin_force(&mut self, slot: Slot, force: Vec2<T>);
 }
 
 /// All loads, prepared for evaluation at a state.
 #[derive(Clone, Debug)]
-pub(super) struct Acting {
-    loads: Vec<Act>,
+pub(super) struct PreparedLoads {
+    loads: Vec<ScaledLoad>,
     masses: Vec<Mass>,
     /// In m/s^2.
     gravity: Vec2<Constant>,
@@ -50,7 +50,7 @@ pub(super) struct Acting {
 
 /// A load in the solver's lengths.
 #[derive(Clone, Debug)]
-enum Act {
+enum ScaledLoad {
     Force {
         point: PointId,
         force: Vec2<Constant>,
@@ -87,16 +87,16 @@ fn closing<T: Number>(
     state: &State<T>,
 ) -> (T, T) {
     // A driver at rest counts as moving forwards.
-    let stands = state.rates.speed.hi == 0.0;
-    let rate = if stands {
+    let driver_states = state.rates.speed.hi == 0.0;
+    let rate = if driver_states {
         state.travels[slide.index()].v
     } else {
         travel.rate
     };
     let bottom = T::of(stroke.bottom);
     match end {
-        StrokeEnd::Least => (travel.position - bottom, -rate),
-        StrokeEnd::Greatest => (bottom - travel.position, rate),
+        StrokeEnd::Minimum => (travel.position - bottom, -rate),
+        StrokeEnd::Maximum => (bottom - travel.position, rate),
     }
 }
 
@@ -109,16 +109,16 @@ struct Mass {
     inertia: Constant,
 }
 
-impl Acting {
+impl PreparedLoads {
     /// Creates the loads of a mechanism. `stroke` returns the end of a slide's stroke.
     pub(super) fn new(
         mechanism: &Mechanism,
         frame: Frame,
         slots: &Slots,
         stroke: impl Fn(SlideId, StrokeEnd) -> Stroke,
-    ) -> Acting {
+    ) -> PreparedLoads {
         let loads = mechanism.loads().iter();
-        let loads = loads.map(|load| act(mechanism, frame, load, slots, &stroke));
+        let loads = loads.map(|load| apply_load(mechanism, frame, load, slots, &stroke));
         let masses = mechanism.link_ids().filter_map(|id| {
             let link = mechanism.link(id);
             let has_mass = link.mass > 0.0 || link.inertia > 0.0;
@@ -129,7 +129,7 @@ impl Acting {
                 inertia: Constant::given(link.inertia),
             })
         });
-        Acting {
+        PreparedLoads {
             loads: loads.collect(),
             masses: masses.collect(),
             gravity: mechanism.gravity().map(Constant::given),
@@ -141,7 +141,7 @@ impl Acting {
     /// Returns the end of a press's stroke.
     pub(super) fn stroke(&self, slide: SlideId, end: StrokeEnd) -> Stroke {
         let found = self.loads.iter().find_map(|load| match load {
-            Act::Press {
+            ScaledLoad::Press {
                 slide: of,
                 end: which,
                 stroke,
@@ -155,16 +155,20 @@ impl Acting {
     /// Returns `true` if all loads are a single formula over the whole motion, without pieces.
     pub(super) fn is_smooth(&self) -> bool {
         self.loads.iter().all(|load| match load {
-            Act::Force { over, .. } | Act::Torque { over, .. } => over.is_one(),
-            Act::Press { .. } => false,
-            Act::Spring(spring) => spring.is_smooth(),
-            Act::Torsion(_) => true,
+            ScaledLoad::Force { over, .. } | ScaledLoad::Torque { over, .. } => over.is_one(),
+            ScaledLoad::Press { .. } => false,
+            ScaledLoad::Spring(spring) => spring.is_smooth(),
+            ScaledLoad::Torsion(_) => true,
         })
     }
 
     /// Applies all loads at this state to the points and links of `forces`.
     #[inline(always)]
-    pub(super) fn act<T: Number>(&self, state: &State<T>, forces: &mut impl Bears<T>) {
+    pub(super) fn apply_loads<T: Number>(
+        &self,
+        state: &State<T>,
+        forces: &mut impl LoadReceiver<T>,
+    ) {
         for load in &self.loads {
             self.load(load, state, forces);
         }
@@ -187,9 +191,14 @@ impl Acting {
     }
 
     #[inline(always)]
-    fn load<T: Number>(&self, load: &Act, state: &State<T>, forces: &mut impl Bears<T>) {
+    fn load<T: Number>(
+        &self,
+        load: &ScaledLoad,
+        state: &State<T>,
+        forces: &mut impl LoadReceiver<T>,
+    ) {
         match load {
-            Act::Force {
+            ScaledLoad::Force {
                 point,
                 force,
                 frame,
@@ -207,11 +216,11 @@ impl Acting {
                 };
                 forces.push(TorquePart::Load, *point, force, state);
             }
-            Act::Torque { link, torque, over } => {
+            ScaledLoad::Torque { link, torque, over } => {
                 let torque = T::of(*torque) * over.value(state.at) / T::of(self.unit);
                 forces.twist(TorquePart::Load, *link, torque, state);
             }
-            Act::Press {
+            ScaledLoad::Press {
                 slide,
                 point,
                 on,
@@ -224,50 +233,50 @@ impl Acting {
                 let size = curve.press(distance, towards);
                 let guide = travel.guide;
                 let against = match end {
-                    StrokeEnd::Least => guide,
-                    StrokeEnd::Greatest => -guide,
+                    StrokeEnd::Minimum => guide,
+                    StrokeEnd::Maximum => -guide,
                 };
                 let force = against * size;
                 forces.push(TorquePart::Load, *point, force, state);
                 if let Some((_, slot)) = on {
-                    forces.note_apart(*slot, -force);
+                    forces.add_off_pin_force(*slot, -force);
                 }
             }
-            Act::Spring(spring) => spring.pull(state, T::of(self.unit), forces),
-            Act::Torsion(spring) => spring.turn_back(state, T::of(self.unit), forces),
+            ScaledLoad::Spring(spring) => spring.pull(state, T::of(self.unit), forces),
+            ScaledLoad::Torsion(spring) => spring.turn_back(state, T::of(self.unit), forces),
         }
     }
 }
 
-fn act(
+fn apply_load(
     mechanism: &Mechanism,
     frame: Frame,
     load: &Load,
     slots: &Slots,
     stroke: impl Fn(SlideId, StrokeEnd) -> Stroke,
-) -> Act {
-    let turns = matches!(mechanism.driver().input, Input::Turn(_));
+) -> ScaledLoad {
+    let is_rotary = matches!(mechanism.driver().input, Input::Turn(_));
     match load {
         Load::Force {
             point,
             force,
             frame,
             over,
-        } => Act::Force {
+        } => ScaledLoad::Force {
             point: *point,
             force: force.map(Constant::given),
             frame: match frame {
                 Body::Ground => None,
                 Body::Link(link) => Some(*link),
             },
-            over: ReadyProfile::over_driver(over, turns),
+            over: ReadyProfile::over_driver(over, is_rotary),
         },
-        Load::Torque { link, torque, over } => Act::Torque {
+        Load::Torque { link, torque, over } => ScaledLoad::Torque {
             link: *link,
             torque: Constant::given(*torque),
-            over: ReadyProfile::over_driver(over, turns),
+            over: ReadyProfile::over_driver(over, is_rotary),
         },
-        Load::Press { slide, end, curve } => Act::Press {
+        Load::Press { slide, end, curve } => ScaledLoad::Press {
             slide: *slide,
             point: mechanism.slide(*slide).slider.point(),
             on: match mechanism.slide(*slide).slider {
@@ -287,14 +296,14 @@ fn act(
             damping,
         } => {
             let numbers = [*stiffness, *length, *preload, *damping];
-            Act::Spring(LineSpring::straight([*from, *to], numbers, frame.scale))
+            ScaledLoad::Spring(LineSpring::straight([*from, *to], numbers, frame.scale))
         }
         Load::GasSpring {
             from,
             to,
             force,
             damping,
-        } => Act::Spring(LineSpring::gas(
+        } => ScaledLoad::Spring(LineSpring::gas(
             [*from, *to],
             (force, *damping),
             frame.scale,
@@ -308,7 +317,7 @@ fn act(
             damping,
         } => {
             let numbers = [*stiffness, *angle, *preload, *damping];
-            Act::Torsion(TorsionSpring::new(*link, *to, numbers))
+            ScaledLoad::Torsion(TorsionSpring::new(*link, *to, numbers))
         }
     }
 }

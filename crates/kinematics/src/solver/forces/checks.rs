@@ -13,7 +13,7 @@
 //! If not, the limit is a fraction of the terms, not of the result, so that cancelling terms hide
 //! no error.
 
-use super::applied::Bears;
+use super::applied::LoadReceiver;
 use super::slots::Slot;
 use super::{Balance, Extent, ForceState, Residual, TorquePart};
 use crate::solver::state::{PointState, State};
@@ -39,7 +39,7 @@ pub enum ForceCheck {
 
 /// The reason why computed forces of a state are not shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Withheld {
+pub enum WithheldReason {
     /// A check misses by more than rounding explains.
     Unbalanced {
         /// The check that fails. Its residual is part of [`State::residual`].
@@ -102,7 +102,7 @@ fn extent<T: Number>(vector: Vec2<T>) -> T {
     vector.x.abs() + vector.y.abs()
 }
 
-impl<T: Number> Bears<T> for Terms<T> {
+impl<T: Number> LoadReceiver<T> for Terms<T> {
     fn push(&mut self, _: TorquePart, point: PointId, force: Vec2<T>, state: &State<T>) {
         self.force(&state.points[point.index()], force);
     }
@@ -115,7 +115,7 @@ impl<T: Number> Bears<T> for Terms<T> {
         self.couple(T::default(), couple);
     }
 
-    fn note_apart(&mut self, _: Slot, _: Vec2<T>) {}
+    fn add_off_pin_force(&mut self, _: Slot, _: Vec2<T>) {}
 }
 
 /// Returns `true` if a sum is within the rounding error of its terms, in every lane. NaN gives
@@ -194,11 +194,14 @@ impl Balance {
         ];
         let fails = |&(_, miss, terms, _): &(ForceCheck, T, T, T)| !is_rounding(miss, terms);
         if let Some((check, _, terms, unit)) = checks.into_iter().find(fails) {
-            let most = (terms * unit).nearest() * ROUNDING;
-            forces.extent = Extent::Withheld(if most.is_finite() {
-                Withheld::Unbalanced { check, most }
+            let maximum = (terms * unit).nearest() * ROUNDING;
+            forces.extent = Extent::WithheldReason(if maximum.is_finite() {
+                WithheldReason::Unbalanced {
+                    check,
+                    most: maximum,
+                }
             } else {
-                Withheld::Overflow
+                WithheldReason::Overflow
             });
         }
     }
@@ -206,7 +209,7 @@ impl Balance {
     /// Returns the terms of all loads, and of all forces at joints and guides.
     fn terms<T: Number>(&self, state: &State<T>, forces: &ForceState<T>) -> Terms<T> {
         let mut terms = Terms::default();
-        self.acting.act(state, &mut terms);
+        self.acting.apply_loads(state, &mut terms);
         let joints = self.slots.members.iter().zip(&forces.joints);
         for (point, &force) in joints {
             terms.force(&state.points[point.index()], force);
@@ -227,7 +230,7 @@ impl<T: Number> State<T> {
     /// Returns `true` if computed forces are not shown.
     pub(in crate::solver) fn withholds(&self) -> bool {
         let forces = self.forces.as_deref();
-        forces.is_some_and(|forces| matches!(forces.extent, Extent::Withheld(_)))
+        forces.is_some_and(|forces| matches!(forces.extent, Extent::WithheldReason(_)))
     }
 }
 
@@ -235,9 +238,9 @@ impl State {
     /// Returns the reason why the forces of this state are not shown; `None` if they are shown or
     /// do not exist.
     #[must_use]
-    pub fn withheld(&self) -> Option<Withheld> {
+    pub fn withheld(&self) -> Option<WithheldReason> {
         match self.forces.as_deref()?.extent {
-            Extent::Withheld(why) => Some(why),
+            Extent::WithheldReason(why) => Some(why),
             Extent::Nothing | Extent::Drive | Extent::All => None,
         }
     }
@@ -251,14 +254,17 @@ impl State {
         let bounds = ForceCheck::ALL.map(bound);
         let missed = bounds.into_iter().flatten();
         let missed = missed.filter(|&(check, bound)| found.of(check).abs() > bound);
-        let missed = missed.map(|(check, most)| Withheld::Unbalanced { check, most });
+        let missed = missed.map(|(check, maximum)| WithheldReason::Unbalanced {
+            check,
+            most: maximum,
+        });
         let Some(forces) = &mut self.forces else {
             return;
         };
         let is_proved = bounds.iter().all(Option::is_some);
         match (missed.into_iter().next(), forces.extent) {
-            (Some(why), _) => forces.extent = Extent::Withheld(why),
-            (None, Extent::Withheld(Withheld::Unbalanced { .. })) if is_proved => {
+            (Some(why), _) => forces.extent = Extent::WithheldReason(why),
+            (None, Extent::WithheldReason(WithheldReason::Unbalanced { .. })) if is_proved => {
                 forces.extent = Extent::All;
             }
             (None, _) => {}

@@ -74,16 +74,16 @@ impl GroundConnections {
     }
 
     /// Adds all forces on the frame, once every joint and guide has its force.
-    pub(super) fn feel<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
+    pub(super) fn add_frame_forces<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         for &(slot, point) in &self.pins {
-            feel(point, forces.joints[slot], state, forces);
+            add_ground_reaction(point, forces.joints[slot], state, forces);
         }
         for &(slide, point, driven) in &self.guides {
-            feel(point, guided(slide, driven, state, forces), state, forces);
+            add_ground_reaction(point, guided(slide, driven, state, forces), state, forces);
             forces.frame_moment = forces.frame_moment - forces.moments[slide.index()];
         }
         for &(slide, point, driven) in &self.held {
-            feel(point, -guided(slide, driven, state, forces), state, forces);
+            add_ground_reaction(point, -guided(slide, driven, state, forces), state, forces);
         }
         for (input, _) in self.turned.iter().enumerate().filter(|(_, turns)| **turns) {
             // A motor that turns a link is mounted on the frame.
@@ -109,7 +109,12 @@ fn guided<T: Number>(
 }
 
 /// Adds the reaction on the frame of a force on the mechanism at a ground point.
-fn feel<T: Number>(point: PointId, force: Vec2<T>, state: &State<T>, forces: &mut ForceState<T>) {
+fn add_ground_reaction<T: Number>(
+    point: PointId,
+    force: Vec2<T>,
+    state: &State<T>,
+    forces: &mut ForceState<T>,
+) {
     forces.frame = forces.frame - force;
     let moment = state.points[point.index()].p.cross(force);
     forces.frame_moment = forces.frame_moment - moment;

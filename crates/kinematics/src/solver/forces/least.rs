@@ -16,7 +16,7 @@ use nalgebra::DVector;
 
 /// The relative remainder of a unit force below which it is rounding error: its reactions depend on
 /// those of the others.
-const ALIKE: f64 = 1e-9;
+const ROUNDING_REMAINDER: f64 = 1e-9;
 
 /// The reactions of least norm of a state, for those that the equilibrium leaves undetermined.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,25 +71,25 @@ impl Solver {
         if balance.indeterminate.is_empty() {
             return None;
         }
-        let mut work = self.state();
-        let is_ok = self.solve(at, Order::Force, &mut work) == Condition::Ok;
-        if !is_ok || work.withholds() {
+        let mut workspace = self.state();
+        let is_ok = self.solve(at, Order::Force, &mut workspace) == Condition::Ok;
+        if !is_ok || workspace.withholds() {
             return None;
         }
         let network = Network::new(&self.mechanism, self.engine.frame);
-        least(balance, &network, self, &mut work)
+        min_norm(balance, &network, self, &mut workspace)
     }
 }
 
-fn least(
+fn min_norm(
     balance: &Balance,
     network: &Network<'_>,
     solver: &Solver,
-    work: &mut Workspace,
+    workspace: &mut Workspace,
 ) -> Option<LeastNorm> {
     let members = balance.slots.members.len();
     let slides = balance.open.normals.len();
-    let found = work.state.forces.as_deref()?;
+    let found = workspace.state.forces.as_deref()?;
     let mut reactions = listed(found, &DirectAction::new(&balance.open), members);
     // Moments are weighted by their force at the end of the longest length.
     let moments = 2 * members + slides..reactions.len();
@@ -103,13 +103,13 @@ fn least(
     // Gram-Schmidt, applied twice: the available decompositions lose digits for directions of
     // similar size.
     let mut units: Vec<DVector<f64>> = Vec::new();
-    probes(balance, network, solver, work, |forces, felt| {
+    probes(balance, network, solver, workspace, |forces, felt| {
         let mut unit = listed(forces, felt, members);
         weigh(&mut unit, 1.0 / longest);
         let size = unit.norm();
         without(&mut unit, &units);
         let left = unit.norm();
-        if left > MIN_REACTION.max(ALIKE * size) {
+        if left > MIN_REACTION.max(ROUNDING_REMAINDER * size) {
             units.push(unit / left);
         }
     });
@@ -118,7 +118,7 @@ fn least(
     reactions
         .iter()
         .all(|r| r.is_finite())
-        .then(|| told(balance, solver, &reactions))
+        .then(|| from_reactions(balance, solver, &reactions))
 }
 
 /// Removes from a vector its components along orthogonal directions.
@@ -132,11 +132,11 @@ fn without(vector: &mut DVector<f64>, directions: &[DVector<f64>]) {
 }
 
 /// Returns the undetermined reactions.
-fn told(balance: &Balance, solver: &Solver, reactions: &DVector<f64>) -> LeastNorm {
+fn from_reactions(balance: &Balance, solver: &Solver, reactions: &DVector<f64>) -> LeastNorm {
     let members = balance.slots.members.len();
     let slides = balance.open.normals.len();
     let metres = solver.mechanism.metres() * solver.engine.frame.scale;
-    let mut told = LeastNorm {
+    let mut text = LeastNorm {
         joints: Vec::new(),
         normals: Vec::new(),
         moments: Vec::new(),
@@ -146,17 +146,17 @@ fn told(balance: &Balance, solver: &Solver, reactions: &DVector<f64>) -> LeastNo
             Indeterminate::Joint(link, point) => {
                 let slot = 2 * balance.slots.of(link, point);
                 let force = Vec2::new(reactions[slot], reactions[slot + 1]);
-                told.joints.push((link, point, force));
+                text.joints.push((link, point, force));
             }
             Indeterminate::Normal(slide) => {
                 let normal = reactions[2 * members + slide.index()];
-                told.normals.push((slide, normal));
+                text.normals.push((slide, normal));
             }
             Indeterminate::Moment(slide) => {
                 let moment = reactions[2 * members + slides + slide.index()];
-                told.moments.push((slide, moment * metres));
+                text.moments.push((slide, moment * metres));
             }
         }
     }
-    told
+    text
 }

@@ -21,9 +21,9 @@ pub(super) struct Locked {
 #[derive(Clone, Debug)]
 struct LockSite {
     slide: SlideId,
-    beyond: Vec<LinkId>,
+    linked: Vec<LinkId>,
     /// Whether the sliding link is among them, rather than the guide.
-    holds_slider: bool,
+    includes_slider: bool,
 }
 
 impl Locked {
@@ -43,11 +43,11 @@ impl Locked {
                 _ => None,
             };
             let ground = network.class(link) == GROUND;
-            let led = || program.steps.iter().find_map(is_rep);
+            let guided = || program.steps.iter().find_map(is_rep);
             if ground {
                 network.ground()
             } else {
-                led().unwrap_or(link)
+                guided().unwrap_or(link)
             }
         };
         let locks = edges.iter().map(|&(slide, slider, guide)| {
@@ -56,12 +56,12 @@ impl Locked {
             let holds_slider = !beyond.contains(&root);
             LockSite {
                 slide,
-                beyond: if holds_slider {
+                linked: if holds_slider {
                     beyond
                 } else {
                     reached(guide, slide, &edges)
                 },
-                holds_slider,
+                includes_slider: holds_slider,
             }
         });
         Locked {
@@ -80,9 +80,9 @@ impl Locked {
             forces.couples[link.index()] += forces.links[link.index()];
         }
         for lock in &self.locks {
-            let couples = lock.beyond.iter().map(|l| forces.couples[l.index()]);
+            let couples = lock.linked.iter().map(|l| forces.couples[l.index()]);
             let sum = couples.fold(T::default(), |sum, couple| sum + couple);
-            forces.moments[lock.slide.index()] = if lock.holds_slider { -sum } else { sum };
+            forces.moments[lock.slide.index()] = if lock.includes_slider { -sum } else { sum };
         }
     }
 }

@@ -15,12 +15,12 @@ mod stroke;
 #[cfg(any(test, feature = "testing"))]
 pub(super) mod testing;
 
-pub use applied::{Acted, PressStroke};
-pub use checks::{ForceCheck, Withheld};
+pub use applied::{LoadAction, PressStroke};
+pub use checks::{ForceCheck, WithheldReason};
 pub use least::LeastNorm;
 pub use open::Indeterminate;
 pub use read::Residual;
-pub(super) use site::{ArmSite, Held, LegSite, Site};
+pub(super) use site::{ArmSite, LegSite, LineReaction, Site};
 pub(super) use slots::{Slot, Slots};
 
 use super::coupled::Scratch;
@@ -32,7 +32,7 @@ use super::state::{Condition, State};
 use super::{Order, Solver, Workspace};
 use crate::arithmetic::Sharp;
 use crate::{Ball, Input, LinkId, Number, PointId, SlideId, Slider, StrokeEnd, Vec2};
-use applied::{Acting, Bears};
+use applied::{LoadReceiver, PreparedLoads};
 use frame::GroundConnections;
 use locked::Locked;
 use open::Open;
@@ -57,7 +57,7 @@ enum Extent {
     /// need not exist.
     Drive,
     /// All were computed but cannot be right. Only the residuals that show this can be read.
-    Withheld(Withheld),
+    WithheldReason(WithheldReason),
     All,
 }
 
@@ -112,7 +112,7 @@ struct TorqueScale<T> {
     origin: Vec2<T>,
 }
 
-impl<T: Number> Bears<T> for ForceState<T> {
+impl<T: Number> LoadReceiver<T> for ForceState<T> {
     #[inline(always)]
     fn push(&mut self, part: TorquePart, point: PointId, force: Vec2<T>, state: &State<T>) {
         let at = &state.points[point.index()];
@@ -136,7 +136,7 @@ impl<T: Number> Bears<T> for ForceState<T> {
     }
 
     #[inline(always)]
-    fn note_apart(&mut self, slot: Slot, force: Vec2<T>) {
+    fn add_off_pin_force(&mut self, slot: Slot, force: Vec2<T>) {
         self.note(slot, force);
     }
 }
@@ -175,7 +175,7 @@ impl<T: Number> ForceState<T> {
     }
 
     /// Returns the driver's torque or force against the virtual work of a part.
-    fn against(&self, part: TorquePart) -> T {
+    fn virtual_work_force(&self, part: TorquePart) -> T {
         // Subtracted, so that zero has no negative sign.
         T::default() - self.work[part as usize] * self.scale.drive
     }
@@ -207,7 +207,7 @@ impl ForceState<Ball> {
 /// The force analysis of one mechanism.
 #[derive(Clone, Debug)]
 pub(super) struct Balance {
-    acting: Acting,
+    acting: PreparedLoads,
     passes: Vec<Pass>,
     slots: Arc<Slots>,
     /// The sliders, by slide: the point, and the link if it slides without turning.
@@ -225,7 +225,7 @@ impl Balance {
     pub(super) fn new(network: &Network<'_>, solver: &Solver) -> Option<Arc<Balance>> {
         let stroke = |slide, end| stroke::end(solver, slide, end);
         let mut balance = Balance::with(network, &solver.engine, stroke)?;
-        balance.leave_open(network, solver);
+        balance.find_undetermined(network, solver);
         Some(Arc::new(balance))
     }
 
@@ -264,9 +264,9 @@ impl Balance {
         let slots = Arc::new(Slots::new(mechanism));
         let passes = site::passes(network, &engine.program, &slots);
         #[cfg(any(test, feature = "testing"))]
-        let passes = testing::falsify_if_asked(passes);
+        let passes = testing::falsify_if_requested(passes);
         Some(Balance {
-            acting: Acting::new(mechanism, engine.frame, &slots, stroke),
+            acting: PreparedLoads::new(mechanism, engine.frame, &slots, stroke),
             passes,
             locked: Locked::new(network, &engine.program),
             open: Arc::new(Open::none(mechanism, &slots)),
@@ -283,9 +283,9 @@ impl Balance {
     }
 
     /// Finds the undetermined reactions of a redundant linkage, at several places of its motion.
-    fn leave_open(&mut self, network: &Network<'_>, solver: &Solver) {
+    fn find_undetermined(&mut self, network: &Network<'_>, solver: &Solver) {
         let mut state = solver.state();
-        state.state.forces = Some(self.room(&solver.engine));
+        state.state.forces = Some(self.force_state(&solver.engine));
         let open = Open::find(self, network, solver, &mut state);
         self.indeterminate = open.list(network.mechanism, &self.slots);
         self.open = Arc::new(open);
@@ -297,7 +297,7 @@ impl Balance {
     }
 
     /// Creates the forces of a state.
-    pub(super) fn room<T: Number>(&self, engine: &Engine) -> Box<ForceState<T>> {
+    pub(super) fn force_state<T: Number>(&self, engine: &Engine) -> Box<ForceState<T>> {
         let slides = self.open.normals.len();
         let unit = T::of(self.acting.unit);
         let origin = engine.frame.origin();
@@ -322,7 +322,11 @@ impl Balance {
             frame_moment: T::default(),
             scale: TorqueScale {
                 couple: unit,
-                drive: if engine.turns { unit } else { T::exactly(1.0) },
+                drive: if engine.is_rotary {
+                    unit
+                } else {
+                    T::exactly(1.0)
+                },
                 origin: Vec2::of(origin) * metres,
             },
         })
@@ -340,10 +344,10 @@ impl Balance {
         balance: Option<&Balance>,
         engine: &Engine,
         order: Order,
-        work: &mut Workspace<T>,
+        workspace: &mut Workspace<T>,
     ) {
-        Balance::find(balance, engine, order, work);
-        let state = &mut work.state;
+        Balance::find(balance, engine, order, workspace);
+        let state = &mut workspace.state;
         if let Some(balance) = balance
             && let Some(mut forces) = state.forces.take()
         {
@@ -374,7 +378,7 @@ impl Balance {
             balls.forget_forces();
             return;
         };
-        sharp.state.begin(Sharp::from(balls.at), order);
+        sharp.state.start(Sharp::from(balls.at), order);
         sharp.state.condition = balls.condition;
         Balance::find(balance, engine, order, sharp);
         if let (Some(forces), Some(found)) = (&mut balls.forces, &sharp.state.forces) {
@@ -389,18 +393,18 @@ impl Balance {
         balance: Option<&Balance>,
         engine: &Engine,
         order: Order,
-        work: &mut Workspace<T>,
+        workspace: &mut Workspace<T>,
     ) {
         match balance {
-            Some(balance) if order == Order::Force => balance.balance(engine, work),
-            Some(_) | None => work.state.forget_forces(),
+            Some(balance) if order == Order::Force => balance.balance(engine, workspace),
+            Some(_) | None => workspace.state.forget_forces(),
         }
     }
 
     /// Computes the forces of a state solved to its accelerations.
     #[inline(always)]
-    fn balance<T: Number>(&self, engine: &Engine, work: &mut Workspace<T>) {
-        let Workspace { state, scratch, .. } = work;
+    fn balance<T: Number>(&self, engine: &Engine, workspace: &mut Workspace<T>) {
+        let Workspace { state, scratch, .. } = workspace;
         let Some(mut forces) = state.forces.take() else {
             return;
         };
@@ -411,7 +415,7 @@ impl Balance {
         };
         if forces.extent != Extent::Nothing {
             forces.clear();
-            self.acting.act(state, &mut *forces);
+            self.acting.apply_loads(state, &mut *forces);
         }
         if forces.extent == Extent::All {
             self.frame.note_ground(&mut forces, state);
@@ -422,7 +426,7 @@ impl Balance {
                 }
                 self.locked.finish(&mut forces);
                 self.frame.free_origins(state, &mut forces);
-                self.frame.feel(state, &mut forces);
+                self.frame.add_frame_forces(state, &mut forces);
             } else {
                 forces.extent = Extent::Drive;
             }

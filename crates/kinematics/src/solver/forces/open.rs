@@ -56,7 +56,7 @@ impl Open {
         balance: &Balance,
         network: &Network<'_>,
         solver: &Solver,
-        work: &mut Workspace,
+        workspace: &mut Workspace,
     ) -> Open {
         let mut open = Open::none(network.mechanism, &balance.slots);
         if solver.engine.program.watches.is_empty() && network.repeated_locks.is_empty() {
@@ -65,8 +65,8 @@ impl Open {
         let (low, high) = solver.motion.range.ends();
         let places = PLACES.map(|part| low + part * (high - low));
         for at in places.into_iter().chain([solver.opening]) {
-            if solver.solve(at, Order::Position, work) == Condition::Ok {
-                probes(balance, network, solver, work, |forces, felt| {
+            if solver.solve(at, Order::Position, workspace) == Condition::Ok {
+                probes(balance, network, solver, workspace, |forces, felt| {
                     open.mark(forces, felt)
                 });
             }
@@ -77,15 +77,15 @@ impl Open {
     fn mark(&mut self, forces: &ForceState<f64>, felt: &DirectAction) {
         let joints = forces.joints.iter().zip(&felt.joints);
         for (open, (&a, &b)) in self.joints.iter_mut().zip(joints) {
-            *open |= is_felt((a + b).norm());
+            *open |= exceeds_rounding((a + b).norm());
         }
         let normals = forces.normals.iter().zip(&felt.normals);
         for (open, (a, b)) in self.normals.iter_mut().zip(normals) {
-            *open |= is_felt((a + b).abs());
+            *open |= exceeds_rounding((a + b).abs());
         }
         let moments = forces.moments.iter().zip(&felt.moments);
         for (open, (a, b)) in self.moments.iter_mut().zip(moments) {
-            *open |= is_felt((a + b).abs());
+            *open |= exceeds_rounding((a + b).abs());
         }
     }
 
@@ -117,13 +117,19 @@ pub(super) fn probes(
     balance: &Balance,
     network: &Network<'_>,
     solver: &Solver,
-    work: &mut Workspace,
+    workspace: &mut Workspace,
     mut tell: impl FnMut(&ForceState<f64>, &DirectAction),
 ) {
     for watch in &solver.engine.program.watches {
-        probe(balance, solver, work, &mut tell, |state, forces, felt| {
-            press(watch, &balance.slots, network, state, forces, felt);
-        });
+        probe(
+            balance,
+            solver,
+            workspace,
+            &mut tell,
+            |state, forces, felt| {
+                press(watch, &balance.slots, network, state, forces, felt);
+            },
+        );
     }
     for &slide in &network.repeated_locks {
         let given = network.mechanism.slide(slide);
@@ -131,7 +137,7 @@ pub(super) fn probes(
             continue;
         };
         let on = network.body(given.on);
-        probe(balance, solver, work, &mut tell, |_, forces, felt| {
+        probe(balance, solver, workspace, &mut tell, |_, forces, felt| {
             forces.links[link.index()] += 1.0;
             forces.links[on.index()] += -1.0;
             felt.moments[slide.index()] = 1.0;
@@ -143,11 +149,11 @@ pub(super) fn probes(
 fn probe(
     balance: &Balance,
     solver: &Solver,
-    work: &mut Workspace,
+    workspace: &mut Workspace,
     tell: &mut impl FnMut(&ForceState<f64>, &DirectAction),
     press: impl Fn(&State, &mut ForceState<f64>, &mut DirectAction),
 ) {
-    let Workspace { state, scratch, .. } = work;
+    let Workspace { state, scratch, .. } = workspace;
     let Some(mut forces) = state.forces.take() else {
         return;
     };
@@ -164,7 +170,7 @@ fn probe(
 }
 
 /// Returns `true` if a reaction is larger than rounding. NaN counts as a reaction.
-fn is_felt(size: f64) -> bool {
+fn exceeds_rounding(size: f64) -> bool {
     !(size <= MIN_REACTION)
 }
 

@@ -27,10 +27,10 @@ const PARTS: usize = 4;
 impl ReadyProfile {
     /// Creates a profile over the driver's coordinate. `turns` means that the driver turns: then a
     /// curve whose knots span whole turns repeats.
-    pub(super) fn over_driver(profile: &Profile, turns: bool) -> ReadyProfile {
+    pub(super) fn over_driver(profile: &Profile, is_rotary: bool) -> ReadyProfile {
         ReadyProfile {
             is_named: true,
-            ..ReadyProfile::new(profile, turns)
+            ..ReadyProfile::new(profile, is_rotary)
         }
     }
 
@@ -39,7 +39,7 @@ impl ReadyProfile {
         ReadyProfile::new(profile, false)
     }
 
-    fn new(profile: &Profile, turns: bool) -> ReadyProfile {
+    fn new(profile: &Profile, is_rotary: bool) -> ReadyProfile {
         let knots = profile.knots();
         let (first, span) = match knots {
             [first, .., last] => (first[0], last[0] - first[0]),
@@ -48,7 +48,7 @@ impl ReadyProfile {
         let slopes = knots.windows(2);
         let count = PARTS * knots.len();
         let fineness = if span > 0.0 { count as f64 / span } else { 0.0 };
-        let begins = |part: usize| first + part as f64 / fineness;
+        let starts = |part: usize| first + part as f64 / fineness;
         let before = |at: f64| {
             knots
                 .partition_point(|knot| knot[0] <= at)
@@ -60,10 +60,10 @@ impl ReadyProfile {
             slopes: slopes
                 .map(|k| (k[1][1] - k[0][1]) / (k[1][0] - k[0][0]))
                 .collect(),
-            period: (turns && span > 0.0 && span % TURN == 0.0).then_some(span),
+            period: (is_rotary && span > 0.0 && span % TURN == 0.0).then_some(span),
             // One part further back, so that rounding never starts after the place.
             parts: (0..count)
-                .map(|part| before(begins(part.saturating_sub(1))))
+                .map(|part| before(starts(part.saturating_sub(1))))
                 .collect(),
             is_named: false,
             fineness,
@@ -123,8 +123,8 @@ impl ReadyProfile {
         match self.slopes.get(k) {
             Some(&slope) if T::IS_CHEAP => value + T::exactly(slope) * (x - T::of(self.places[k])),
             Some(_) => {
-                let apart = |v: &[Constant]| T::of(v[k + 1]) - T::of(v[k]);
-                let slope = apart(&self.values) / apart(&self.places);
+                let distance = |v: &[Constant]| T::of(v[k + 1]) - T::of(v[k]);
+                let slope = distance(&self.values) / distance(&self.places);
                 value + slope * (x - T::of(self.places[k]))
             }
             None => value,
@@ -192,8 +192,8 @@ mod tests {
     use super::*;
     use crate::{Ball, Double};
 
-    fn curve(knots: &[[f64; 2]], turns: bool) -> ReadyProfile {
-        ReadyProfile::new(&Profile::new(knots.to_vec()).unwrap(), turns)
+    fn curve(knots: &[[f64; 2]], is_rotary: bool) -> ReadyProfile {
+        ReadyProfile::new(&Profile::new(knots.to_vec()).unwrap(), is_rotary)
     }
 
     /// Creates a profile with a single cutting stroke from 80 to 120.
@@ -238,8 +238,8 @@ mod tests {
         let curve = curve(&knots, false);
         for k in 0..20_000 {
             let x = -4.0 + f64::from(k).powi(3) * 1e-10;
-            let behind = knots.partition_point(|knot| knot[0] <= x);
-            let want = match behind {
+            let after = knots.partition_point(|knot| knot[0] <= x);
+            let want = match after {
                 0 => 1.0,
                 6 => -1.0,
                 k => {

@@ -5,7 +5,7 @@
 //! accumulated on a link. A force "on" a link comes from the pin or the guide.
 
 use super::ForceState;
-use super::site::{ArmSite, Held};
+use super::site::{ArmSite, LineReaction};
 use super::slots::Slot;
 use crate::solver::elements::GuideLine;
 use crate::solver::state::State;
@@ -58,7 +58,7 @@ impl<T: Number> ForceState<T> {
     #[inline(always)]
     pub(in crate::solver) fn press(
         &mut self,
-        hold: &Held,
+        hold: &LineReaction,
         line: Option<(&GuideLine, T)>,
         n: Vec2<T>,
         across: T,

@@ -29,7 +29,7 @@ impl<T: Number + PartialEq> PartialEq for ForceState<T> {
             && match self.extent {
                 Extent::Nothing => true,
                 Extent::Drive => self.work == other.work,
-                Extent::Withheld(_) | Extent::All => drive() && reactions(),
+                Extent::WithheldReason(_) | Extent::All => drive() && reactions(),
             }
     }
 }
@@ -54,7 +54,7 @@ impl<T: Number> State<T> {
     pub fn drive(&self) -> Option<T> {
         let forces = self.forces.as_deref()?;
         let drive = match forces.extent {
-            Extent::Nothing | Extent::Withheld(_) => None,
+            Extent::Nothing | Extent::WithheldReason(_) => None,
             Extent::Drive => self.drive_parts().map(|[a, b, c]| a + b + c),
             // Subtracted, so that zero has no negative sign.
             Extent::All => Some(T::default() - forces.drive * forces.scale.drive),
@@ -83,7 +83,7 @@ impl<T: Number> State<T> {
     pub fn drive_parts(&self) -> Option<[T; 3]> {
         let forces = self.forces.as_deref()?;
         let parts = [TorquePart::Load, TorquePart::Gravity, TorquePart::Inertia];
-        let parts = parts.map(|part| forces.against(part));
+        let parts = parts.map(|part| forces.virtual_work_force(part));
         matches!(forces.extent, Extent::Drive | Extent::All).then_some(parts)
     }
 
@@ -149,7 +149,7 @@ impl<T: Number> State<T> {
             force,
             moment,
         } = forces.misses();
-        matches!(forces.extent, Extent::All | Extent::Withheld(_)).then(|| Residual {
+        matches!(forces.extent, Extent::All | Extent::WithheldReason(_)).then(|| Residual {
             drive: -(drive * scale.drive),
             force,
             moment: moment * scale.couple + scale.origin.cross(force),

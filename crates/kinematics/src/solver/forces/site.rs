@@ -3,7 +3,7 @@
 use super::slots::{Slot, Slots};
 use crate::solver::elements::{Arm, Pass, Step};
 use crate::solver::network::Network;
-use crate::solver::plan::{Hold, Program};
+use crate::solver::plan::{GuideConstraint, Program};
 use crate::{Input, LinkId, PointId, SlideId};
 
 /// An arm of a link from a known pivot.
@@ -28,7 +28,7 @@ pub(in crate::solver) struct LegSite {
 
 /// A joint on a known line: the slots of its force across the line.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::solver) struct Held {
+pub(in crate::solver) struct LineReaction {
     pub slide: SlideId,
     /// Whether the guide moves with the joint, over a known point.
     pub is_yoke: bool,
@@ -114,7 +114,7 @@ impl Site<'_> {
         (Some(hold.slide), self.legs_between(hold, pin))
     }
 
-    fn legs_between(&self, hold: Hold, pin: PointId) -> Vec<LegSite> {
+    fn legs_between(&self, hold: GuideConstraint, pin: PointId) -> Vec<LegSite> {
         let Some(link) = hold.carrier else {
             return Vec::new();
         };
@@ -135,13 +135,13 @@ impl Site<'_> {
         self.network.mechanism.slide(slide).slider.point()
     }
 
-    fn holds(&self) -> impl Iterator<Item = Hold> + '_ {
+    fn holds(&self) -> impl Iterator<Item = GuideConstraint> + '_ {
         let holds = self.program.holds.iter();
         holds.filter(|(step, _)| *step == self.at).map(|(_, h)| *h)
     }
 
     /// Returns the slots of the element's joint on one of its known lines.
-    pub(in crate::solver) fn held(&self, which: usize, point: PointId) -> Option<Held> {
+    pub(in crate::solver) fn held(&self, which: usize, point: PointId) -> Option<LineReaction> {
         let hold = self.holds().nth(which)?;
         let nowhere = self.slots.nowhere();
         let slider = self.slider(hold.slide);
@@ -153,7 +153,7 @@ impl Site<'_> {
         let on = self
             .network
             .body(self.network.mechanism.slide(hold.slide).on);
-        Some(Held {
+        Some(LineReaction {
             slide: hold.slide,
             is_yoke: hold.is_yoke,
             carrier,
@@ -163,7 +163,7 @@ impl Site<'_> {
 
     /// Returns the slot of the joint on the guide's link through which the line runs. Without one,
     /// a step carries the force there.
-    fn through(&self, hold: Hold, on: LinkId) -> Slot {
+    fn through(&self, hold: GuideConstraint, on: LinkId) -> Slot {
         let lines = self.program.steps.iter().find_map(|step| match step {
             Step::SlideReadout(travel) if travel.slide == hold.slide => Some(travel.line.through),
             _ => None,

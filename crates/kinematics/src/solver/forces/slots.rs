@@ -35,8 +35,8 @@ impl Slots {
     pub(super) fn find(&self, link: LinkId, point: PointId) -> Option<Slot> {
         let range = *self.starts.get(link.index())?..*self.starts.get(link.index() + 1)?;
         let members = &self.members[range.clone()];
-        let place = members.iter().position(|&p| p == point)?;
-        Some(range.start + place)
+        let index = members.iter().position(|&p| p == point)?;
+        Some(range.start + index)
     }
 
     pub(in crate::solver) fn of(&self, link: LinkId, point: PointId) -> Slot {

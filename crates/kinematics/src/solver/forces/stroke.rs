@@ -21,8 +21,8 @@ pub(super) fn end(solver: &Solver, slide: SlideId, end: StrokeEnd) -> Stroke {
     let centres = solver.dead_centres(slide).into_iter();
     let by_position = |a: &DeadCentre, b: &DeadCentre| a.position.total_cmp(&b.position);
     let last = match end {
-        StrokeEnd::Least => centres.min_by(by_position),
-        StrokeEnd::Greatest => centres.max_by(by_position),
+        StrokeEnd::Minimum => centres.min_by(by_position),
+        StrokeEnd::Maximum => centres.max_by(by_position),
     };
     // A slide that never reverses is at rest, and at its end everywhere.
     let at = last.map_or(solver.opening, |centre| centre.at);

@@ -16,7 +16,7 @@ pub fn falsified<T>(is_so: bool, f: impl FnOnce() -> T) -> T {
 }
 
 /// Repeats the pass of the last group if the current thread falsifies forces.
-pub(super) fn falsify_if_asked(mut passes: Vec<Pass>) -> Vec<Pass> {
+pub(super) fn falsify_if_requested(mut passes: Vec<Pass>) -> Vec<Pass> {
     let is_group = |pass: &Pass| !matches!(pass, Pass::Spin(_) | Pass::Ride(_) | Pass::Lock(_));
     let last = passes.iter().rposition(is_group);
     if let Some(last) = last.filter(|_| IS_FALSIFIED.get()) {
@@ -26,7 +26,7 @@ pub(super) fn falsify_if_asked(mut passes: Vec<Pass>) -> Vec<Pass> {
 }
 
 /// The forces and loads of a state.
-struct Noted {
+struct RecordedForces {
     forces: ForceState<f64>,
     /// The loads on points, and as couples on links.
     points: Vec<Vec2>,
@@ -35,10 +35,10 @@ struct Noted {
     pressed: Vec<(LinkId, PointId, Vec2)>,
 }
 
-fn noted(solver: &Solver, state: &State) -> Noted {
+fn noted(solver: &Solver, state: &State) -> RecordedForces {
     let balance = solver.balance.as_ref().expect("loads act");
-    let mut acting = *balance.room(&solver.engine);
-    balance.acting.act(state, &mut acting);
+    let mut acting = *balance.force_state(&solver.engine);
+    balance.acting.apply_loads(state, &mut acting);
     let mut points = acting.points;
     let mut pressed = Vec::new();
     for acted in solver.acted(state) {
@@ -47,7 +47,7 @@ fn noted(solver: &Solver, state: &State) -> Noted {
             pressed.extend(acted.on.map(|link| (link, point, force)));
         }
     }
-    Noted {
+    RecordedForces {
         forces: (**state.forces.as_ref().expect("forces were solved")).clone(),
         points,
         couples: acting.links,
@@ -81,7 +81,12 @@ impl ForceSum {
 }
 
 /// Returns the sliding point of a slide, and the force of the guide on it.
-fn guided(mechanism: &Mechanism, slide: SlideId, state: &State, of: &Noted) -> (PointId, Vec2) {
+fn guided(
+    mechanism: &Mechanism,
+    slide: SlideId,
+    state: &State,
+    of: &RecordedForces,
+) -> (PointId, Vec2) {
     let t = state.travels[slide.index()].guide.d;
     let along = if mechanism.driver().input == Input::Push(slide) {
         -of.forces.drive
@@ -92,7 +97,7 @@ fn guided(mechanism: &Mechanism, slide: SlideId, state: &State, of: &Noted) -> (
     (mechanism.slide(slide).slider.point(), force)
 }
 
-fn link_miss(mechanism: &Mechanism, link: LinkId, state: &State, of: &Noted) -> f64 {
+fn link_miss(mechanism: &Mechanism, link: LinkId, state: &State, of: &RecordedForces) -> f64 {
     let at = |p: PointId| state.points[p.index()].p;
     let mut sum = ForceSum::default();
     for member in &mechanism.link(link).members {
@@ -122,7 +127,7 @@ fn link_miss(mechanism: &Mechanism, link: LinkId, state: &State, of: &Noted) -> 
     sum.miss()
 }
 
-fn pin_miss(mechanism: &Mechanism, point: PointId, state: &State, of: &Noted) -> f64 {
+fn pin_miss(mechanism: &Mechanism, point: PointId, state: &State, of: &RecordedForces) -> f64 {
     let mut sum = ForceSum::default();
     sum.add(Vec2::ZERO, of.points[point.index()]);
     for &link in &mechanism.point(point).links {

@@ -65,12 +65,12 @@ impl Subjects {
         self.gather(
             |p| {
                 let (p, q) = (&state.points[p.index()], &reference.points[p.index()]);
-                [apart(p.p, q.p), apart(p.v, q.v), apart(p.a, q.a)]
+                [distance(p.p, q.p), distance(p.v, q.v), distance(p.a, q.a)]
             },
             |l| {
                 let (l, m) = (&state.links[l.index()], &reference.links[l.index()]);
                 let far = |a: T, b: Double| (Double::exactly(a.nearest()) - b).nearest().abs();
-                [apart(l.d, m.d), far(l.w, m.w), far(l.a, m.a)]
+                [distance(l.d, m.d), far(l.w, m.w), far(l.a, m.a)]
             },
         )
     }
@@ -117,8 +117,8 @@ impl Subjects {
         // Negated so that NaN persists.
         let larger = |a: f64, b: f64| if b <= a { a } else { b };
         let [position, velocity, acceleration] =
-            points.chain(links).fold([0.0; 3], |most, here| {
-                std::array::from_fn(|i| larger(most[i], here[i]))
+            points.chain(links).fold([0.0; 3], |maximum, here| {
+                std::array::from_fn(|i| larger(maximum[i], here[i]))
             });
         Deviation {
             position,
@@ -129,7 +129,7 @@ impl Subjects {
 }
 
 /// Returns the distance of two vectors.
-fn apart<T: Number>(one: Vec2<T>, two: Vec2<Double>) -> f64 {
+fn distance<T: Number>(one: Vec2<T>, two: Vec2<Double>) -> f64 {
     let one: Vec2<Double> = one.nearest().exactly();
     (one - two).nearest().norm()
 }

@@ -67,7 +67,7 @@ impl DriftMethod {
         let done = run::<_, VELOCITY>(engine, at, state, |group, _, _, scratch| {
             starts.next().is_some_and(|&[from, first]| {
                 let base = &base[from..from + group.width()];
-                group.put(base, &change[first..first + group.unknowns()], scratch);
+                group.set_unknowns(base, &change[first..first + group.unknowns()], scratch);
                 true
             })
         });
@@ -75,8 +75,8 @@ impl DriftMethod {
             return None;
         }
         for (group, &[_, first]) in engine.program.coupled.iter().zip(&self.starts) {
-            let room = group.open(&mut self.state.scratch);
-            rates[first..first + group.unknowns()].copy_from_slice(room.first);
+            let buffers = group.open(&mut self.state.scratch);
+            rates[first..first + group.unknowns()].copy_from_slice(buffers.first);
         }
         Some(())
     }
@@ -87,7 +87,7 @@ impl DriftMethod {
         for (group, &[from, first]) in rows.engine.program.coupled.iter().zip(&self.starts) {
             let base = &mut self.base[from..from + group.width()];
             let change = &change[first..first + group.unknowns()];
-            group.put(base, change, &mut self.state.scratch);
+            group.set_unknowns(base, change, &mut self.state.scratch);
             base.copy_from_slice(group.open(&mut self.state.scratch).z);
         }
     }

@@ -44,7 +44,7 @@ pub enum Method {
 
 /// The reason why a method cannot be used for a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unfit {
+pub enum Unsuitable {
     /// A group, named by one of its points, has no closed form.
     Coupled(Option<PointId>),
     /// Every group has a closed form, so that no iteration is needed.

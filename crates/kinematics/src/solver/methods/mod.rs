@@ -11,10 +11,10 @@ mod runner;
 
 pub use deviation::Deviation;
 pub use drift::DriftMethod;
-pub use method::{Method, Start, Unfit};
+pub use method::{Method, Start, Unsuitable};
 pub use runner::Runner;
 
-use super::coupled::{Closing, Coupled, Scratch};
+use super::coupled::{ClosingCondition, Coupled, Scratch};
 use super::elements::ACCELERATION;
 use super::engine::Engine;
 use super::network::Network;
@@ -45,7 +45,7 @@ struct RowProgram {
     /// The points and links of earlier groups that each group reads.
     inputs: Vec<(Vec<PointId>, Vec<LinkId>)>,
     /// The one unknown angle of each group.
-    closings: Vec<Option<Closing>>,
+    closings: Vec<Option<ClosingCondition>>,
     /// The unknowns at the scene's start position.
     opening: Scratch,
 }
@@ -88,35 +88,35 @@ impl Methods {
     ///
     /// # Errors
     /// The reason if not.
-    pub fn usable(&self, method: Method) -> Result<(), Unfit> {
+    pub fn usable(&self, method: Method) -> Result<(), Unsuitable> {
         let groups = &self.solver.plan().groups;
         let coupled = groups
             .iter()
             .find(|g| matches!(g.kind, GroupKind::Coupled { .. }));
-        let closed = coupled.map_or(Ok(()), |group| Err(Unfit::Coupled(group.point)));
-        let rows = self.rows.as_ref().ok_or(Unfit::NoRows);
+        let closed = coupled.map_or(Ok(()), |group| Err(Unsuitable::Coupled(group.point)));
+        let rows = self.rows.as_ref().ok_or(Unsuitable::NoRows);
         match method {
             Method::ClosedForm => closed,
             Method::Bounded | Method::Single => Ok(()),
             Method::Polished => closed.and(rows.map(|_| ())),
-            Method::Anchored => coupled.map(|_| ()).ok_or(Unfit::AllClosed),
+            Method::Anchored => coupled.map(|_| ()).ok_or(Unsuitable::AllClosed),
             Method::Newton { .. } => rows.map(|_| ()),
             Method::Bisection => rows?.one_condition_each(groups),
             Method::Integration { .. } => match self.range() {
                 Range::Full { .. } => rows.map(|_| ()),
-                Range::Limited { .. } => Err(Unfit::Limits),
+                Range::Limited { .. } => Err(Unsuitable::Limits),
             },
         }
     }
 
     /// Computes the reference state at a coordinate, in double-double. Returns `false` if the
     /// mechanism has no state there or is at a singular position.
-    pub fn look_up(&mut self, at: f64) -> bool {
+    pub fn compute_reference(&mut self, at: f64) -> bool {
         if self.solver.solve(at, Order::Acceleration, &mut self.guide) != Condition::Ok {
             return false;
         }
         if let Some(rows) = &mut self.rows {
-            rows.look(at, &self.guide, &mut self.sides);
+            rows.set_from_state(at, &self.guide, &mut self.sides);
         }
         let Methods {
             solver,
@@ -130,10 +130,10 @@ impl Methods {
 
     /// Returns `true` if a state of rows has the same assembly as the state looked up last, judged
     /// by the sides of its groups.
-    fn is_same_assembly(&self, work: &mut Workspace) -> bool {
+    fn is_same_assembly(&self, workspace: &mut Workspace) -> bool {
         let Some(rows) = &self.rows else { return true };
         let (q, _) = rows.engine.coordinate(self.guide.at);
-        let Workspace { state, scratch, .. } = work;
+        let Workspace { state, scratch, .. } = workspace;
         let groups = rows.engine.program.coupled.iter().zip(&self.sides);
         let mut sides = groups.map(|(group, side)| side * group.side_at(q, state, scratch));
         sides.all(|product| product >= 0.0)
@@ -151,11 +151,11 @@ impl Methods {
 }
 
 /// Copies the assembly and the unknowns of the coupled groups from a state of the solver.
-fn follow<T: Number>(guide: &Workspace, work: &mut Workspace<T>) {
-    for (to, from) in work.state.signs.iter_mut().zip(&guide.signs) {
+fn follow<T: Number>(guide: &Workspace, workspace: &mut Workspace<T>) {
+    for (to, from) in workspace.state.signs.iter_mut().zip(&guide.signs) {
         *to = T::exactly(*from);
     }
-    let numbers = work.scratch.numbers.iter_mut();
+    let numbers = workspace.scratch.numbers.iter_mut();
     for (to, from) in numbers.zip(&guide.scratch.numbers) {
         *to = T::exactly(*from);
     }
@@ -166,10 +166,10 @@ fn follow<T: Number>(guide: &Workspace, work: &mut Workspace<T>) {
 fn run<T: Number, const ORDER: u8>(
     engine: &Engine,
     at: T,
-    work: &mut Workspace<T>,
+    workspace: &mut Workspace<T>,
     mut solve: impl FnMut(&Coupled, T, &State<T>, &mut Scratch<T>) -> bool,
 ) -> bool {
-    engine.run_in::<T, ORDER>(at, work, |group, q, state, scratch| {
+    engine.run_in::<T, ORDER>(at, workspace, |group, q, state, scratch| {
         solve(group, q, state, scratch) && group.finish(q, ORDER, state, scratch)
     })
 }
@@ -196,7 +196,7 @@ impl RowProgram {
     fn open(&mut self, start: f64, solver: &Solver) -> Option<()> {
         let (mut guide, mut sides) = (solver.state(), Vec::new());
         let _ = solver.solve(start, Order::Acceleration, &mut guide);
-        let solved = self.look(start, &guide, &mut sides);
+        let solved = self.set_from_state(start, &guide, &mut sides);
         for (group, side) in self.engine.program.coupled.iter_mut().zip(sides) {
             group.side = side;
         }
@@ -205,7 +205,7 @@ impl RowProgram {
     }
 
     /// Sets every group to its values in a state of the solver, and collects the sides.
-    fn look(&mut self, at: f64, guide: &State, sides: &mut Vec<f64>) -> bool {
+    fn set_from_state(&mut self, at: f64, guide: &State, sides: &mut Vec<f64>) -> bool {
         sides.clear();
         let probe = &mut self.probe;
         run::<_, ACCELERATION>(&self.engine, at, probe, |group, q, state, scratch| {
@@ -227,7 +227,7 @@ impl RowProgram {
         signs[number + 1] * solver.engine.signs[number + 1]
     }
 
-    fn one_condition_each(&self, planned: &[Group]) -> Result<(), Unfit> {
+    fn one_condition_each(&self, planned: &[Group]) -> Result<(), Unsuitable> {
         let groups = self.engine.program.coupled.iter();
         let mut others = groups.zip(&self.closings).filter(|(_, c)| c.is_none());
         others.next().map_or(Ok(()), |(group, _)| {
@@ -235,7 +235,7 @@ impl RowProgram {
             let joint = group.joints().next();
             let holds = |group: &&Group| joint.is_some_and(|joint| group.points.contains(&joint));
             let named = planned.iter().find(holds).and_then(|group| group.point);
-            Err(Unfit::Conditions {
+            Err(Unsuitable::Conditions {
                 point: named.or(joint),
                 unknowns: group.unknowns(),
             })

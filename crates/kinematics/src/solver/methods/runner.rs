@@ -91,7 +91,7 @@ impl Methods {
 
 impl Runner {
     /// Sets a method that continues from the previous position to the state looked up last.
-    pub fn begin(&mut self, methods: &Methods) {
+    pub fn start(&mut self, methods: &Methods) {
         if let (RunnerWork::Newton { state, .. }, Some(rows)) = (&mut self.work, &methods.rows) {
             for group in &rows.engine.program.coupled {
                 group.read(&methods.guide, group.open(&mut state.scratch).z);
@@ -151,7 +151,7 @@ impl Runner {
                 Some(rows),
             ) => {
                 *halvings = 0;
-                solver.motion.passages.choose(&solver.engine, at, signs);
+                solver.motion.crossings.choose(&solver.engine, at, signs);
                 let mut closings = rows.closings.iter().enumerate();
                 run::<_, ACCELERATION>(&rows.engine, at, state, |group, q, state, scratch| {
                     let own = closings.next().and_then(|(number, closing)| {
@@ -218,10 +218,10 @@ fn single(methods: &Methods, at: f64, guide: &mut Workspace, state: &mut Workspa
     /// shrink.
     const TOLERANCE: f64 = 1e-5;
     let solver = &methods.solver;
-    solver.motion.anchors.aim(&solver.engine, at, guide);
+    solver.motion.anchors.predict(&solver.engine, at, guide);
     solver
         .motion
-        .passages
+        .crossings
         .choose(&solver.engine, at, &mut guide.state.signs);
     follow(guide, state);
     let at = f32::exactly(at);

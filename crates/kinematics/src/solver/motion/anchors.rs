@@ -28,14 +28,14 @@ impl Anchors {
 
     /// Writes the state predicted by the nearest anchor for `at` into the scratch.
     #[inline(always)]
-    pub(in crate::solver) fn aim(&self, engine: &Engine, at: f64, work: &mut Workspace) {
+    pub(in crate::solver) fn predict(&self, engine: &Engine, at: f64, workspace: &mut Workspace) {
         if !self.at.is_empty() {
-            self.aim_from_nearest(engine, at, work);
+            self.predict_from_nearest(engine, at, workspace);
         }
     }
 
     #[inline(never)]
-    fn aim_from_nearest(&self, engine: &Engine, at: f64, work: &mut Workspace) {
+    fn predict_from_nearest(&self, engine: &Engine, at: f64, workspace: &mut Workspace) {
         let reduced = if self.period > 0.0 {
             positive_remainder(at, self.period)
         } else {
@@ -51,15 +51,15 @@ impl Anchors {
         } else {
             above
         };
-        self.aim_from(nearest, engine, reduced, work);
+        self.predict_from(nearest, engine, reduced, workspace);
     }
 
-    /// Predicts a state as [`Anchors::aim`] does, from the nearest of the anchors pushed last.
-    pub(super) fn aim_from_latest(&self, engine: &Engine, at: f64, work: &mut Workspace) {
+    /// Predicts a state as [`Anchors::predict`] does, from the nearest of the anchors pushed last.
+    pub(super) fn predict_from_latest(&self, engine: &Engine, at: f64, workspace: &mut Workspace) {
         let latest = self.at.len().saturating_sub(SAMPLES)..self.at.len();
         let far = |&i: &usize| (self.at[i] - at).abs();
         if let Some(nearest) = latest.min_by(|i, j| far(i).total_cmp(&far(j))) {
-            self.aim_from(nearest, engine, at, work);
+            self.predict_from(nearest, engine, at, workspace);
         }
     }
 
@@ -69,32 +69,38 @@ impl Anchors {
         anchors.find(|anchor| (anchor - at) * sense <= 0.0)
     }
 
-    /// Predicts a state as [`Anchors::aim`] does, from the latest anchor at or before `at` in the
+    /// Predicts a state as [`Anchors::predict`] does, from the latest anchor at or before `at` in the
     /// direction of `sense`.
-    pub(super) fn aim_from_before(
+    pub(super) fn predict_from_before(
         &self,
         engine: &Engine,
         at: f64,
         sense: f64,
-        work: &mut Workspace,
+        workspace: &mut Workspace,
     ) {
         let is_before = |&anchor: &f64| (anchor - at) * sense <= 0.0;
         if let Some(latest) = self.at.iter().rposition(is_before) {
-            self.aim_from(latest, engine, at, work);
+            self.predict_from(latest, engine, at, workspace);
         }
     }
 
     /// Predicts the state for `at` from one anchor.
-    pub(super) fn aim_from(&self, anchor: usize, engine: &Engine, at: f64, work: &mut Workspace) {
+    pub(super) fn predict_from(
+        &self,
+        anchor: usize,
+        engine: &Engine,
+        at: f64,
+        workspace: &mut Workspace,
+    ) {
         let dq = engine.difference(self.at[anchor], at);
         let mut from = anchor * Anchors::stride(engine);
         for group in &engine.program.coupled {
-            let mut room = group.open(&mut work.scratch);
-            for part in [&mut *room.z, &mut *room.first, &mut *room.second] {
+            let mut buffers = group.open(&mut workspace.scratch);
+            for part in [&mut *buffers.z, &mut *buffers.first, &mut *buffers.second] {
                 part.copy_from_slice(&self.numbers[from..from + part.len()]);
                 from += part.len();
             }
-            group.predict(&mut room, dq);
+            group.predict(&mut buffers, dq);
         }
     }
 
@@ -137,14 +143,14 @@ impl Anchors {
     }
 
     /// Stores the state of all coupled groups as an anchor.
-    pub(super) fn push(&mut self, engine: &Engine, at: f64, work: &mut Workspace) {
+    pub(super) fn push(&mut self, engine: &Engine, at: f64, workspace: &mut Workspace) {
         if engine.program.coupled.is_empty() {
             return;
         }
         self.at.push(at);
         for group in &engine.program.coupled {
-            let room = group.open(&mut work.scratch);
-            for part in [&*room.z, &*room.first, &*room.second] {
+            let buffers = group.open(&mut workspace.scratch);
+            for part in [&*buffers.z, &*buffers.first, &*buffers.second] {
                 self.numbers.extend_from_slice(part);
             }
         }

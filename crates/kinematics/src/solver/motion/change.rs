@@ -1,7 +1,7 @@
 //! Crosses the change points of dyads: finds the first dyad at an extreme of its reach, its exact
 //! coordinate, and the motion beyond it with all groups that are singular there.
 
-use super::junction::{Junction, PairFound, Standing};
+use super::junction::{DyadSingularity, Junction, PairFound};
 use super::walk::Walker;
 use crate::Double;
 use crate::numeric::root;
@@ -18,13 +18,13 @@ const PASSING: f64 = 1e-3;
 /// Ratio between successive half widths, for links that rotate too fast for the widest step. An
 /// almost square antiparallelogram turns its follower hundreds of times as fast as its crank, and
 /// several of them in series turn it many times more.
-const CLOSER: f64 = 0.1;
+const HALF_WIDTH_RATIO: f64 = 0.1;
 /// Number of half widths. At the smallest one, only the series can locate the points and links.
-const APPROACHES: i32 = 11;
+const HALF_WIDTH_COUNT: i32 = 11;
 /// Distance beyond a change point at which the redundant constraints are checked with the other
 /// assembly.
-const LED: f64 = 1e-4;
-/// Minimum residual at [`LED`] that is not a rounding error.
+const CHECK_DISTANCE: f64 = 1e-4;
+/// Minimum residual at [`CHECK_DISTANCE`] that is not a rounding error.
 const MIN_MISS: f64 = 1e-9;
 /// Distances from a limit, in radians or scaled lengths, within which an extreme of a dyad's
 /// stretch is searched, from the first to the widest. An extreme further away does not belong to
@@ -36,7 +36,7 @@ const LARGE: f64 = 1e-3;
 /// Minimum distance of two close change points that can be passed one by one.
 const APART: f64 = 1e-4;
 /// Maximum difference between a change point of a pair and its coordinate as a single one.
-const SAME: f64 = 1e-12;
+const EQUALITY_TOLERANCE: f64 = 1e-12;
 /// Half width of the step across two close change points, in units of their distance from the
 /// middle.
 const ACROSS: f64 = 3.0;
@@ -101,7 +101,7 @@ pub(super) struct Change {
 
 /// Returns the half widths of the step across a change point, in decreasing order.
 pub(super) fn approaches() -> impl Iterator<Item = f64> {
-    (0..APPROACHES).map(|k| PASSING * CLOSER.powi(k))
+    (0..HALF_WIDTH_COUNT).map(|k| PASSING * HALF_WIDTH_RATIO.powi(k))
 }
 
 impl Walker<'_> {
@@ -139,7 +139,7 @@ impl Walker<'_> {
         let (first, last) = extreme.first.zip(extreme.last)?;
         self.singly = Some(last);
         let at = self.exactly(extreme.step, first)?;
-        let is_first = self.engine.difference(first, at.hi).abs() <= SAME;
+        let is_first = self.engine.difference(first, at.hi).abs() <= EQUALITY_TOLERANCE;
         is_first.then_some(())?;
         self.pass_extreme(&ReachExtreme {
             at,
@@ -156,8 +156,12 @@ impl Walker<'_> {
         } = extreme;
         let junction = self.junction(at, None);
         let beyond = junction.and_then(|junction| self.pass_junction(&junction));
-        let mut is_singular =
-            || matches!(self.standing_at(step, at), Some(Standing::Singular { .. }));
+        let mut is_singular = || {
+            matches!(
+                self.singularity_at(step, at),
+                Some(DyadSingularity::Singular { .. })
+            )
+        };
         if beyond.is_none() && (first.is_some() || is_singular()) {
             let group = self.engine.group_of(step);
             self.unproved.extend(group.map(GroupId::new));
@@ -188,31 +192,31 @@ impl Walker<'_> {
     /// Crosses a junction in a single step of the largest possible width. Returns the coordinate
     /// reached, or `None` if no width can be proved.
     pub(super) fn pass_through(&mut self, junction: &Junction) -> Option<f64> {
-        let passages = self.passages(junction)?;
-        let known = self.passages.len();
-        let room = self.room_about(junction);
-        self.passages.add(passages);
+        let crossings = self.passages(junction)?;
+        let known = self.crossings.len();
+        let buffers = self.change_point_distance(junction);
+        self.crossings.add(crossings);
         let spread = ACROSS * junction.spread();
         let mut closer = junction
             .widths()
             .chain(approaches())
-            .filter(|&by| spread <= by && by < room);
+            .filter(|&by| spread <= by && by < buffers);
         let Some(beyond) = closer.find_map(|by| self.pass_at(junction, by)) else {
-            self.passages.truncate(known);
+            self.crossings.truncate(known);
             return None;
         };
         let groups: Vec<usize> = self
-            .passages
+            .crossings
             .latest(known)
             .iter()
             .map(|p| p.group)
             .collect();
-        let led: Vec<bool> = groups
+        let guided: Vec<bool> = groups
             .into_iter()
-            .map(|group| self.is_led(group, junction.at.hi))
+            .map(|group| self.is_led_through(group, junction.at.hi))
             .collect();
-        for (passage, is_led) in self.passages.latest(known).iter_mut().zip(led) {
-            passage.is_led |= is_led;
+        for (crossing, is_led) in self.crossings.latest(known).iter_mut().zip(guided) {
+            crossing.is_led_through |= is_led;
         }
         for missed in &junction.missed {
             self.note_miss(missed.group, missed.sine, junction.at.hi);
@@ -224,10 +228,10 @@ impl Walker<'_> {
 
     /// Returns the distance to the nearest change point that one of the singular groups has already
     /// passed.
-    fn room_about(&self, junction: &Junction) -> f64 {
+    fn change_point_distance(&self, junction: &Junction) -> f64 {
         let groups = junction.groups();
         let away =
-            groups.filter_map(|group| self.passages.distance(self.engine, group, junction.at.hi));
+            groups.filter_map(|group| self.crossings.distance(self.engine, group, junction.at.hi));
         away.fold(f64::INFINITY, f64::min)
     }
 
@@ -257,7 +261,7 @@ impl Walker<'_> {
             0.0 => engine.moved(at, self.sense * by),
             _ => return None,
         };
-        if !self.stand_at(before) {
+        if !self.step_to(before) {
             return None;
         }
         let saved = self.state.clone();
@@ -281,7 +285,7 @@ impl Walker<'_> {
     /// Returns `true` if a redundant constraint fails for the other assembly of a group directly
     /// beyond its change point. Then the constraint leads the group through, and the whole
     /// mechanism is not singular there. The state must be the one beyond.
-    fn is_led(&mut self, group: usize, at: f64) -> bool {
+    fn is_led_through(&mut self, group: usize, at: f64) -> bool {
         let engine = self.engine;
         if engine.program.watches.is_empty() || !engine.program.coupled.is_empty() {
             return false;
@@ -290,12 +294,12 @@ impl Walker<'_> {
         let sign = &mut self.state.state.signs[group];
         *sign = -*sign;
         let mut other = |by: f64| {
-            let beside = engine.moved(at, self.sense * by);
-            let exists = engine.run(beside, Order::Position, &mut self.state) == Condition::Ok;
+            let nearby = engine.moved(at, self.sense * by);
+            let exists = engine.run(nearby, Order::Position, &mut self.state) == Condition::Ok;
             let misses = engine.misses(&self.state).map(|(_, miss, _)| miss.abs());
             exists.then(|| misses.fold(0.0, f64::max))
         };
-        let misses = (other(LED), other(2.0 * LED));
+        let misses = (other(CHECK_DISTANCE), other(2.0 * CHECK_DISTANCE));
         self.state = saved;
         // The residual must be proportional to the distance; if it grows with its square, the
         // constraint is singular as well.
@@ -323,7 +327,7 @@ impl Walker<'_> {
     fn flat(&mut self, limit: f64) -> Vec<usize> {
         let engine = self.engine;
         let mut flat = Vec::new();
-        self.aim_at(limit);
+        self.predict_nearest(limit);
         for (step, of) in engine.program.steps.iter().enumerate() {
             let condition = self.run_some(step..step + 1, limit, Order::Position);
             let is_flat = |group: usize| self.state.measures[group].abs() < LARGE;
@@ -343,7 +347,7 @@ impl Walker<'_> {
             let a = self.engine.moved(limit, -by);
             let b = self.engine.moved(limit, by);
             let rates = (self.stretch_rate(step, a)?, self.stretch_rate(step, b)?);
-            self.most_stretched(step, (a, rates.0), (b, rates.1))
+            self.extreme_stretch(step, (a, rates.0), (b, rates.1))
         })?;
         self.stretch_rate(step, at)?;
         self.is_stretched(step, group, at).then_some(at)
@@ -351,7 +355,7 @@ impl Walker<'_> {
 
     /// Returns the coordinate where a dyad's stretch is extreme, between two coordinates at which
     /// its rates have different signs. Each pair holds a coordinate and a rate.
-    pub(super) fn most_stretched(
+    pub(super) fn extreme_stretch(
         &mut self,
         step: usize,
         a: (f64, f64),
@@ -386,7 +390,7 @@ impl Walker<'_> {
 
     /// Returns a dyad's stretching, computed from its inputs. The dyad itself may be open.
     pub(super) fn stretching(&mut self, step: usize, at: f64) -> Option<Stretching> {
-        self.aim_at(at);
+        self.predict_nearest(at);
         let engine = self.engine;
         if self.run_some(0..step, at, Order::Acceleration) == Condition::NoAssembly {
             return None;

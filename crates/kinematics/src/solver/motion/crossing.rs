@@ -19,7 +19,7 @@ const WAYS: usize = 7;
 const STEPS_BEFORE: usize = 200;
 /// Size of a correction at its rounding error, which ends the iteration, in units of about the
 /// longest link.
-const SETTLED: f64 = 1e-13;
+const MAX_LAST_CORRECTION: f64 = 1e-13;
 /// Maximum opening of the equations at which the branches count as crossing in doubles, in units of
 /// about the longest link. It covers the rounding of lengths; that of given coordinates is added to
 /// it. A larger opening is a near miss.
@@ -52,7 +52,7 @@ impl Walker<'_> {
         let beyond = engine.moved(limit, self.sense * by);
         // Closer to the limit, the derivatives in an anchor have lost their digits.
         self.anchors.forget_beyond(engine, before, self.sense);
-        if !self.stand_at(before) {
+        if !self.step_to(before) {
             return None;
         }
         let saved = self.state.clone();
@@ -98,15 +98,15 @@ impl Walker<'_> {
         };
         approaches().take(WAYS).any(|by| {
             let before = engine.moved(at, -self.sense * by);
-            let stands = self.stand_at(before);
+            let driver_states = self.step_to(before);
             let saved = self.state.clone();
-            stands && self.crossing(step, (at, by), &saved).is_some()
+            driver_states && self.crossing(step, (at, by), &saved).is_some()
         })
     }
 
     /// Steps to a coordinate from the latest known state before it, by as many steps as the motion
     /// needs. Returns `true` if the coordinate was reached without leaving the motion.
-    pub(super) fn stand_at(&mut self, to: f64) -> bool {
+    pub(super) fn step_to(&mut self, to: f64) -> bool {
         let Some(mut good) = self.latest_before(to) else {
             return false;
         };
@@ -146,7 +146,7 @@ impl Walker<'_> {
     /// Computes the known state at a coordinate. Returns `true` if it exists.
     fn place_at(&mut self, at: f64) -> bool {
         let Walker { anchors, state, .. } = self;
-        anchors.aim_from_before(self.engine, at, self.sense, state);
+        anchors.predict_from_before(self.engine, at, self.sense, state);
         self.run(at, Order::Acceleration) == Condition::Ok
     }
 
@@ -184,7 +184,7 @@ impl Walker<'_> {
             let Correction { size, dq } = correction?;
             crossing = start;
             at = engine.moved(at, dq);
-            if size < SETTLED {
+            if size < MAX_LAST_CORRECTION {
                 break;
             }
         }

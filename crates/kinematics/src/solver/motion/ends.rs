@@ -22,7 +22,7 @@ use crate::solver::workspace::Workspace;
 const DOUBLINGS: i32 = 30;
 /// Maximum number of doublings of an ulp: near zero, so many lie between an ulp and the rounding of
 /// a length.
-const NEAR_NOUGHT: i32 = 1100;
+const NEAR_ZERO: i32 = 1100;
 /// Maximum number of Newton steps to a fold, from a start with half of the digits.
 const FOLD_STEPS: usize = 20;
 /// Size of a correction that ends the iteration to a fold, in units of about the longest link. The
@@ -31,7 +31,7 @@ const FOLD_STEPS: usize = 20;
 const FOLDED: f64 = 1e-11;
 /// Maximum distance of a fold from the end of the walk, in radians or scaled lengths. A fold
 /// further away is another one.
-const SAME_FOLD: f64 = 1e-6;
+const FOLD_TOLERANCE: f64 = 1e-6;
 
 impl Walker<'_> {
     /// Returns the limit that ends the motion, to the last digit. `state` is the last one before
@@ -71,9 +71,9 @@ impl Walker<'_> {
     /// resolution.
     pub(super) fn distances(&self, limit: f64) -> impl Iterator<Item = f64> + use<> {
         let ulp = self.ulp(limit).max(f64::MIN_POSITIVE);
-        let most = self.engine.finest().max(ulp) * f64::from(DOUBLINGS).exp2();
-        let growing = (0..NEAR_NOUGHT).map(move |k| ulp * (f64::from(k).exp2() - 1.0));
-        growing.take_while(move |&by| by < most)
+        let maximum = self.engine.finest().max(ulp) * f64::from(DOUBLINGS).exp2();
+        let growing = (0..NEAR_ZERO).map(move |k| ulp * (f64::from(k).exp2() - 1.0));
+        growing.take_while(move |&by| by < maximum)
     }
 
     // ---- dyads before the first coupled group
@@ -84,11 +84,11 @@ impl Walker<'_> {
         let mut state: State<Double> = exact.state(self.state.travels.len());
         let signs = self.state.signs.iter();
         state.signs = signs.map(|&s| Double::exactly(s)).collect();
-        let room = self.ahead(limit).max(0.0);
+        let buffers = self.ahead(limit).max(0.0);
         let mut goes = |at: f64| exact.stops(at, &mut state).is_none();
         let mut back = self
             .distances(limit)
-            .map(|by| limit - self.sense * by.min(room));
+            .map(|by| limit - self.sense * by.min(buffers));
         let mut inside = back.find(|&at| goes(at))?;
         let mut on = self.distances(limit).map(|by| limit + self.sense * by);
         let mut outside = on.find(|&at| !goes(at))?;
@@ -124,7 +124,7 @@ impl Walker<'_> {
         let sense = self.sense;
         let mut beyond = self.distances(limit).map(|by| limit + sense * by);
         beyond.find_map(|at| {
-            self.aim_at(at);
+            self.predict_nearest(at);
             let mut steps = 0..self.engine.program.steps.len();
             steps.find(|&i| {
                 let order = Order::Position;
@@ -161,7 +161,7 @@ impl Walker<'_> {
     /// Returns a dyad's measure, negative beyond its reach; `None` if its inputs cannot be
     /// assembled.
     fn measure_behind(&mut self, step: usize, group: usize, at: f64) -> Option<f64> {
-        self.aim_at(at);
+        self.predict_nearest(at);
         let engine = self.engine;
         let order = Order::Position;
         if engine.run_steps(0..step, at, order, &mut self.state) == Condition::NoAssembly {
@@ -202,12 +202,12 @@ impl Walker<'_> {
             }
             last = size;
         }
-        if self.engine.difference(limit, at).abs() >= SAME_FOLD {
+        if self.engine.difference(limit, at).abs() >= FOLD_TOLERANCE {
             return None;
         }
         let z = group.open(&mut self.state.scratch).z.to_vec();
         let found = self.exact_fold((step, index), fold, at);
-        let is_here = |end: &BoundedEnd| self.engine.difference(at, end.at).abs() < SAME_FOLD;
+        let is_here = |end: &BoundedEnd| self.engine.difference(at, end.at).abs() < FOLD_TOLERANCE;
         let found = found.filter(|(end, _)| is_here(end));
         let (end, z) = found.unwrap_or((BoundedEnd::unproved(at), z));
         let at = end.at;

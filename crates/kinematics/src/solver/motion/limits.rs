@@ -2,7 +2,7 @@
 //! groups' measures.
 
 use super::change::ReachExtreme;
-use super::junction::Standing;
+use super::junction::DyadSingularity;
 use super::walk::{SAMPLES, WalkSample, Walker};
 use super::{NearMiss, ONE_MISS};
 use crate::Double;
@@ -13,12 +13,12 @@ use crate::solver::plan::GroupId;
 use crate::solver::state::Condition;
 
 /// Minimum sample of a measure below which a zero is searched between the samples.
-const SUSPICIOUS: f64 = 0.05;
+const MAX_UNSEARCHED_MEASURE: f64 = 0.05;
 /// Fraction of a measure's maximum below which it touches zero: the square of a rounding error.
-const TOUCH: f64 = 1e-28;
+const TOUCH_TOLERANCE: f64 = 1e-28;
 /// Measure at a dyad's extreme below which double-double decides. Doubles are accurate enough above
 /// it, unless the dyad's inputs are themselves as close to a limit.
-const UNSURE: f64 = 1e-6;
+const CLOSE_LOOK_MEASURE: f64 = 1e-6;
 /// Fraction of a measure's maximum below which a nonzero minimum is a near miss.
 ///
 /// It corresponds to a sine below 0.032, a transmission angle of 1.8 degrees. The gap is then about
@@ -28,14 +28,14 @@ const NEAR: f64 = 1e-3;
 /// Number of golden sections that locate a minimum to the square root of the rounding error.
 const GOLDEN_SECTIONS: usize = 44;
 /// Distance within which two extremes of one dyad are the same, in radians or scaled lengths.
-const SAME: f64 = 1e-14;
+const EQUALITY_TOLERANCE: f64 = 1e-14;
 /// Maximum error of an extreme found in doubles, in radians or scaled lengths.
 const NEIGHBOURING: f64 = 1e-5;
 /// Half width of an interval around a coordinate, in radians or scaled lengths. Dyads whose stretch
 /// is extreme within it are stretched at this coordinate.
-const SAME_PLACE: f64 = 1e-12;
+const PLACE_TOLERANCE: f64 = 1e-12;
 /// Fraction of the speeds on both sides below which a speed counts as zero.
-const STILL: f64 = 1e-7;
+const ZERO_SPEED_FRACTION: f64 = 1e-7;
 
 /// The stretching of a dyad at the last two samples.
 #[derive(Clone, Copy)]
@@ -56,7 +56,7 @@ impl Walker<'_> {
             return None;
         }
         let saved = self.state.clone();
-        let told = self.misses.len();
+        let count = self.misses.len();
         let first = self.first_extreme(stretches);
         let limits = dips
             .into_iter()
@@ -72,7 +72,7 @@ impl Walker<'_> {
             let (mut number, sense) = (0, self.sense);
             self.misses.retain(|miss| {
                 number += 1;
-                number <= told || (limit - miss.at) * sense > ONE_MISS
+                number <= count || (limit - miss.at) * sense > ONE_MISS
             });
         }
         first
@@ -97,7 +97,8 @@ impl Walker<'_> {
                 to: (b.at, to?),
             };
             let is_leaving = self.engine.inwards(b.at) * self.sense < 0.0;
-            let may_have = lowest < SUSPICIOUS && (is_leaving || stretch.has_extreme(self.sense));
+            let may_have =
+                lowest < MAX_UNSEARCHED_MEASURE && (is_leaving || stretch.has_extreme(self.sense));
             may_have.then_some(stretch)
         });
         all.collect()
@@ -129,7 +130,7 @@ impl Walker<'_> {
         }
         found.retain(|(stretch, at)| {
             let place = (stretch.group, *at);
-            self.ahead(*at) > 0.0 && !self.passages.has(self.engine, place, SAME)
+            self.ahead(*at) > 0.0 && !self.crossings.has(self.engine, place, EQUALITY_TOLERANCE)
         });
         found.sort_by(|x, y| self.ahead(x.1).total_cmp(&self.ahead(y.1)));
         found.into_iter().find_map(|(stretch, at)| {
@@ -139,7 +140,9 @@ impl Walker<'_> {
             // Doubles assigned it to the extreme of another dyad.
             let mut extremes = self.extremes(&stretch).into_iter();
             extremes.find_map(|at| {
-                let is_passed = self.passages.has(self.engine, (stretch.group, at), SAME);
+                let is_passed =
+                    self.crossings
+                        .has(self.engine, (stretch.group, at), EQUALITY_TOLERANCE);
                 let is_new = self.ahead(at) > 0.0 && !is_passed;
                 is_new.then(|| self.limit_at(&stretch, at)).flatten()
             })
@@ -159,11 +162,12 @@ impl Walker<'_> {
         if rest.is_empty() {
             return Vec::new();
         }
-        let sides = [-SAME_PLACE, SAME_PLACE].map(|by| self.all_rates(self.engine.moved(at, by)));
+        let sides =
+            [-PLACE_TOLERANCE, PLACE_TOLERANCE].map(|by| self.all_rates(self.engine.moved(at, by)));
         let rate = |side: usize, step: usize| sides[side].get(step).copied().flatten();
         let is_here = |of: &&Stretch| {
-            let (before, behind) = (rate(0, of.step), rate(1, of.step));
-            !of.turns_back() && matches!((before, behind), (Some(a), Some(b)) if a * b < 0.0)
+            let (before, after) = (rate(0, of.step), rate(1, of.step));
+            !of.turns_back() && matches!((before, after), (Some(a), Some(b)) if a * b < 0.0)
         };
         rest.iter().filter(is_here).copied().collect()
     }
@@ -171,7 +175,7 @@ impl Walker<'_> {
     /// Returns the rates of stretch of all steps at a coordinate, up to the first step that cannot
     /// be assembled there.
     fn all_rates(&mut self, at: f64) -> Vec<Option<f64>> {
-        self.aim_at(at);
+        self.predict_nearest(at);
         let engine = self.engine;
         let (q, _) = engine.coordinate(at);
         let mut rates = Vec::with_capacity(engine.program.steps.len());
@@ -196,12 +200,13 @@ impl Walker<'_> {
         let rates = stretch.rates(self.sense);
         let [a, b] = [(from.0, rates[0]), (to.0, rates[1])];
         let Some((back, still, frame)) = self.turning_back(stretch) else {
-            return self.most_stretched(step, a, b).into_iter().collect();
+            return self.extreme_stretch(step, a, b).into_iter().collect();
         };
         let sense = self.sense;
-        let [before, behind] = [-sense, sense].map(|side| (back, still.rate_beside(frame, side)));
-        let first = self.most_stretched(step, a, before);
-        let last = self.most_stretched(step, behind, b);
+        let [before, after] =
+            [-sense, sense].map(|side| (back, still.adjacent_rate_sign(frame, side)));
+        let first = self.extreme_stretch(step, a, before);
+        let last = self.extreme_stretch(step, after, b);
         let mut all: Vec<f64> = first.into_iter().chain([back]).chain(last).collect();
         all.dedup();
         all
@@ -225,7 +230,7 @@ impl Walker<'_> {
             });
             let back = back.ok()?;
             let there = self.stretching(step, back)?;
-            let is_still = velocity(&there).norm() <= STILL * v.norm().max(w.norm());
+            let is_still = velocity(&there).norm() <= ZERO_SPEED_FRACTION * v.norm().max(w.norm());
             is_still.then_some((back, there, frame))
         })
     }
@@ -236,7 +241,7 @@ impl Walker<'_> {
         let &Stretch { step, group, .. } = stretch;
         let measure = self.measure(group, at);
         let is_open = measure < 0.0 && self.state.condition == Condition::NoAssembly;
-        if is_open || measure.abs() < UNSURE {
+        if is_open || measure.abs() < CLOSE_LOOK_MEASURE {
             if let Some(pair) = self.pair_near(step, at)
                 && self.ahead(pair.first) > 0.0
             {
@@ -251,18 +256,18 @@ impl Walker<'_> {
                 return None;
             }
             match self.exact_extreme(step, at) {
-                Some((at, Standing::Singular { .. })) if self.is_split_off(step, at) => {
+                Some((at, DyadSingularity::Singular { .. })) if self.is_split_off(step, at) => {
                     return None;
                 }
-                Some((at, Standing::Singular { .. })) => {
+                Some((at, DyadSingularity::Singular { .. })) => {
                     self.ahead = Some(ReachExtreme::single(step, at));
                     return Some(at.hi);
                 }
-                Some((at, Standing::Regular)) => {
+                Some((at, DyadSingularity::Regular)) => {
                     self.note_miss(group, measure.max(0.0).sqrt(), at.hi);
                     return None;
                 }
-                Some((at, Standing::Missing { sine })) => {
+                Some((at, DyadSingularity::Missing { sine })) => {
                     let seen = if measure > 0.0 { measure.sqrt() } else { sine };
                     self.note_miss(group, seen, at.hi);
                     return None;
@@ -285,9 +290,9 @@ impl Walker<'_> {
 
     /// Returns the coordinate of an extreme of a dyad's reach and the dyad's singularity there, in
     /// double-double. Returns `None` if this cannot be determined.
-    fn exact_extreme(&mut self, step: usize, at: f64) -> Option<(Double, Standing)> {
+    fn exact_extreme(&mut self, step: usize, at: f64) -> Option<(Double, DyadSingularity)> {
         let at = self.exactly_near(step, at)?;
-        Some((at, self.standing_at(step, at)?))
+        Some((at, self.singularity_at(step, at)?))
     }
 
     /// Records a near miss.
@@ -314,7 +319,7 @@ impl Walker<'_> {
         let dips = (0..first.measures.len()).filter(|&g| {
             let lowest = value(middle, g);
             let is_lowest = lowest < value(first, g) && lowest <= value(last, g);
-            is_lowest && lowest < SUSPICIOUS && !is_dyad(g)
+            is_lowest && lowest < MAX_UNSEARCHED_MEASURE && !is_dyad(g)
         });
         dips.map(|group| (group, [first.at, middle.at, last.at]))
             .collect()
@@ -342,7 +347,7 @@ impl Walker<'_> {
     /// Returns a group's measure between the last samples, negative if the mechanism does not exist
     /// there.
     fn measure(&mut self, group: usize, at: f64) -> f64 {
-        self.aim_at(at);
+        self.predict_nearest(at);
         let condition = self.run(at, Order::Position);
         if condition == Condition::Ok && self.is_coupled(group) {
             self.engine.measure_coupled(at, &mut self.state);
@@ -361,7 +366,7 @@ impl Walker<'_> {
     /// Returns the sample between them immediately if its measure touches zero.
     fn lowest(&mut self, group: usize, [a, middle, b]: [f64; 3]) -> f64 {
         const GOLDEN: f64 = 0.618_033_988_749_894_9;
-        if self.measure(group, middle) < TOUCH * self.peaks[group] {
+        if self.measure(group, middle) < TOUCH_TOLERANCE * self.peaks[group] {
             return middle;
         }
         let (mut a, mut b) = (a, b);
@@ -386,7 +391,7 @@ impl Walker<'_> {
         if self.is_coupled(group) {
             return measure < NEAR * self.peaks[group] && self.crosses(group, at);
         }
-        measure < TOUCH * self.peaks[group]
+        measure < TOUCH_TOLERANCE * self.peaks[group]
     }
 
     /// Returns `true` if a group is coupled.
@@ -431,15 +436,15 @@ impl Stretch {
         let [from, to] = [self.from.1, self.to.1];
         let rate = |own: Stretching, other: Stretching, inwards: f64| {
             let speed = |s: &Stretching, frame: usize| s.seen[frame].v.norm();
-            let is_still = |&f: &usize| speed(&own, f) <= STILL * speed(&other, f);
+            let is_still = |&f: &usize| speed(&own, f) <= ZERO_SPEED_FRACTION * speed(&other, f);
             match (0..FRAMES).find(is_still) {
-                Some(frame) => own.rate_beside(frame, inwards),
+                Some(frame) => own.adjacent_rate_sign(frame, inwards),
                 None => own.rate().unwrap_or(0.0),
             }
         };
         let rates = [rate(from, to, sense), rate(to, from, -sense)];
         // Behind the end of a table, nothing moves: there is no extreme.
-        match (from.rests(), to.rests()) {
+        match (from.is_at_rest(), to.is_at_rest()) {
             (true, true) => [0.0; 2],
             (true, false) => [rates[1]; 2],
             (false, true) => [rates[0]; 2],

@@ -15,7 +15,7 @@ pub(super) use proved_ends::sign_change;
 pub use stopped::EndStop;
 
 use super::angle_turn;
-use super::change_point::Passages;
+use super::change_point::ChangePointCrossings;
 use super::engine::Engine;
 use super::exact::Exact;
 use super::fault::Fault;
@@ -23,7 +23,7 @@ use super::plan::GroupId;
 use super::workspace::Workspace;
 use crate::angle::TURN;
 use proved_ends::BoundedEnd;
-use walk::{MAX_TURNS, PUSH_REACH, Walker};
+use walk::{MAX_SLIDE_TRAVEL, MAX_TURNS, Walker};
 
 /// The range that the driver can cover from the scene's assembly.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,7 +62,7 @@ impl Range {
     /// turns away. Returns `None` if there is no such coordinate or more than one, if `at` lies in
     /// the range, and if the range is full.
     #[must_use]
-    pub fn meant(self, at: f64, turns: bool) -> Option<f64> {
+    pub fn equivalent_in_range(self, at: f64, is_rotary: bool) -> Option<f64> {
         let Range::Limited { low, high } = self else {
             return None;
         };
@@ -70,7 +70,7 @@ impl Range {
         if covered.contains(&at) {
             return None;
         }
-        let written = |end: &f64| (at - end).abs() <= WRITTEN;
+        let written = |end: &f64| (at - end).abs() <= WRITTEN_ROUNDING;
         if let Some(end) = [low, high].into_iter().find(written) {
             return Some(end);
         }
@@ -80,7 +80,7 @@ impl Range {
         let places = away.map(|away| at + TURN * away);
         let mut within = places.into_iter().filter(|at| covered.contains(at));
         match (within.next(), within.next()) {
-            (Some(place), None) if turns => Some(place),
+            (Some(place), None) if is_rotary => Some(place),
             _ => None,
         }
     }
@@ -102,7 +102,7 @@ pub struct NearMiss {
 
 /// An end of the range at which the two assemblies of a group meet, without a proved crossing.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LinedUp {
+pub struct MeetingAssemblies {
     /// The group.
     pub group: GroupId,
     /// The driver's coordinate, in degrees or the scene's length unit.
@@ -128,7 +128,7 @@ pub struct Motion {
     /// The near misses: positions where the motion passes close to a change point or a dead point.
     pub near_misses: Vec<NearMiss>,
     /// The ends of the range at which assemblies meet, without a proved crossing.
-    pub lined_up: Vec<LinedUp>,
+    pub meeting_assemblies: Vec<MeetingAssemblies>,
     /// The maximum difference of lengths that count as equal, in the scene's length unit. It is the
     /// rounding error of ground coordinates with 15 digits or more. If all coordinates are shorter,
     /// it is 0: then lengths are equal only if they are exactly equal.
@@ -136,7 +136,7 @@ pub struct Motion {
     /// The coordinates of the samples.
     pub(super) samples: Vec<f64>,
     pub(super) anchors: Anchors,
-    pub(super) passages: Passages,
+    pub(super) crossings: ChangePointCrossings,
     /// The largest residual of each watched constraint, in the solver's unit.
     pub(super) misfits: Vec<f64>,
     /// The range without stops.
@@ -168,7 +168,7 @@ pub(super) struct Folded {
 /// Maximum distance between the coordinates of a near miss that is found by both walks.
 pub(super) const ONE_MISS: f64 = 1e-6;
 /// Rounding error of a coordinate written with 12 decimals.
-const WRITTEN: f64 = 6e-13;
+const WRITTEN_ROUNDING: f64 = 6e-13;
 /// Distance from a dead point, in radians or scaled lengths, within which states are computed in
 /// double-double. Doubles lose at least half of their digits there.
 const EDGE: f64 = 1e-6;
@@ -240,25 +240,25 @@ pub(super) fn explore<'e>(
     start: f64,
     state: &Workspace,
 ) -> Result<Motion, Fault> {
-    let room = |exact: &'e Exact| (exact, exact.state(state.travels.len()));
+    let buffers = |exact: &'e Exact| (exact, exact.state(state.travels.len()));
     let mut walker = Walker {
         engine,
         exact,
-        closely: exact
-            .filter(|e| e.tells(engine.program.steps.len()))
-            .map(room),
+        double_double: exact
+            .filter(|e| e.decides_more(engine.program.steps.len()))
+            .map(buffers),
         state: state.clone(),
         anchors: Anchors::default(),
         seen: Vec::new(),
         peaks: state.measures.clone(),
         start,
         sense: 1.0,
-        passages: Passages::default(),
+        crossings: ChangePointCrossings::default(),
         ahead: None,
         singly: None,
         unresolved: None,
         unproved: Vec::new(),
-        lined_up: Vec::new(),
+        meeting_assemblies: Vec::new(),
         samples: Vec::new(),
         misses: Vec::new(),
         misfits: vec![0.0; engine.program.watches.len()],
@@ -285,11 +285,11 @@ pub(super) fn explore<'e>(
         }
     };
     let anchors = walker.anchors.sorted(engine, period);
-    let passages = walker.passages.of_motion(start, period);
+    let crossings = walker.crossings.of_motion(start, period);
     let dead_points = dead_points(range, engine, start);
     Ok(Motion {
         near_misses: near_misses(walker.misses, range, engine),
-        lined_up: walker.lined_up,
+        meeting_assemblies: walker.meeting_assemblies,
         tolerance: exact.map_or(0.0, |exact| exact.rounding) * engine.frame.scale,
         samples: walker.samples,
         misfits: walker.misfits,
@@ -299,9 +299,9 @@ pub(super) fn explore<'e>(
         stops: Vec::new(),
         clear: clear(range, &dead_points, engine),
         dead_points,
-        change_points: passages.coordinates(),
+        change_points: crossings.coordinates(),
         anchors,
-        passages,
+        crossings,
         finest: engine.finest().max(f64::EPSILON * start.abs()),
         folds: walker.folds,
         stretched: walker.stretched,
@@ -328,10 +328,10 @@ fn dead_points(range: Range, engine: &Engine, start: f64) -> Vec<f64> {
     match range {
         Range::Full { .. } => Vec::new(),
         Range::Limited { low, high } => {
-            let reach = if engine.turns {
+            let reach = if engine.is_rotary {
                 angle_turn(MAX_TURNS)
             } else {
-                PUSH_REACH * engine.frame.scale
+                MAX_SLIDE_TRAVEL * engine.frame.scale
             };
             let is_cut = |end: f64| (end - start).abs() >= reach;
             [low, high]

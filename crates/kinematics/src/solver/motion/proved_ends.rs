@@ -23,7 +23,7 @@ const NEAR: f64 = 16.0;
 /// Maximum number of corrections of a fold. Each gains about the digits of a double.
 const CORRECTIONS: usize = 12;
 /// Size of a correction that ends the iteration, in units of about the longest link.
-const SETTLED: f64 = 1e-27;
+const MAX_LAST_CORRECTION: f64 = 1e-27;
 
 /// An end of the range with an error bound.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +63,7 @@ impl BoundedEnd {
 
 /// A quantity that is zero at the end of a dyad's reach.
 #[derive(Clone, Copy)]
-enum Vanishing {
+enum EndQuantity {
     /// The dyad's measure.
     Measure,
     /// The dyad's rate of stretch, for a dyad that only touches its limit, times this sign.
@@ -80,9 +80,9 @@ impl Walker<'_> {
         limit: f64,
     ) -> Option<BoundedEnd> {
         let all = [
-            Vanishing::Measure,
-            Vanishing::StretchRate(1.0),
-            Vanishing::StretchRate(-1.0),
+            EndQuantity::Measure,
+            EndQuantity::StretchRate(1.0),
+            EndQuantity::StretchRate(-1.0),
         ];
         let exact = self.exact?;
         let mut run = ProvedRun::new(exact, self.state.travels.len());
@@ -97,7 +97,7 @@ impl Walker<'_> {
     pub(super) fn bound_of_reach(&mut self, step: usize, group: usize, at: f64) -> Option<f64> {
         let exact = self.exact?;
         let mut run = ProvedRun::new(exact, self.state.travels.len());
-        let all = [Vanishing::Measure, Vanishing::StretchRate(1.0)];
+        let all = [EndQuantity::Measure, EndQuantity::StretchRate(1.0)];
         all.into_iter()
             .find_map(|vanishing| self.reach_bound(&mut run, (step, group), vanishing, at))
     }
@@ -107,7 +107,7 @@ impl Walker<'_> {
         &mut self,
         run: &mut ProvedRun<'_>,
         of: (usize, usize),
-        vanishing: Vanishing,
+        vanishing: EndQuantity,
         at: f64,
     ) -> Option<f64> {
         let engine = self.engine;
@@ -121,7 +121,7 @@ impl Walker<'_> {
         &mut self,
         run: &mut ProvedRun<'_>,
         of: (usize, usize),
-        vanishing: Vanishing,
+        vanishing: EndQuantity,
         limit: f64,
     ) -> Option<f64> {
         let sense = self.sense;
@@ -158,16 +158,16 @@ impl Walker<'_> {
         &mut self,
         run: &mut ProvedRun<'_>,
         (step, group): (usize, usize),
-        vanishing: Vanishing,
+        vanishing: EndQuantity,
         place: Sharp,
     ) -> Option<Sharp> {
-        let has_rates = matches!(vanishing, Vanishing::StretchRate(_));
+        let has_rates = matches!(vanishing, EndQuantity::StretchRate(_));
         if !self.run_inputs(run, step, place, has_rates) {
             return None;
         }
         match vanishing {
-            Vanishing::Measure => Some(run.measure(step, group, place)),
-            Vanishing::StretchRate(sign) => {
+            EndQuantity::Measure => Some(run.measure(step, group, place)),
+            EndQuantity::StretchRate(sign) => {
                 let dyad = run.engine.program.steps[step].dyad()?;
                 let rate = dyad.stretch_rate(&run.sharp.state)?;
                 Some(rate * Sharp::new(Double::exactly(sign), 0.0))
@@ -186,7 +186,7 @@ impl Walker<'_> {
     ) -> bool {
         if self.exact.is_some_and(|exact| step > exact.closed) {
             let at = place.mid.hi;
-            self.aim_at(at);
+            self.predict_nearest(at);
             let order = if has_rates {
                 Order::Acceleration
             } else {
@@ -220,7 +220,7 @@ impl Walker<'_> {
             let Correction { size, dq } = group.correct_fold(&mut fold, &residuals);
             place = self.moved_exactly(place, Double::exactly(dq));
             // This form of the condition also stops at NaN.
-            if !(size < 0.5 * last && size > SETTLED) {
+            if !(size < 0.5 * last && size > MAX_LAST_CORRECTION) {
                 break;
             }
             last = size;
@@ -276,8 +276,8 @@ pub(in crate::solver) fn sign_change(
     at: f64,
     mut f: impl FnMut(Sharp) -> Option<Sharp>,
 ) -> Option<f64> {
-    let least = half_ulp(at).max(f64::EPSILON * f64::EPSILON * engine.finest());
-    let mut distances = (0..DOUBLINGS).map(|k| least * f64::from(k).exp2());
+    let minimum = half_ulp(at).max(f64::EPSILON * f64::EPSILON * engine.finest());
+    let mut distances = (0..DOUBLINGS).map(|k| minimum * f64::from(k).exp2());
     distances.find(|&by| {
         let mut sign = |by: f64| {
             let value = f(Sharp::new(Double::sum(at, by), 0.0))?;

@@ -38,7 +38,8 @@ impl Motion {
         }
         self.stops = [down, up].into_iter().flatten().collect();
         self.dead_points.retain(|&at| at == low || at == high);
-        self.lined_up.retain(|end| end.at == low || end.at == high);
+        self.meeting_assemblies
+            .retain(|end| end.at == low || end.at == high);
         // A stop does not make the mechanism harder to solve.
         let [from, to] = self.clear;
         self.clear = [from.max(low.next_down()), to.min(high.next_up())];
@@ -64,23 +65,23 @@ impl Motion {
         let Range::Limited { low, high } = self.whole else {
             return None;
         };
-        let room = roundings * self.finest.max(f64::EPSILON * at.abs());
+        let buffers = roundings * self.finest.max(f64::EPSILON * at.abs());
         let mut ends = [low, high].into_iter().zip(self.range_bounds);
-        ends.find(|(end, _)| (at - end).abs() <= room)
+        ends.find(|(end, _)| (at - end).abs() <= buffers)
     }
 
     /// Returns the coordinates in the range that correspond to the given ones, repeated in every
     /// period.
-    fn within(&self, places: &[f64]) -> Vec<f64> {
+    fn within(&self, coordinates: &[f64]) -> Vec<f64> {
         let (low, high) = self.range.ends();
-        self.between(places, low, high)
+        self.between(coordinates, low, high)
     }
 
     /// Returns the coordinates from `low` to `high` that correspond to the given ones, repeated in
     /// every period, sorted and without duplicates.
-    fn between(&self, places: &[f64], low: f64, high: f64) -> Vec<f64> {
+    fn between(&self, coordinates: &[f64], low: f64, high: f64) -> Vec<f64> {
         let mut found = Vec::new();
-        for &at in places {
+        for &at in coordinates {
             let (first, period) = match self.whole {
                 Range::Full { period } => (at - period * ((at - low) / period).floor(), period),
                 Range::Limited { .. } => (at, f64::INFINITY),

@@ -3,9 +3,9 @@
 use super::anchors::Anchors;
 use super::change::ReachExtreme;
 use super::proved_ends::BoundedEnd;
-use super::{Folded, LinedUp, NearMiss, Stretched};
+use super::{Folded, MeetingAssemblies, NearMiss, Stretched};
 use crate::Double;
-use crate::solver::change_point::Passages;
+use crate::solver::change_point::ChangePointCrossings;
 use crate::solver::elements::Stretching;
 use crate::solver::engine::Engine;
 use crate::solver::exact::Exact;
@@ -20,7 +20,7 @@ use std::ops::Range;
 const TURN_STEP: f64 = 0.2;
 /// Maximum first correction of a coupled group, as a fraction of the predicted move. With a larger
 /// correction, the step could end on another assembly.
-const STRAIN: f64 = 0.05;
+const MAX_RELATIVE_CORRECTION: f64 = 0.05;
 /// Correction below which strain is ignored as rounding error, in units of about the longest link.
 const STRAIN_FLOOR: f64 = 1e-9;
 /// Maximum second-order part of a coupled group's move, as a fraction of the first-order part. At a
@@ -43,7 +43,7 @@ const SHARP: f64 = 0.3;
 /// degree.
 const PUSH_STEP: f64 = 1.0 / 128.0;
 /// Maximum travel of a slide from the start, in units of the longest length.
-pub(super) const PUSH_REACH: f64 = 64.0;
+pub(super) const MAX_SLIDE_TRAVEL: f64 = 64.0;
 /// Maximum number of steps for one degree or one push: a hundred halvings and as many doublings.
 const MAX_STEPS: usize = 400;
 /// Maximum number of halvings between two doubles.
@@ -56,9 +56,9 @@ pub(super) const SAMPLES: usize = 3;
 /// further away is another one.
 const REFINED: f64 = 1e-9;
 /// Number of samples taken before a limit, each at a tenth of the distance of the last.
-const APPROACHES: i32 = 6;
+const HALF_WIDTH_COUNT: i32 = 6;
 /// Maximum difference between z and its start in a closed motion.
-const CLOSED: f64 = 1e-7;
+const CLOSURE_TOLERANCE: f64 = 1e-7;
 
 /// A sample of the walk.
 pub(super) struct WalkSample {
@@ -97,7 +97,7 @@ pub(super) struct Walker<'e> {
     pub(super) exact: Option<&'e Exact>,
     /// The mechanism with its typed decimals and a state, if double-double decides more than
     /// doubles.
-    pub(super) closely: Option<(&'e Exact, State<Double>)>,
+    pub(super) double_double: Option<(&'e Exact, State<Double>)>,
     pub(super) state: Workspace,
     pub(super) anchors: Anchors,
     /// The last samples, at most [`SAMPLES`].
@@ -106,7 +106,7 @@ pub(super) struct Walker<'e> {
     pub(super) peaks: Vec<f64>,
     pub(super) start: f64,
     pub(super) sense: f64,
-    pub(super) passages: Passages,
+    pub(super) crossings: ChangePointCrossings,
     /// The extreme found last, at the next limit.
     pub(super) ahead: Option<ReachExtreme>,
     /// The last of two close change points that are passed one by one.
@@ -116,7 +116,7 @@ pub(super) struct Walker<'e> {
     /// The groups whose assemblies are known to meet at the next limit.
     pub(super) unproved: Vec<GroupId>,
     /// The ends of the range at which groups are lined up.
-    pub(super) lined_up: Vec<LinedUp>,
+    pub(super) meeting_assemblies: Vec<MeetingAssemblies>,
     /// The coordinates of all samples.
     pub(super) samples: Vec<f64>,
     pub(super) misses: Vec<NearMiss>,
@@ -144,26 +144,30 @@ impl Walker<'_> {
     /// [`Fault::OverConstrained`] if a watched constraint stops holding.
     pub(super) fn walk(&mut self) -> Result<WalkEnd, Fault> {
         let (start, sense) = (self.start, self.sense);
-        let step = if self.engine.turns {
+        let step = if self.engine.is_rotary {
             1.0
         } else {
             PUSH_STEP * self.engine.frame.scale
         };
-        let per_turn = if self.engine.turns { 360 } else { usize::MAX };
-        let most = if self.engine.turns {
+        let per_turn = if self.engine.is_rotary {
+            360
+        } else {
+            usize::MAX
+        };
+        let maximum = if self.engine.is_rotary {
             360 * MAX_TURNS
         } else {
-            (PUSH_REACH / PUSH_STEP) as usize
+            (MAX_SLIDE_TRAVEL / PUSH_STEP) as usize
         };
         let first_z = self.state.scratch.numbers.clone();
         let opened = self.state.clone();
         if self.run(start, Order::Acceleration) != Condition::Ok {
             self.state = opened;
         }
-        self.look_behind(step);
+        self.sample_behind_start(step);
         let (mut from, mut closed, mut k) = (start, None, 1);
         let mut passed = f64::NEG_INFINITY;
-        while k <= most {
+        while k <= maximum {
             let to = start + sense * step * k as f64;
             let stop = self.advance_by_table_ends(from, to);
             if let Err(stop) = stop {
@@ -188,23 +192,24 @@ impl Walker<'_> {
                     let limit = self.last_resolved(from, limit);
                     // Beyond a change point that is not passed, the motion may be another one.
                     let beyond = self.sense * self.engine.difference(limit, end.at);
-                    let most = if self.unproved.is_empty() {
+                    let maximum = if self.unproved.is_empty() {
                         REFINED
                     } else {
                         0.0
                     };
                     // A change point that is passed is no limit.
-                    let is_known = beyond <= most && self.ahead(end.at) >= passed;
+                    let is_known = beyond <= maximum && self.ahead(end.at) >= passed;
                     let limit = if is_known {
                         end
                     } else {
                         BoundedEnd::unproved(limit)
                     };
                     let groups = std::mem::take(&mut self.unproved).into_iter();
-                    self.lined_up.extend(groups.map(|group| LinedUp {
-                        group,
-                        at: limit.at,
-                    }));
+                    self.meeting_assemblies
+                        .extend(groups.map(|group| MeetingAssemblies {
+                            group,
+                            at: limit.at,
+                        }));
                     return Ok(WalkEnd::Limit(limit));
                 };
                 // Nothing moves beyond a table, and doubles cannot solve it close to a change point.
@@ -221,7 +226,7 @@ impl Walker<'_> {
             if let Some(turns) = closed {
                 return Ok(WalkEnd::Closed(turns));
             }
-            let comes_round = || self.engine.comes_round(k / per_turn);
+            let comes_round = || self.engine.repeats_after(k / per_turn);
             if k % per_turn == 0 && comes_round() && self.has_closed(&first_z) {
                 closed = Some(k / per_turn);
             }
@@ -256,12 +261,12 @@ impl Walker<'_> {
     /// Runs all steps. A mechanism of dyads alone that fails in doubles is run again in
     /// double-double if this decides more.
     pub(super) fn run(&mut self, at: f64, order: Order) -> Condition {
-        let condition = if self.passages.is_near(self.engine, at) {
+        let condition = if self.crossings.is_near(self.engine, at) {
             self.run_some(0..self.engine.program.steps.len(), at, order)
         } else {
             self.engine.run(at, order, &mut self.state)
         };
-        match &mut self.closely {
+        match &mut self.double_double {
             Some((exact, close)) if condition != Condition::Ok => {
                 let state = &mut self.state.state;
                 let how = (&state.signs[..], None);
@@ -277,8 +282,8 @@ impl Walker<'_> {
     /// Runs some steps, in doubles.
     pub(super) fn run_some(&mut self, steps: Range<usize>, at: f64, order: Order) -> Condition {
         let engine = self.engine;
-        if self.passages.is_near(engine, at) {
-            engine.run_near(steps, at, order, &self.passages, &mut self.state)
+        if self.crossings.is_near(engine, at) {
+            engine.run_near(steps, at, order, &self.crossings, &mut self.state)
         } else {
             engine.run_steps(steps, at, order, &mut self.state)
         }
@@ -296,18 +301,18 @@ impl Walker<'_> {
     }
 
     /// Predicts the state from the nearest of the latest anchors.
-    pub(super) fn aim_at(&mut self, at: f64) {
+    pub(super) fn predict_nearest(&mut self, at: f64) {
         self.anchors
-            .aim_from_latest(self.engine, at, &mut self.state);
+            .predict_from_latest(self.engine, at, &mut self.state);
     }
 
     /// Records a sample on the other side of the start, so that a minimum at the start is detected.
-    fn look_behind(&mut self, step: f64) {
+    fn sample_behind_start(&mut self, step: f64) {
         let (at_start, kept) = (self.state.clone(), self.anchors.len());
         let walked = self.samples.len();
-        let behind = self.start - self.sense * step;
+        let after = self.start - self.sense * step;
         self.seen.clear();
-        if self.advance(self.start, behind).is_ok() {
+        if self.advance(self.start, after).is_ok() {
             self.seen.drain(..self.seen.len().saturating_sub(1));
         } else {
             self.seen.clear();
@@ -358,7 +363,7 @@ impl Walker<'_> {
                 now[z.clone()]
                     .iter()
                     .zip(&first[z])
-                    .all(|(a, b)| (a - b).abs() < CLOSED)
+                    .all(|(a, b)| (a - b).abs() < CLOSURE_TOLERANCE)
             })
     }
 
@@ -387,7 +392,7 @@ impl Walker<'_> {
     fn check_fit_between(&mut self, from: f64, limit: f64) -> Result<(), Fault> {
         let last = self.state.clone();
         let middle = from + 0.5 * (limit - from);
-        self.aim_at(middle);
+        self.predict_nearest(middle);
         let exists = self.engine.run(middle, Order::Position, &mut self.state) == Condition::Ok;
         let fits = if exists { self.check_fit() } else { Ok(()) };
         self.state = last;
@@ -461,20 +466,21 @@ impl Walker<'_> {
         let dq = self.engine.difference(from, to);
         let mut planned = Vec::new();
         for group in &self.engine.program.coupled {
-            let mut room = group.open(&mut self.state.scratch);
-            let [first, second] = group.move_sizes(&room, dq);
+            let mut buffers = group.open(&mut self.state.scratch);
+            let [first, second] = group.move_sizes(&buffers, dq);
             if second > BEND * first + BEND_FLOOR {
                 return false;
             }
             planned.push(first);
-            group.predict(&mut room, dq);
+            group.predict(&mut buffers, dq);
         }
         if self.run(to, Order::Acceleration) != Condition::Ok {
             return false;
         }
         let corrections = &self.state.scratch.first;
         let mut strains = corrections.iter().zip(&planned);
-        let strained = strains.any(|(c, planned)| *c > STRAIN * planned + STRAIN_FLOOR);
+        let strained =
+            strains.any(|(c, planned)| *c > MAX_RELATIVE_CORRECTION * planned + STRAIN_FLOOR);
         let mut turns = self.state.links.iter().zip(&before.links);
         let is_smooth =
             !strained && turns.all(|(now, then)| (now.d - then.d).norm2() < TURN_STEP * TURN_STEP);
@@ -566,7 +572,7 @@ impl Walker<'_> {
         self.seen.pop();
         let from = self.seen.last()?.at;
         let mut found = None;
-        for k in 1..=APPROACHES {
+        for k in 1..=HALF_WIDTH_COUNT {
             let next = limit - (limit - from) * 0.1_f64.powi(k);
             if self.run(next, Order::Acceleration) != Condition::Ok {
                 break;

@@ -20,11 +20,11 @@ const DAMPING: f64 = 1e-3;
 const MIN_DAMPING: f64 = 1e-13;
 /// Number of steps in which the squared residual must fall to half; if not, the iteration converges
 /// to a nonzero residual.
-const PATIENCE: usize = 20;
+const MAX_SLOW_STEPS: usize = 20;
 /// Maximum damping; beyond it, nothing moves any more.
 const MAX_DAMPING: f64 = 1e9;
 /// Steps shorter than this, in units of about the longest link, are rounding errors.
-const STILL: f64 = 4.0 * f64::EPSILON;
+const MIN_STEP: f64 = 4.0 * f64::EPSILON;
 /// Maximum residual of an assembled pose, relative to its size: the rounding of its coordinates.
 const ASSEMBLED: f64 = 1e-12;
 /// Increment from one initial direction to the next, in degrees: multiples of the golden angle
@@ -50,7 +50,7 @@ pub(super) fn assemble(
     let mut system = Normal::of(rows, at, &pose);
     let mut before = f64::INFINITY;
     for k in 0..MAX_STEPS {
-        if k % PATIENCE == 0 {
+        if k % MAX_SLOW_STEPS == 0 {
             if system.cost > 0.5 * before {
                 break;
             }
@@ -61,13 +61,13 @@ pub(super) fn assemble(
         };
         pose = next;
         system = Normal::of(rows, at, &pose);
-        if step <= STILL {
+        if step <= MIN_STEP {
             break;
         }
     }
     let reach = pose.points.iter().map(|p| p.norm()).fold(1.0, f64::max);
     let allowed = misfit.max(ASSEMBLED * reach);
-    let slack = system.largest.max(STILL * reach);
+    let slack = system.largest.max(MIN_STEP * reach);
     (system.largest <= allowed).then_some(Assembled { pose, slack })
 }
 
@@ -144,7 +144,7 @@ pub(super) fn rough(rows: &Rows<'_>, at: f64, near: &[(PointId, Vec2)], trial: u
         classes: vec![Vec2::X; network.members.len()],
     };
     rows.drive(at, &mut pose);
-    let mut placing = Placing {
+    let mut placing = RoughPlacement {
         rows,
         at,
         point_known: vec![false; pose.points.len()],
@@ -161,16 +161,16 @@ pub(super) fn rough(rows: &Rows<'_>, at: f64, near: &[(PointId, Vec2)], trial: u
         let near = || near.iter().find(|(of, _)| *of == p).map(|(_, at)| *at);
         Some((p, ground.or_else(near)?))
     });
-    for (point, place) in given {
-        let place = rows.frame.inner(place).nearest();
-        placing.put(point, place);
+    for (point, position) in given {
+        let position = rows.frame.inner(position).nearest();
+        placing.place_point(point, position);
     }
     placing.place_all();
     placing.pose
 }
 
 /// Places links approximately, one after another.
-struct Placing<'r, 'n> {
+struct RoughPlacement<'r, 'n> {
     rows: &'r Rows<'n>,
     /// The driver's coordinate.
     at: f64,
@@ -181,9 +181,9 @@ struct Placing<'r, 'n> {
     next: Vec2,
 }
 
-impl Placing<'_, '_> {
-    fn put(&mut self, point: PointId, place: Vec2) {
-        self.pose.points[point.index()] = place;
+impl RoughPlacement<'_, '_> {
+    fn place_point(&mut self, point: PointId, position: Vec2) {
+        self.pose.points[point.index()] = position;
         self.point_known[point.index()] = true;
     }
 
@@ -226,7 +226,7 @@ impl Placing<'_, '_> {
             while let (_, Some(next)) = self.joints(link) {
                 let local = self.rows.local(link, next) - self.rows.local(link, base);
                 let arm = local.turned(self.pose.direction(network, link));
-                self.put(next, self.pose.points[base.index()] + arm);
+                self.place_point(next, self.pose.points[base.index()] + arm);
                 any = true;
             }
         }
@@ -289,7 +289,7 @@ impl Placing<'_, '_> {
         let middle = placed.iter().fold(Vec2::ZERO, |sum, &p| sum + p);
         let middle = middle / placed.len().max(1) as f64;
         self.next = self.next.turned(angle::unit(GOLDEN));
-        self.put(point, middle + self.next * 0.5);
+        self.place_point(point, middle + self.next * 0.5);
         true
     }
 }

@@ -5,7 +5,7 @@
 //! work of a coupled group grows with its cube.
 
 use super::rows::Rows;
-use super::spectrum::KeptRows;
+use super::spectrum::IndependentRows;
 use crate::solver::order;
 use nalgebra::DMatrix;
 use std::cmp::Reverse;
@@ -15,7 +15,7 @@ use std::cmp::Reverse;
 const STEADY: f64 = 0.05;
 /// A smaller limit, tried too. In a lift of 50 stages, a bar at the top carries a hundredth of the
 /// load of one at the bottom, and with it set aside all groups are dyads.
-const LESS_STEADY: f64 = 0.005;
+const SMALLER_LIMIT: f64 = 0.005;
 /// Maximum number of successive exchanges.
 const MAX_ROUNDS: usize = 6;
 /// Maximum work per round: the number of exchanges tried times the number of constraints.
@@ -24,9 +24,13 @@ const MAX_WORK: usize = 600_000;
 /// Exchanges set-aside constraints as long as the remaining groups become smaller. If the smaller
 /// limit leaves less work, its result comes first; the result of the larger limit always comes
 /// last.
-pub(super) fn smaller(rows: &Rows<'_>, matrix: &DMatrix<f64>, choice: &KeptRows) -> Vec<KeptRows> {
+pub(super) fn smaller(
+    rows: &Rows<'_>,
+    matrix: &DMatrix<f64>,
+    choice: &IndependentRows,
+) -> Vec<IndependentRows> {
     let (steady, left) = exchanged_by(rows, matrix, choice, STEADY);
-    let (other, less) = exchanged_by(rows, matrix, choice, LESS_STEADY);
+    let (other, less) = exchanged_by(rows, matrix, choice, SMALLER_LIMIT);
     let is_less = less.is_some_and(|less| left.is_none_or(|left| less < left));
     if is_less {
         vec![other, steady]
@@ -39,37 +43,37 @@ pub(super) fn smaller(rows: &Rows<'_>, matrix: &DMatrix<f64>, choice: &KeptRows)
 fn exchanged_by(
     rows: &Rows<'_>,
     matrix: &DMatrix<f64>,
-    choice: &KeptRows,
+    choice: &IndependentRows,
     steady: f64,
-) -> (KeptRows, Option<usize>) {
+) -> (IndependentRows, Option<usize>) {
     let mut choice = choice.clone();
-    let mut least = work(rows, &choice.set_aside);
+    let mut minimum = work(rows, &choice.set_aside);
     for _ in 0..MAX_ROUNDS {
         let Some((found, exchange)) = best(rows, &choice, steady) else {
             break;
         };
-        if least.is_some_and(|least| found >= least) {
+        if minimum.is_some_and(|minimum| found >= minimum) {
             break;
         }
-        least = Some(found);
+        minimum = Some(found);
         let (kept, set_aside) = exchanged(&choice, exchange);
-        choice = KeptRows::new(matrix, kept, set_aside);
+        choice = IndependentRows::new(matrix, kept, set_aside);
     }
-    (choice, least)
+    (choice, minimum)
 }
 
 /// Returns the exchange that leaves the least work; of equal ones, the exchange for the constraint
 /// more readily set aside.
-fn best(rows: &Rows<'_>, choice: &KeptRows, steady: f64) -> Option<(usize, (usize, usize))> {
+fn best(rows: &Rows<'_>, choice: &IndependentRows, steady: f64) -> Option<(usize, (usize, usize))> {
     let readiness = |row: usize| rows.network.readiness(rows.rows[row]);
     let mut exchanges = Vec::new();
-    for place in 0..choice.set_aside.len() {
-        let repeated = choice.repeated_by(place, steady * choice.largest_of(place));
+    for index in 0..choice.set_aside.len() {
+        let repeated = choice.repeated_by(index, steady * choice.largest_of(index));
         let ready = repeated.into_iter().filter(|&row| readiness(row) > 0);
-        exchanges.extend(ready.map(|row| (place, row)));
+        exchanges.extend(ready.map(|row| (index, row)));
     }
-    let most = (MAX_WORK / rows.rows.len().max(1)).max(1);
-    let step = exchanges.len().div_ceil(most).max(1);
+    let maximum = (MAX_WORK / rows.rows.len().max(1)).max(1);
+    let step = exchanges.len().div_ceil(maximum).max(1);
     let tried = exchanges.into_iter().step_by(step).filter_map(|exchange| {
         let (_, set_aside) = exchanged(choice, exchange);
         Some((work(rows, &set_aside)?, exchange))
@@ -79,9 +83,9 @@ fn best(rows: &Rows<'_>, choice: &KeptRows, steady: f64) -> Option<(usize, (usiz
 
 /// Returns the kept and the set-aside constraints after one of the latter is exchanged for one of
 /// the former.
-fn exchanged(choice: &KeptRows, (place, row): (usize, usize)) -> (Vec<usize>, Vec<usize>) {
+fn exchanged(choice: &IndependentRows, (index, row): (usize, usize)) -> (Vec<usize>, Vec<usize>) {
     let mut set_aside = choice.set_aside.clone();
-    let back = std::mem::replace(&mut set_aside[place], row);
+    let back = std::mem::replace(&mut set_aside[index], row);
     let mut kept = choice.kept.clone();
     for kept in kept.iter_mut().filter(|kept| **kept == row) {
         *kept = back;

@@ -13,7 +13,7 @@ use super::network::{Network, ScalarEquation};
 use super::order::{self, Ordering};
 use crate::{ElementId, PointId, Vec2};
 use std::collections::VecDeque;
-use verdict::{RankVerdict, Whole};
+use verdict::{AllConstraints, RankVerdict};
 
 /// Maximum number of unknowns for a dense decomposition: the cost grows with their cube, and this
 /// many take about a second. Larger mechanisms keep the result of the structural analysis.
@@ -53,7 +53,7 @@ pub struct Rank {
 impl Fault {
     /// Returns `true` if the fault may come from redundant constraints that the structural analysis
     /// missed, or set aside wrongly.
-    fn asks_for_the_rank(&self, ordering: Option<&Ordering>) -> bool {
+    fn needs_rank_analysis(&self, ordering: Option<&Ordering>) -> bool {
         match self {
             Fault::Singular { .. }
             | Fault::NotAssembled { .. }
@@ -82,13 +82,13 @@ pub(super) fn reopened(
     open_at: impl Fn(&Ordering, f64, &[(PointId, Vec2)]) -> Result<Solver, Fault>,
 ) -> Result<Solver, Fault> {
     let structure = order::ordering(network, &[]).ok();
-    if !fault.asks_for_the_rank(structure.as_ref()) {
+    if !fault.needs_rank_analysis(structure.as_ref()) {
         return Err(fault);
     }
     let open = |ordering: &Ordering, near: &[(PointId, Vec2)]| open_at(ordering, at, near);
     if let (Fault::Singular { elements, .. }, Some(ordering)) = (&fault, &structure)
         && ordering.set_aside.is_empty()
-        && verdict::beside(network, at).any(|at| open_at(ordering, at, near).is_ok())
+        && verdict::nearby_coordinates(network, at).any(|at| open_at(ordering, at, near).is_ok())
     {
         return Err(Fault::Singular {
             elements: elements.clone(),
@@ -96,12 +96,12 @@ pub(super) fn reopened(
         });
     }
     if verdict::is_too_large(network) {
-        return by_trial(network, structure, |ordering| open(ordering, near)).ok_or(fault);
+        return try_set_aside(network, structure, |ordering| open(ordering, near)).ok_or(fault);
     }
-    let Some(whole) = Whole::new(network, at, near) else {
+    let Some(complete) = AllConstraints::new(network, at, near) else {
         return Err(fault);
     };
-    let Some(verdict) = whole.verdict() else {
+    let Some(verdict) = complete.verdict() else {
         return Err(fault);
     };
     if verdict.free > 0 {
@@ -130,7 +130,7 @@ pub(super) fn reopened(
             && ways.is_empty()
             && !verdict.is_held
         {
-            ways.extend(whole.set_aside_at(at).unwrap_or_default());
+            ways.extend(complete.set_aside_at(at).unwrap_or_default());
         }
     }
     Err(verdict.named(fault))
@@ -138,7 +138,7 @@ pub(super) fn reopened(
 
 /// Tries sets of set-aside constraints one after another, for mechanisms too large for a
 /// decomposition. Each set replaces the structure's first choice.
-fn by_trial(
+fn try_set_aside(
     network: &Network<'_>,
     structure: Option<Ordering>,
     open: impl Fn(&Ordering) -> Result<Solver, Fault>,
@@ -179,7 +179,7 @@ fn better(first: Fault, again: Fault) -> Fault {
 /// determined.
 ///
 /// The dyads of a plan are regular where they are placed, and are not checked again.
-pub(super) fn judged(network: &Network<'_>, mut solver: Solver) -> Result<Solver, Fault> {
+pub(super) fn with_rank(network: &Network<'_>, mut solver: Solver) -> Result<Solver, Fault> {
     let groups = verdict::groups(network, &solver);
     // The kept constraints may lock the driver at the start position. With others set aside, it may
     // move.

@@ -1,7 +1,7 @@
 //! Finds the constraints that each set-aside constraint repeats, and their disagreement.
 
 use super::rows::{RankPose, Rows};
-use super::spectrum::KeptRows;
+use super::spectrum::IndependentRows;
 use super::{MAX_UNKNOWNS, Redundancy};
 use crate::solver::network::{Network, ScalarEquation};
 use crate::solver::order;
@@ -11,9 +11,9 @@ use crate::{ElementId, Vec2};
 
 /// Positions besides the start at which a motion is examined, as fractions of its range: away from
 /// positions of symmetry.
-const ELSEWHERE: [f64; 2] = [0.291, 0.637];
+const EXAMINED_FRACTIONS: [f64; 2] = [0.291, 0.637];
 /// Coefficients in a sum up to this size are far from a change point.
-const CALM: f64 = 1e3;
+const MAX_REGULAR_COEFFICIENT: f64 = 1e3;
 /// A coefficient in a sum below this is rounding error.
 const PART: f64 = 1e-8;
 
@@ -23,12 +23,12 @@ pub(super) fn reached(solver: &Solver) -> impl Iterator<Item = State> + '_ {
         Range::Full { period } => (solver.opening, solver.opening + period),
         Range::Limited { low, high } => (low, high),
     };
-    let elsewhere = ELSEWHERE.map(|part| low + part * (high - low));
+    let elsewhere = EXAMINED_FRACTIONS.map(|part| low + part * (high - low));
     let places = std::iter::once(solver.opening).chain(elsewhere);
     places.filter_map(|at| {
-        let mut work = solver.state();
-        let solved = solver.solve(at, Order::Position, &mut work) != Condition::NoAssembly;
-        solved.then(|| work.into_state())
+        let mut workspace = solver.state();
+        let solved = solver.solve(at, Order::Position, &mut workspace) != Condition::NoAssembly;
+        solved.then(|| workspace.into_state())
     })
 }
 
@@ -85,7 +85,7 @@ pub(super) fn redundancies(network: &Network<'_>, solver: &Solver) -> Vec<Redund
         element: ElementId::Slide(slide),
         constraints: 1,
         repeats: Vec::new(),
-        misfit: network.locks_apart * scale,
+        misfit: network.lock_disagreement * scale,
     }));
     found
 }
@@ -115,20 +115,20 @@ fn sums(network: &Network<'_>, solver: &Solver) -> Vec<Vec<ScalarEquation>> {
     let mut choices = reached(solver).map(|state| {
         let matrix = rows.matrix(state.at, &pose_of(network, &state));
         let matrix = matrix.columns(0, rows.width).into_owned();
-        KeptRows::new(&matrix, kept.clone(), aside.clone())
+        IndependentRows::new(&matrix, kept.clone(), aside.clone())
     });
-    let Some(mut calmest) = choices.next() else {
+    let Some(mut smoothest) = choices.next() else {
         return Vec::new();
     };
-    while calmest.largest() > CALM {
+    while smoothest.largest() > MAX_REGULAR_COEFFICIENT {
         match choices.next() {
-            Some(other) if other.largest() < calmest.largest() => calmest = other,
+            Some(other) if other.largest() < smoothest.largest() => smoothest = other,
             Some(_) => {}
             None => break,
         }
     }
     let sum = |i| {
-        let rows = calmest
+        let rows = smoothest
             .repeated_by(i, PART)
             .into_iter()
             .map(|i| rows.rows[i]);

@@ -215,9 +215,9 @@ impl<'n> Rows<'n> {
 
     /// Moves a pose by a step of all columns but the driver's.
     pub(super) fn step(&self, pose: &mut RankPose, by: &[f64]) {
-        for (place, column) in pose.points.iter_mut().zip(&self.point_column) {
+        for (position, column) in pose.points.iter_mut().zip(&self.point_column) {
             if let Some(column) = *column {
-                *place += Vec2::new(by[column], by[column + 1]);
+                *position += Vec2::new(by[column], by[column + 1]);
             }
         }
         for (direction, column) in pose.classes.iter_mut().zip(&self.class_column) {

@@ -10,14 +10,14 @@ const ROUNDINGS: f64 = 16.0;
 /// Singular values up to this factor above the threshold are inconclusive: they may be zero in a
 /// mechanism slightly different from the drawn one. With a coarse threshold, the limit is its square
 /// root, half of the decades to 1.
-const UNCLEAR: f64 = 1e3;
+const INCONCLUSIVE_FACTOR: f64 = 1e3;
 /// Shares of a null vector below this, or below so many of the matrix's own roundings, are rounding
 /// errors.
-const SHARE: f64 = 1e-8;
+const MAX_ROUNDING_SHARE: f64 = 1e-8;
 const SHARE_ROUNDINGS: f64 = 32.0;
 /// Weight of each step of readiness to be set aside: a row to be kept first yields to one that is
 /// better conditioned by this factor.
-const LESS_READY: f64 = 0.5;
+const READINESS_WEIGHT: f64 = 0.5;
 
 /// The conclusions from a matrix's singular values.
 #[derive(Clone, Copy, Debug)]
@@ -35,13 +35,13 @@ impl Spectrum {
     /// `slack` bounds the angular error of a row's direction, in radians. A row then changes by at
     /// most 2 `slack`, and a singular value by sqrt(2 m) times that (Weyl). `doubt` bounds the
     /// accepted error in the same way: any motion that it could hide is unclear.
-    pub(super) fn of(matrix: &DMatrix<f64>, slack: f64, doubt: f64) -> Option<Spectrum> {
+    pub(super) fn of(matrix: &DMatrix<f64>, slack: f64, confirm_reason: f64) -> Option<Spectrum> {
         let (m, n) = matrix.shape();
         if m.min(n) == 0 {
             return Some(Spectrum {
                 rank: 0,
                 is_unclear: false,
-                noise: SHARE,
+                noise: MAX_ROUNDING_SHARE,
             });
         }
         const MAX_SWEEPS: usize = 100_000;
@@ -51,10 +51,12 @@ impl Spectrum {
         let rounding = ROUNDINGS * m.max(n) as f64 * U * largest;
         let change = |off: f64| (2.0 * m as f64).sqrt() * 2.0 * off;
         let zero = rounding.max(change(slack));
-        let unclear = (UNCLEAR * zero).min(zero.sqrt()).max(change(doubt));
+        let unclear = (INCONCLUSIVE_FACTOR * zero)
+            .min(zero.sqrt())
+            .max(change(confirm_reason));
         let rank = values.iter().filter(|&&v| v > zero).count();
         let is_unclear = values.iter().any(|&v| zero < v && v <= unclear);
-        let least = values
+        let minimum = values
             .iter()
             .copied()
             .filter(|&v| v > zero)
@@ -62,14 +64,15 @@ impl Spectrum {
         Some(Spectrum {
             rank,
             is_unclear,
-            noise: SHARE.max(SHARE_ROUNDINGS * (U * largest).max(2.0 * slack) / least),
+            noise: MAX_ROUNDING_SHARE
+                .max(SHARE_ROUNDINGS * (U * largest).max(2.0 * slack) / minimum),
         })
     }
 }
 
 /// The rows kept of a matrix, and the sums that the others repeat.
 #[derive(Clone)]
-pub(super) struct KeptRows {
+pub(super) struct IndependentRows {
     pub(super) kept: Vec<usize>,
     pub(super) set_aside: Vec<usize>,
     /// The coefficient of each kept row in the sum of each set-aside row.
@@ -80,8 +83,8 @@ pub(super) struct KeptRows {
 ///
 /// Uses QR with pivoting of the weighted rows, A^T P = Q (R1 R2); the other rows are R1^-1 R2 times
 /// the kept ones.
-pub(super) fn choose(matrix: &DMatrix<f64>, rank: usize, readiness: &[u8]) -> KeptRows {
-    let weight = |i: usize| LESS_READY.powi(i32::from(readiness[i]));
+pub(super) fn choose(matrix: &DMatrix<f64>, rank: usize, readiness: &[u8]) -> IndependentRows {
+    let weight = |i: usize| READINESS_WEIGHT.powi(i32::from(readiness[i]));
     let mut columns = matrix.transpose();
     for i in 0..columns.ncols() {
         columns.column_mut(i).scale_mut(weight(i));
@@ -91,14 +94,18 @@ pub(super) fn choose(matrix: &DMatrix<f64>, rank: usize, readiness: &[u8]) -> Ke
     let (mut kept, mut set_aside) = (kept.to_vec(), set_aside.to_vec());
     kept.sort_unstable();
     set_aside.sort_unstable();
-    KeptRows::new(matrix, kept, set_aside)
+    IndependentRows::new(matrix, kept, set_aside)
 }
 
-impl KeptRows {
-    pub(super) fn new(matrix: &DMatrix<f64>, kept: Vec<usize>, set_aside: Vec<usize>) -> KeptRows {
+impl IndependentRows {
+    pub(super) fn new(
+        matrix: &DMatrix<f64>,
+        kept: Vec<usize>,
+        set_aside: Vec<usize>,
+    ) -> IndependentRows {
         let of_kept = matrix.select_rows(&kept).transpose();
         let of_others = matrix.select_rows(&set_aside).transpose();
-        KeptRows {
+        IndependentRows {
             parts: least_squares(&of_kept, of_others),
             kept,
             set_aside,
@@ -111,7 +118,7 @@ impl KeptRows {
         self.parts
             .column(aside)
             .iter()
-            .fold(0.0, |most, part| f64::max(most, part.abs()))
+            .fold(0.0, |maximum, part| f64::max(maximum, part.abs()))
     }
 
     /// Returns the maximum of all coefficients; infinite if the kept rows are dependent.
@@ -145,7 +152,7 @@ impl KeptRows {
 
 /// Returns the residual of the last column of a matrix as a linear combination of the others, which
 /// must be independent.
-pub(super) fn apart(matrix: &DMatrix<f64>) -> f64 {
+pub(super) fn residual(matrix: &DMatrix<f64>) -> f64 {
     let n = matrix.ncols().saturating_sub(1);
     let others = matrix.columns(0, n).into_owned();
     let last = matrix.columns(n, 1).into_owned();

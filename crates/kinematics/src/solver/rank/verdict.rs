@@ -6,7 +6,7 @@ use super::assemble::{Assembled, assemble, rough};
 use super::exchange;
 use super::redundancy::{pose_of, reached};
 use super::rows::Rows;
-use super::spectrum::{self, KeptRows, Spectrum};
+use super::spectrum::{self, IndependentRows, Spectrum};
 use crate::solver::Solver;
 use crate::solver::frame::Frame;
 use crate::solver::network::{Network, ScalarEquation, ScalarUnknown};
@@ -22,11 +22,11 @@ const TRIAL_WORK: usize = 100_000_000;
 /// large enough for a singular value to leave zero and small enough for the pose to be tracked.
 const PLACES: [f64; 4] = [0.03, -0.03, 0.11, -0.11];
 /// Number of these positions to examine.
-const LOOKED_AT: usize = 2;
+const EXAMINED_POSITIONS: usize = 2;
 /// Maximum number of unknowns of a coupled group for an examination whenever a mechanism opens.
 const MAX_GROUP_SIZE: usize = 150;
 /// Maximum rotation of a row by rounding, in radians.
-const ROUNDED: f64 = 1e-8;
+const MAX_ROW_ROTATION: f64 = 1e-8;
 /// Step from pose to pose towards a distant position, and the maximum number of steps: some turns.
 const STRIDE: f64 = 0.05;
 const MAX_STRIDES: f64 = 1000.0;
@@ -64,7 +64,7 @@ impl RankVerdict {
 }
 
 /// All constraints of a mechanism, assembled at the start.
-pub(super) struct Whole<'n> {
+pub(super) struct AllConstraints<'n> {
     rows: Rows<'n>,
     at: f64,
     /// The accepted disagreement, in the solver's unit.
@@ -72,13 +72,13 @@ pub(super) struct Whole<'n> {
     start: Assembled,
 }
 
-impl<'n> Whole<'n> {
+impl<'n> AllConstraints<'n> {
     /// Assembles all constraints from approximate positions; returns `None` if that fails.
     pub(super) fn new(
         network: &'n Network<'n>,
         at: f64,
         near: &[(PointId, Vec2)],
-    ) -> Option<Whole<'n>> {
+    ) -> Option<AllConstraints<'n>> {
         let frame = Frame::of(network.mechanism);
         let rows = Rows::new(network, frame, network.rows.clone(), all_unknowns(network));
         if rows.width == 0 || rows.rows.is_empty() {
@@ -88,7 +88,7 @@ impl<'n> Whole<'n> {
         let trials = (TRIAL_WORK / rows.width.pow(3)).clamp(1, MAX_TRIALS);
         let mut rough = (0..trials).map(|trial| rough(&rows, at, near, trial));
         let start = rough.find_map(|pose| assemble(&rows, at, misfit, pose))?;
-        Some(Whole {
+        Some(AllConstraints {
             at,
             misfit,
             start,
@@ -98,29 +98,29 @@ impl<'n> Whole<'n> {
 
     /// Returns the verdict with the maximum rank of the start and of positions near it.
     pub(super) fn verdict(&self) -> Option<RankVerdict> {
-        let found = self.judged(self.at, &self.start)?;
-        let beside = PLACES.iter().filter_map(|&by| {
+        let found = self.rank_at(self.at, &self.start)?;
+        let nearby = PLACES.iter().filter_map(|&by| {
             let at = moved(&self.rows, self.at, by);
             let there = assemble(&self.rows, at, self.misfit, self.start.pose.clone())?;
-            self.judged(at, &there)
+            self.rank_at(at, &there)
         });
-        let least = found.rank;
+        let minimum = found.rank;
         // Independent columns already have the maximum rank.
-        let places = if least < self.rows.width {
-            LOOKED_AT
+        let places = if minimum < self.rows.width {
+            EXAMINED_POSITIONS
         } else {
             0
         };
         // The first maximum wins, so that the start is preferred.
         let best =
-            beside.take(places).fold(
+            nearby.take(places).fold(
                 found,
                 |best, other| {
                     if other.rank > best.rank { other } else { best }
                 },
             );
         Some(RankVerdict {
-            is_change_point: best.rank > least,
+            is_change_point: best.rank > minimum,
             places: self.places(),
             ..best.verdict(&self.rows)
         })
@@ -148,7 +148,7 @@ impl<'n> Whole<'n> {
             here = found.pose.clone();
             there = Some(found);
         }
-        let judged = self.judged(at, &there?)?;
+        let judged = self.rank_at(at, &there?)?;
         Some(judged.verdict(&self.rows).set_aside)
     }
 
@@ -158,23 +158,23 @@ impl<'n> Whole<'n> {
         let mut places = Vec::new();
         for point in network.mechanism.point_ids() {
             let links = &network.mechanism.point(point).links;
-            let place = match links.first() {
+            let position = match links.first() {
                 _ if network.is_ground(point) => continue,
                 Some(&link) if !network.is_joint(point) => self.rows.rider(link, point, pose),
                 _ => pose.points[point.index()],
             };
-            places.push((point, self.rows.frame.place(place)));
+            places.push((point, self.rows.frame.place(position)));
         }
         places
     }
 
-    fn judged(&self, at: f64, found: &Assembled) -> Option<Judged> {
-        Judged::of(&self.rows, at, found, self.misfit)
+    fn rank_at(&self, at: f64, found: &Assembled) -> Option<PoseRank> {
+        PoseRank::of(&self.rows, at, found, self.misfit)
     }
 }
 
 /// Returns coordinates of the driver near the given one.
-pub(super) fn beside(network: &Network<'_>, at: f64) -> impl Iterator<Item = f64> {
+pub(super) fn nearby_coordinates(network: &Network<'_>, at: f64) -> impl Iterator<Item = f64> {
     let rows = Rows::new(network, network.frame, Vec::new(), []);
     PLACES.into_iter().map(move |by| moved(&rows, at, by))
 }
@@ -213,7 +213,7 @@ fn all_unknowns(network: &Network<'_>) -> Vec<ScalarUnknown> {
 }
 
 /// The rank at one pose.
-struct Judged {
+struct PoseRank {
     matrix: DMatrix<f64>,
     rank: usize,
     is_held: bool,
@@ -222,18 +222,18 @@ struct Judged {
     noise: f64,
 }
 
-impl Judged {
-    fn of(rows: &Rows<'_>, at: f64, found: &Assembled, misfit: f64) -> Option<Judged> {
-        let [slack, doubt] = turned(rows, found.slack, misfit);
-        let whole = rows.matrix(at, &found.pose);
-        let matrix = whole.columns(0, rows.width).into_owned();
-        let spectrum = Spectrum::of(&matrix, slack, doubt)?;
+impl PoseRank {
+    fn of(rows: &Rows<'_>, at: f64, found: &Assembled, misfit: f64) -> Option<PoseRank> {
+        let [slack, confirm_reason] = turned(rows, found.slack, misfit);
+        let complete = rows.matrix(at, &found.pose);
+        let matrix = complete.columns(0, rows.width).into_owned();
+        let spectrum = Spectrum::of(&matrix, slack, confirm_reason)?;
         let is_held = if spectrum.rank == rows.width {
-            spectrum::apart(&whole) > spectrum.noise
+            spectrum::residual(&complete) > spectrum.noise
         } else {
-            Spectrum::of(&whole, slack, doubt)?.rank > spectrum.rank
+            Spectrum::of(&complete, slack, confirm_reason)?.rank > spectrum.rank
         };
-        Some(Judged {
+        Some(PoseRank {
             matrix,
             rank: spectrum.rank,
             is_held,
@@ -251,7 +251,8 @@ impl Judged {
         } else {
             vec![choice]
         };
-        let named = |choice: &KeptRows| choice.set_aside.iter().map(|&i| rows.rows[i]).collect();
+        let named =
+            |choice: &IndependentRows| choice.set_aside.iter().map(|&i| rows.rows[i]).collect();
         let set_aside = choices.iter().map(named).collect();
         let choice = &choices[choices.len() - 1];
         let shares = spectrum::free_shares(&self.matrix, &choice.kept, self.noise);
@@ -301,9 +302,13 @@ pub(super) fn groups(network: &Network<'_>, solver: &Solver) -> Groups {
             let pose = pose_of(network, &state);
             let reach = pose.points.iter().map(|p| p.norm()).fold(1.0, f64::max);
             let misfit = solver.engine.frame.length(network.mechanism.misfit());
-            let [slack, doubt] = turned(&rows, 4.0 * f64::EPSILON * reach, misfit);
+            let [slack, confirm_reason] = turned(&rows, 4.0 * f64::EPSILON * reach, misfit);
             let matrix = rows.matrix(state.at, &pose);
-            Spectrum::of(&matrix.columns(0, rows.width).into_owned(), slack, doubt)
+            Spectrum::of(
+                &matrix.columns(0, rows.width).into_owned(),
+                slack,
+                confirm_reason,
+            )
         });
         let Some(start) = spectra.next() else {
             continue;
@@ -341,12 +346,15 @@ fn block_of<'s>(
 /// Returns the rotation of rows due to the slack of joints and due to the accepted disagreement, in
 /// radians.
 ///
-/// Rounding is assumed to rotate no row by more than [`ROUNDED`]. For shorter links, the assembled
+/// Rounding is assumed to rotate no row by more than [`MAX_ROW_ROTATION`]. For shorter links, the assembled
 /// pose counts as exact, for a mechanism that equals the drawn one up to rounding.
 fn turned(rows: &Rows<'_>, slack: f64, misfit: f64) -> [f64; 2] {
     let arm = shortest(rows);
-    let doubt = misfit / arm;
-    [(slack / arm).min(ROUNDED.max(doubt)), doubt]
+    let confirm_reason = misfit / arm;
+    [
+        (slack / arm).min(MAX_ROW_ROTATION.max(confirm_reason)),
+        confirm_reason,
+    ]
 }
 
 /// Returns the minimum distance of two joints of a link, in the solver's unit. It determines how

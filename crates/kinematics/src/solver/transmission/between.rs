@@ -6,7 +6,7 @@
 //! chain. Sums of Chebyshev polynomials approximate each dyad in between. If they do not converge,
 //! as next to a limit, the extremum is sought with separate states.
 
-use super::{DyadLines, SeenJoint};
+use super::{DyadLines, ObservedJoint};
 use crate::numeric::chebyshev::{Basis, ChebyshevSum, TERMS};
 use crate::numeric::{few_decimals, root};
 use crate::solver::{Order, Solver, Workspace};
@@ -18,7 +18,7 @@ const BLUR: f64 = 1024.0;
 /// Maximum size of the terms after the first third, relative to the largest. The terms of a smooth
 /// function fall geometrically, so that the last ones are about the cube of this, which is rounding
 /// error. The terms themselves do not fall as far, because the states are rounded, too.
-const FALLEN: f64 = 1e-5;
+const MAX_TAIL_TERM: f64 = 1e-5;
 
 /// Two neighbouring states between which mu has an extremum.
 #[derive(Clone, Copy)]
@@ -38,7 +38,7 @@ pub(super) enum ExtremeFunction {
 }
 
 /// A bracket and its joint.
-struct Sought {
+struct BracketedJoint {
     joint: usize,
     bracket: Bracket,
 }
@@ -51,23 +51,27 @@ struct Sums {
 
 impl Solver {
     /// Finds the extrema of all joints between the observed states.
-    pub(super) fn look_between(&self, seen: &mut [SeenJoint<'_>], work: &mut Workspace) {
+    pub(super) fn find_extrema_between(
+        &self,
+        seen: &mut [ObservedJoint<'_>],
+        workspace: &mut Workspace,
+    ) {
         let mut sought = Vec::new();
         for (joint, seen) in seen.iter_mut().enumerate() {
             let brackets = seen.take_likely();
-            sought.extend(brackets.map(|bracket| Sought { joint, bracket }));
+            sought.extend(brackets.map(|bracket| BracketedJoint { joint, bracket }));
         }
         sought.sort_by(|a, b| a.bracket.start().total_cmp(&b.bracket.start()));
         let basis = Basis::new();
         for together in sought.chunk_by(|a, b| a.bracket.coordinates() == b.bracket.coordinates()) {
-            let sums = self.sums(&basis, together, seen, work);
-            for (Sought { joint, bracket }, sums) in together.iter().zip(sums) {
+            let sums = self.sums(&basis, together, seen, workspace);
+            for (BracketedJoint { joint, bracket }, sums) in together.iter().zip(sums) {
                 let seen = &mut seen[*joint];
                 let found = match sums {
-                    Some(sums) => self.extreme(bracket, |at| Some(sums.look(at))),
+                    Some(sums) => self.extreme(bracket, |at| Some(sums.lines_at(at))),
                     None => self.extreme(bracket, |at| {
-                        let condition = self.solve(at, Order::Velocity, work);
-                        seen.joint.look(condition, work)
+                        let condition = self.solve(at, Order::Velocity, workspace);
+                        seen.joint.lines_at(condition, workspace)
                     }),
                 };
                 if let Some(look) = found {
@@ -82,9 +86,9 @@ impl Solver {
     fn sums(
         &self,
         basis: &Basis,
-        together: &[Sought],
-        seen: &[SeenJoint<'_>],
-        work: &mut Workspace,
+        together: &[BracketedJoint],
+        seen: &[ObservedJoint<'_>],
+        workspace: &mut Workspace,
     ) -> Vec<Option<Sums>> {
         let Some(first) = together.first() else {
             return Vec::new();
@@ -93,9 +97,9 @@ impl Solver {
         let mut values = vec![Some([[0.0; TERMS]; 3]); together.len()];
         for (k, t) in basis.places.into_iter().enumerate() {
             let at = ends[0] + 0.5 * (1.0 + t) * (ends[1] - ends[0]);
-            let condition = self.solve(at, Order::Velocity, work);
+            let condition = self.solve(at, Order::Velocity, workspace);
             for (values, sought) in values.iter_mut().zip(together) {
-                let look = seen[sought.joint].joint.look(condition, work);
+                let look = seen[sought.joint].joint.lines_at(condition, workspace);
                 let read = look.and_then(|look| Some([look.sine, look.cosine, look.rate?]));
                 match (values.as_mut(), read) {
                     (Some(values), Some(read)) => {
@@ -107,12 +111,12 @@ impl Solver {
                 }
             }
         }
-        let stand = |values: Option<[[f64; TERMS]; 3]>| {
+        let driver_state = |values: Option<[[f64; TERMS]; 3]>| {
             let sums = values?.map(|values| basis.through(&values));
-            let is_smooth = |sum: &ChebyshevSum| sum.third() <= FALLEN * sum.size();
+            let is_smooth = |sum: &ChebyshevSum| sum.third() <= MAX_TAIL_TERM * sum.size();
             sums.iter().all(is_smooth).then_some(Sums { ends, sums })
         };
-        values.into_iter().map(stand).collect()
+        values.into_iter().map(driver_state).collect()
     }
 
     /// Finds the extremum in a bracket by evaluating states between its ends.
@@ -146,7 +150,7 @@ impl Bracket {
 }
 
 impl Sums {
-    fn look(&self, at: f64) -> DyadLines {
+    fn lines_at(&self, at: f64) -> DyadLines {
         let [from, to] = self.ends;
         let t = 2.0 * (at - from) / (to - from) - 1.0;
         let [sine, cosine, rate] = self.sums.map(|sum| sum.at(t));

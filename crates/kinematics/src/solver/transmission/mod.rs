@@ -16,9 +16,9 @@ use between::{Bracket, ExtremeFunction};
 
 /// Tolerance for cosines estimated by parabolas between samples: brackets worse than the best
 /// sample by no more than this are examined.
-const LIKELY: f64 = 1e-4;
+const COSINE_TOLERANCE: f64 = 1e-4;
 /// Angles that differ by less than this, in rad, are equal: then the first extremum is reported.
-const SAME: f64 = 1e-12;
+const EQUALITY_TOLERANCE: f64 = 1e-12;
 /// Distance from a limit, as a fraction of the range, at which the state next to it is sampled,
 /// because a limit has no rates.
 const INSIDE: f64 = 1e-9;
@@ -102,7 +102,7 @@ impl InnerJoint {
     }
 
     /// Creates the inner joint between a line and the normal of a guide.
-    pub(super) fn beside_normal(group: usize) -> InnerJoint {
+    pub(super) fn line_and_normal(group: usize) -> InnerJoint {
         InnerJoint {
             group,
             has_normal: true,
@@ -128,7 +128,7 @@ struct Joint<'s> {
 
 /// The minimum or maximum mu so far.
 #[derive(Clone, Copy)]
-struct Best {
+struct BestAngle {
     /// -1 for the minimum, 1 for the maximum.
     sense: f64,
     /// The rank of the cosine; larger is better.
@@ -138,10 +138,10 @@ struct Best {
 }
 
 /// A joint with the extrema and brackets found so far.
-struct SeenJoint<'s> {
+struct ObservedJoint<'s> {
     joint: Joint<'s>,
     last: Option<DyadLines>,
-    best: [Best; 2],
+    best: [BestAngle; 2],
     brackets: Vec<Bracket>,
 }
 
@@ -152,21 +152,23 @@ impl Solver {
     /// Takes a few times as long as opening, because it solves the whole motion once more.
     #[must_use]
     pub fn transmission(&self) -> Vec<Transmission> {
-        let mut work = self.state();
-        let mut seen = self.seen(&mut work);
-        self.look_between(&mut seen, &mut work);
-        seen.iter().filter_map(SeenJoint::found).collect()
+        let mut workspace = self.state();
+        let mut seen = self.observe_joints(&mut workspace);
+        self.find_extrema_between(&mut seen, &mut workspace);
+        seen.iter().filter_map(ObservedJoint::found).collect()
     }
 
     /// Returns all joints, observed over the whole motion.
-    fn seen(&self, work: &mut Workspace) -> Vec<SeenJoint<'_>> {
+    fn observe_joints(&self, workspace: &mut Workspace) -> Vec<ObservedJoint<'_>> {
         let steps = self.engine.program.steps.iter();
-        let mut seen: Vec<SeenJoint<'_>> =
-            steps.filter_map(Joint::of).map(SeenJoint::new).collect();
-        for at in self.looked_at() {
-            let condition = self.solve(at, Order::Velocity, work);
+        let mut seen: Vec<ObservedJoint<'_>> = steps
+            .filter_map(Joint::of)
+            .map(ObservedJoint::new)
+            .collect();
+        for at in self.observed_coordinates() {
+            let condition = self.solve(at, Order::Velocity, workspace);
             for seen in &mut seen {
-                seen.note(&self.engine, condition, work);
+                seen.note(&self.engine, condition, workspace);
             }
         }
         seen
@@ -174,7 +176,7 @@ impl Solver {
 
     /// Returns the coordinates at which the motion is observed, ascending: the samples of the
     /// tracked motion, the change points and the ends.
-    fn looked_at(&self) -> Vec<f64> {
+    fn observed_coordinates(&self) -> Vec<f64> {
         let mut at = self.motion.samples.clone();
         at.extend(&self.motion.change_points);
         match self.motion.range {
@@ -201,7 +203,7 @@ impl<'s> Joint<'s> {
         Some(Joint { step, of })
     }
 
-    fn look(&self, condition: Condition, state: &State) -> Option<DyadLines> {
+    fn lines_at(&self, condition: Condition, state: &State) -> Option<DyadLines> {
         if condition == Condition::NoAssembly {
             return None;
         }
@@ -235,7 +237,7 @@ impl<'s> Joint<'s> {
                 // The vertex of a parabola. If mu is constant, its gain may be rounding error.
                 let share = rate_a / (rate_a - rate_b);
                 let gain = 0.5 * share * engine.difference(a.at, b.at) * rate_a;
-                (gain.abs() > 0.5 * SAME * a.sine.abs()).then_some(a.cosine + gain)
+                (gain.abs() > 0.5 * EQUALITY_TOLERANCE * a.sine.abs()).then_some(a.cosine + gain)
             }
             _ => None,
         };
@@ -254,9 +256,9 @@ impl<'s> Joint<'s> {
     }
 }
 
-impl Best {
-    fn new(sense: f64) -> Best {
-        Best {
+impl BestAngle {
+    fn new(sense: f64) -> BestAngle {
+        BestAngle {
             sense,
             rank: f64::NEG_INFINITY,
             mu: f64::NAN,
@@ -274,8 +276,8 @@ impl Best {
         let rank = self.rank(folded);
         let mu = look.sine.abs().atan2(folded);
         let gain = self.sense * (mu - self.mu);
-        let comes_first = gain >= -SAME && look.at < self.at;
-        if self.mu.is_nan() || gain > SAME || comes_first {
+        let comes_first = gain >= -EQUALITY_TOLERANCE && look.at < self.at;
+        if self.mu.is_nan() || gain > EQUALITY_TOLERANCE || comes_first {
             (self.rank, self.mu, self.at) = (rank, mu, look.at);
         }
     }
@@ -286,19 +288,19 @@ impl Best {
     }
 }
 
-impl<'s> SeenJoint<'s> {
-    fn new(joint: Joint<'s>) -> SeenJoint<'s> {
-        SeenJoint {
+impl<'s> ObservedJoint<'s> {
+    fn new(joint: Joint<'s>) -> ObservedJoint<'s> {
+        ObservedJoint {
             joint,
             last: None,
-            best: [Best::new(-1.0), Best::new(1.0)],
+            best: [BestAngle::new(-1.0), BestAngle::new(1.0)],
             brackets: Vec::new(),
         }
     }
 
     /// Observes the next state.
     fn note(&mut self, engine: &Engine, condition: Condition, state: &State) {
-        let Some(look) = self.joint.look(condition, state) else {
+        let Some(look) = self.joint.lines_at(condition, state) else {
             return;
         };
         let folded = self.joint.folded(look.cosine);
@@ -321,7 +323,7 @@ impl<'s> SeenJoint<'s> {
         self.brackets.drain(..).filter(|bracket| {
             let folded = joint.folded(bracket.cosine);
             best.iter()
-                .any(|best| best.rank(folded) >= best.rank - LIKELY)
+                .any(|best| best.rank(folded) >= best.rank - COSINE_TOLERANCE)
         })
     }
 

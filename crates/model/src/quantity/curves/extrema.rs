@@ -2,7 +2,7 @@
 
 use super::Curve;
 use super::probe::Probe;
-use crate::numeric::{Unsettled, lowest, roots, turns};
+use crate::numeric::{MinimumError, lowest, roots, turns};
 
 /// A local extremum of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,8 +29,8 @@ impl Probe {
         &mut self,
         column: usize,
         curve: &Curve,
-        places: &[f64],
-        goes_round: bool,
+        coordinates: &[f64],
+        is_periodic: bool,
         ends_are_limits: bool,
     ) -> Vec<Extremum> {
         let size = curve.range().map_or(0.0, |(low, high)| high - low);
@@ -44,17 +44,23 @@ impl Probe {
                 .copied()
                 .flatten()
                 .collect();
-            let goes_round = goes_round && values.len() == places.len();
-            for turn in turns(&values, MIN_TURN * size, goes_round) {
+            let is_periodic = is_periodic && values.len() == coordinates.len();
+            for turn in turns(&values, MIN_TURN * size, is_periodic) {
                 let sample = piece.start + turn.sample;
-                let is_limit = ends_are_limits && (sample == 0 || sample + 1 == places.len());
+                let is_limit = ends_are_limits && (sample == 0 || sample + 1 == coordinates.len());
                 if turn.is_end && !is_limit {
                     continue;
                 }
                 let (at, value) = if turn.is_end {
-                    (places[sample], values[turn.sample])
+                    (coordinates[sample], values[turn.sample])
                 } else {
-                    self.refined(column, sample, turn.is_peak, values[turn.sample], places)
+                    self.refined(
+                        column,
+                        sample,
+                        turn.is_peak,
+                        values[turn.sample],
+                        coordinates,
+                    )
                 };
                 found.push(Extremum {
                     is_peak: turn.is_peak,
@@ -77,10 +83,11 @@ impl Probe {
         sample: usize,
         is_peak: bool,
         value: f64,
-        places: &[f64],
+        coordinates: &[f64],
     ) -> (f64, f64) {
-        let step = (places[places.len() - 1] - places[0]) / (places.len() - 1) as f64;
-        let here = places[sample];
+        let step =
+            (coordinates[coordinates.len() - 1] - coordinates[0]) / (coordinates.len() - 1) as f64;
+        let here = coordinates[sample];
         let around = [here - step, here, here + step];
         let sense = if is_peak { -1.0 } else { 1.0 };
         let finest = f64::EPSILON * step.abs();
@@ -95,7 +102,7 @@ impl Probe {
         let f = |place| Some(sense * self.value(column, place)?);
         let found = lowest(f, [around[0], around[2]], (here, sense * value));
         // Next to a gap, the lowest point found is still a value of the quantity.
-        let (place, value) = found.unwrap_or_else(Unsettled::best);
+        let (place, value) = found.unwrap_or_else(MinimumError::best);
         (place, sense * value)
     }
 }
@@ -122,15 +129,15 @@ fn mark_extremes(extrema: &mut [Extremum]) {
         let sense = if is_peak { 1.0 } else { -1.0 };
         let all = extrema.iter_mut().filter(|e| e.is_peak == is_peak);
         // The first of several equal ones wins.
-        let most = all.reduce(|best, e| {
+        let maximum = all.reduce(|best, e| {
             if sense * e.value > sense * best.value {
                 e
             } else {
                 best
             }
         });
-        if let Some(most) = most {
-            most.is_extreme = true;
+        if let Some(maximum) = maximum {
+            maximum.is_extreme = true;
         }
     }
 }

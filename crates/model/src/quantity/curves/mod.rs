@@ -9,7 +9,7 @@ mod tests;
 use super::clock::{Clock, paced};
 use super::hidden::Hidden;
 use super::{Catalogue, Quantity};
-use crate::angle::beside;
+use crate::angle::unwrap_near;
 use crate::scene::Scene;
 use crate::solver::{Condition, Range, Solver, State};
 use crate::wording::words;
@@ -86,7 +86,7 @@ pub struct Curve {
 
 /// The values in one state.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Here {
+pub struct StateValues {
     /// The abscissa; `None` outside of the sampled range.
     pub along: Option<f64>,
     /// The value of each curve.
@@ -129,9 +129,9 @@ impl Curves {
         let title = match &abscissa {
             Abscissa::Driver => [driver.name.clone(), driver.unit.clone()],
             Abscissa::Time => ["time".into(), "s".into()],
-            Abscissa::Figure(figure) => {
-                columns.push(figure.clone());
-                [figure.name.clone(), figure.unit.clone()]
+            Abscissa::Figure(column) => {
+                columns.push(column.clone());
+                [column.name.clone(), column.unit.clone()]
             }
         };
         let mut probe = Probe::new(solver, &columns, range, clock.clone());
@@ -139,7 +139,7 @@ impl Curves {
         let rows = mechanism.points().len() + mechanism.links().len();
         let count = (MAX_ROWS / rows.max(1)).clamp(MIN_SAMPLES, SAMPLES);
         let share = |k: usize| k as f64 / count as f64;
-        let places: Vec<f64> = (0..=count)
+        let coordinates: Vec<f64> = (0..=count)
             .map(|k| {
                 if k == count {
                     to
@@ -148,15 +148,15 @@ impl Curves {
                 }
             })
             .collect();
-        let (mut values, conditions) = probe.sample(&places);
-        let at: Vec<f64> = places.iter().map(|&p| probe.coordinate(p)).collect();
+        let (mut values, conditions) = probe.sample(&coordinates);
+        let at: Vec<f64> = coordinates.iter().map(|&p| probe.coordinate(p)).collect();
         let mut along_breaks = vec![false; count];
         let along = match &abscissa {
             Abscissa::Driver => at.iter().copied().map(Some).collect(),
-            Abscissa::Time => places.iter().copied().map(Some).collect(),
+            Abscissa::Time => coordinates.iter().copied().map(Some).collect(),
             Abscissa::Figure(_) => {
                 let along = values.pop().unwrap_or_default();
-                along_breaks = probe.breaks(quantities.len(), &places, &along);
+                along_breaks = probe.breaks(quantities.len(), &coordinates, &along);
                 along
             }
         };
@@ -173,18 +173,18 @@ impl Curves {
             Range::Full { .. } => false,
         };
         let mut curves = Vec::with_capacity(quantities.len());
-        let goes_round = period.is_some();
+        let is_periodic = period.is_some();
         let mut values = values.into_iter();
         for (number, block) in quantities.chunks(BLOCK).enumerate() {
             let first = number * BLOCK;
             let mut part =
                 (quantities.len() > BLOCK).then(|| probe.of_columns(first..first + block.len()));
             for ((i, quantity), values) in block.iter().enumerate().zip(values.by_ref()) {
-                let level = probe.level(first + i, &places, &values, &conditions);
+                let level = probe.level(first + i, &coordinates, &values, &conditions);
                 let probe = part.as_mut().unwrap_or(&mut probe);
                 let breaks = match level {
                     Some(_) => vec![false; count],
-                    None => probe.breaks(i, &places, &values),
+                    None => probe.breaks(i, &coordinates, &values),
                 };
                 let mut curve = Curve {
                     quantity: quantity.clone(),
@@ -193,7 +193,7 @@ impl Curves {
                     extrema: Vec::new(),
                     level,
                 };
-                curve.extrema = probe.extrema(i, &curve, &places, goes_round, ends);
+                curve.extrema = probe.extrema(i, &curve, &coordinates, is_periodic, ends);
                 curves.push(curve);
             }
         }
@@ -230,7 +230,7 @@ impl Curves {
     /// the seam of two periods is moved to the beginning.
     fn place_extrema(&mut self, probe: &mut Probe) {
         let (first, last) = (self.places(0), self.places(usize::MAX));
-        let figure = self.curves.len();
+        let index = self.curves.len();
         for curve in &mut self.curves {
             for extremum in &mut curve.extrema {
                 // So far, `at` holds the probe's place.
@@ -248,7 +248,7 @@ impl Curves {
                 extremum.along = match self.abscissa {
                     Abscissa::Driver => extremum.at,
                     Abscissa::Time => place,
-                    Abscissa::Figure(_) => probe.value(figure, place).unwrap_or(f64::NAN),
+                    Abscissa::Figure(_) => probe.value(index, place).unwrap_or(f64::NAN),
                 };
             }
             curve.extrema.retain(|e| e.along.is_finite());
@@ -269,13 +269,13 @@ impl Curves {
     /// of one sample, but is never empty.
     #[must_use]
     pub fn pieces(&self, curve: usize) -> Vec<Vec<[f64; 2]>> {
-        self.pieces_beside(curve, |_| Some(0.0))
+        self.shifted_pieces(curve, |_| Some(0.0))
     }
 
     /// Returns the pieces of the curve shifted by `above` at each sample, with a gap where that is
     /// `None`.
     #[must_use]
-    pub fn pieces_beside(
+    pub fn shifted_pieces(
         &self,
         curve: usize,
         above: impl Fn(usize) -> Option<f64>,
@@ -309,10 +309,10 @@ impl Curves {
 
     /// Returns the abscissa and the value of every curve in a state of the complete solver.
     #[must_use]
-    pub fn here(&self, state: &State) -> Here {
+    pub fn here(&self, state: &State) -> StateValues {
         let place = self.place_of(state.at());
         let pace = place.and_then(|time| self.clock.as_ref()?.pace(time));
-        self.beside(place, |quantity| paced(quantity, state, pace))
+        self.values_at(place, |quantity| paced(quantity, state, pace))
     }
 
     /// Returns the abscissa and the value of every curve over time, in a state whose driver has the
@@ -320,23 +320,27 @@ impl Curves {
     ///
     /// [`DriverState`]: crate::quantity::DriverState
     #[must_use]
-    pub fn here_at(&self, time: f64, state: &State) -> Here {
-        self.beside(self.within(time), |quantity| quantity.value(state))
+    pub fn here_at(&self, time: f64, state: &State) -> StateValues {
+        self.values_at(self.within(time), |quantity| quantity.value(state))
     }
 
-    fn beside(&self, place: Option<f64>, value: impl Fn(&Quantity) -> Option<f64>) -> Here {
+    fn values_at(
+        &self,
+        place: Option<f64>,
+        value: impl Fn(&Quantity) -> Option<f64>,
+    ) -> StateValues {
         let along = match &self.abscissa {
             Abscissa::Driver | Abscissa::Time => place,
-            Abscissa::Figure(figure) => place.and_then(|_| value(figure)),
+            Abscissa::Figure(quantity) => place.and_then(|_| value(quantity)),
         };
         let value = |curve: &Curve| {
             let value = value(&curve.quantity)?;
             Some(match curve.level {
-                Some(level) if curve.quantity.is_direction() => beside(level, value),
+                Some(level) if curve.quantity.is_direction() => unwrap_near(level, value),
                 Some(_) | None => value,
             })
         };
-        Here {
+        StateValues {
             along,
             values: self.curves.iter().map(value).collect(),
         }

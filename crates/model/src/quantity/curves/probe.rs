@@ -3,23 +3,23 @@
 use super::super::clock::Clock;
 use super::super::{Hidden, Quantity, demand};
 use super::span::usual;
-use crate::angle::{self, TURN, beside};
+use crate::angle::{self, TURN, unwrap_near};
 use crate::solver::{Condition, Order, Range, Solver, Workspace};
 use crate::{DriverMoment, Input, LANES, Lanes};
 use std::collections::HashMap;
 
 /// Maximum change between two samples without an examination for a jump, relative to the curve's
 /// range.
-const STEEP: f64 = 0.2;
+const MAX_SMOOTH_CHANGE: f64 = 0.2;
 /// Number of bisections that distinguish a jump from a steep slope: down to a millionth of the
 /// distance of two samples.
 const HALVINGS: u32 = 20;
 /// A relative change of the values below this is rounding error of their inputs.
 const ROUNDING: f64 = 1e-11;
 /// Factor of the error bound above which a change counts as real.
-const DOUBT: f64 = 4.0;
+const MIN_REAL_CHANGE: f64 = 4.0;
 /// Number of places at which error bounds are computed to decide this.
-const WITNESSES: usize = 16;
+const BOUND_SAMPLES: usize = 16;
 
 /// Evaluates quantities at any place of the motion, given as a coordinate or a time.
 pub(super) struct Probe {
@@ -114,10 +114,13 @@ impl Probe {
     }
 
     /// Evaluates every column at these places, with the conditions of the states.
-    pub(super) fn sample(&mut self, places: &[f64]) -> (Vec<Vec<Option<f64>>>, Vec<Condition>) {
-        let mut columns = vec![Vec::with_capacity(places.len()); self.columns.len()];
-        let mut conditions = Vec::with_capacity(places.len());
-        for block in places.chunks(LANES) {
+    pub(super) fn sample(
+        &mut self,
+        coordinates: &[f64],
+    ) -> (Vec<Vec<Option<f64>>>, Vec<Condition>) {
+        let mut columns = vec![Vec::with_capacity(coordinates.len()); self.columns.len()];
+        let mut conditions = Vec::with_capacity(coordinates.len());
+        for block in coordinates.chunks(LANES) {
             if self.sample_at_once(block, &mut columns) {
                 conditions.extend(block.iter().map(|_| Condition::Ok));
                 continue;
@@ -163,12 +166,12 @@ impl Probe {
     pub(super) fn breaks(
         &mut self,
         column: usize,
-        places: &[f64],
+        coordinates: &[f64],
         values: &[Option<f64>],
     ) -> Vec<bool> {
         let wraps = self.columns[column].is_direction();
         let size = usual(values).map_or(0.0, |(low, high)| high - low);
-        let pairs = values.windows(2).zip(places.windows(2));
+        let pairs = values.windows(2).zip(coordinates.windows(2));
         pairs
             .map(|(pair, ends)| {
                 let [Some(a), Some(b)] = [pair[0], pair[1]] else {
@@ -177,7 +180,7 @@ impl Probe {
                 let change = (b - a).abs();
                 let ends = [ends[0], ends[1]];
                 (wraps && change > TURN / 2.0)
-                    || ((change > STEEP * size || self.is_jump_of_load(column, ends))
+                    || ((change > MAX_SMOOTH_CHANGE * size || self.is_jump_of_load(column, ends))
                         && self.jumps(column, ends, [a, b]))
             })
             .collect()
@@ -189,10 +192,10 @@ impl Probe {
             return false;
         }
         let mechanism = self.solver.mechanism();
-        let turns = matches!(mechanism.driver().input, Input::Turn(_));
+        let is_rotary = matches!(mechanism.driver().input, Input::Turn(_));
         let [a, b] = ends.map(|place| self.coordinate(place));
         let mut profiles = mechanism.loads().iter().filter_map(|load| load.over());
-        profiles.any(|over| over.jumps_between(a.min(b), a.max(b), turns))
+        profiles.any(|over| over.jumps_between(a.min(b), a.max(b), is_rotary))
     }
 
     /// Returns `true` if the change between two places does not decrease as they approach each
@@ -203,7 +206,7 @@ impl Probe {
         mut places: [f64; 2],
         mut values: [f64; 2],
     ) -> bool {
-        let whole = (values[1] - values[0]).abs();
+        let complete = (values[1] - values[0]).abs();
         for _ in 0..HALVINGS {
             let middle = 0.5 * (places[0] + places[1]);
             let Some(value) = self.value(column, middle) else {
@@ -211,12 +214,12 @@ impl Probe {
             };
             let end = usize::from((value - values[0]).abs() > (values[1] - value).abs());
             (places[end], values[end]) = (middle, value);
-            if (values[1] - values[0]).abs() < 0.5 * whole {
+            if (values[1] - values[0]).abs() < 0.5 * complete {
                 return false;
             }
         }
         // A smaller change may be rounding error.
-        whole > ROUNDING * values[0].abs().max(values[1].abs())
+        complete > ROUNDING * values[0].abs().max(values[1].abs())
     }
 
     /// Returns the constant value of a column, if it changes by no more than its own error bound,
@@ -224,41 +227,50 @@ impl Probe {
     pub(super) fn level(
         &mut self,
         column: usize,
-        places: &[f64],
+        coordinates: &[f64],
         values: &[Option<f64>],
         conditions: &[Condition],
     ) -> Option<f64> {
         // At a dead point, a value is accurate only to the square root of a rounding error.
-        let firm = values.iter().zip(conditions).enumerate();
-        let firm = firm.filter(|(_, (_, condition))| **condition != Condition::DeadPoint);
-        let mut firm: Vec<(usize, f64)> = firm.filter_map(|(i, (v, _))| Some((i, (*v)?))).collect();
-        let mut level = firm.first()?.1;
+        let reliable = values.iter().zip(conditions).enumerate();
+        let reliable = reliable.filter(|(_, (_, condition))| **condition != Condition::DeadPoint);
+        let mut reliable: Vec<(usize, f64)> = reliable
+            .filter_map(|(i, (v, _))| Some((i, (*v)?)))
+            .collect();
+        let mut level = reliable.first()?.1;
         if self.columns[column].is_direction() {
-            level = beside(0.0, level);
-            firm.iter_mut().for_each(|(_, v)| *v = beside(level, *v));
+            level = unwrap_near(0.0, level);
+            reliable
+                .iter_mut()
+                .for_each(|(_, v)| *v = unwrap_near(level, *v));
         }
         let by_value = |a: &&(usize, f64), b: &&(usize, f64)| a.1.total_cmp(&b.1);
-        let ends = [firm.iter().min_by(by_value)?, firm.iter().max_by(by_value)?];
+        let ends = [
+            reliable.iter().min_by(by_value)?,
+            reliable.iter().max_by(by_value)?,
+        ];
         let size = ends[0].1.abs().max(ends[1].1.abs());
-        let (mut least, mut most, mut proved) = (f64::NEG_INFINITY, f64::INFINITY, 0);
+        let (mut minimum, mut maximum, mut proved) = (f64::NEG_INFINITY, f64::INFINITY, 0);
         if ends[1].1 - ends[0].1 > ROUNDING * size {
             // These places first: the columns share them, and they suffice for most.
-            let spread = firm.iter().step_by(firm.len().div_ceil(WITNESSES));
+            let spread = reliable
+                .iter()
+                .step_by(reliable.len().div_ceil(BOUND_SAMPLES));
             for &(sample, value) in spread.chain(ends) {
-                let Some(bound) = self.bound(column, places[sample]) else {
+                let Some(bound) = self.bound(column, coordinates[sample]) else {
                     continue;
                 };
-                least = least.max(value - DOUBT * bound);
-                most = most.min(value + DOUBT * bound);
-                if least > most {
+                minimum = minimum.max(value - MIN_REAL_CHANGE * bound);
+                maximum = maximum.min(value + MIN_REAL_CHANGE * bound);
+                if minimum > maximum {
                     return None;
                 }
                 proved += 1;
             }
-            if proved < WITNESSES / 2 {
+            if proved < BOUND_SAMPLES / 2 {
                 return None;
             }
-            if (least..=most).contains(&0.0) {
+            if (minimum..=maximum).contains(&0.0) {
                 level = 0.0;
             }
         }

@@ -1,7 +1,7 @@
 //! Selects the displayed range of values.
 
 /// Quantiles of the samples that count as usual values.
-const USUAL: (f64, f64) = (0.02, 0.98);
+const USUAL_QUANTILES: (f64, f64) = (0.02, 0.98);
 /// Next to a gap, a range larger than the usual one by the factor `UNUSUAL` is cut off, at `BEYOND`
 /// times the usual range beyond it.
 const UNUSUAL: f64 = 3.0;
@@ -40,5 +40,5 @@ pub(super) fn usual(values: &[Option<f64>]) -> Option<(f64, f64)> {
         reason = "a part of an index"
     )]
     let at = |part: f64| sorted[((last as f64 * part).round() as usize).min(last)];
-    Some((at(USUAL.0), at(USUAL.1)))
+    Some((at(USUAL_QUANTILES.0), at(USUAL_QUANTILES.1)))
 }

@@ -17,8 +17,8 @@ fn preset(name: &str) -> (Scene, Solver) {
 }
 
 fn sampled((scene, solver): &(Scene, Solver), columns: &[&str], abscissa: Abscissa) -> Curves {
-    let figures = Catalogue::new(scene).select(columns).unwrap();
-    Curves::new(scene, solver, &figures, abscissa, None).unwrap()
+    let quantities = Catalogue::new(scene).select(columns).unwrap();
+    Curves::new(scene, solver, &quantities, abscissa, None).unwrap()
 }
 
 fn turns(curve: &Curve) -> Vec<(f64, f64)> {
@@ -31,8 +31,8 @@ fn turns(curve: &Curve) -> Vec<(f64, f64)> {
 fn close(found: &[(f64, f64)], wanted: &[(f64, f64)]) {
     assert_eq!(found.len(), wanted.len(), "{found:?}");
     for (f, w) in found.iter().zip(wanted) {
-        let apart = (f.0 - w.0).rem_euclid(TURN);
-        assert!(apart.min(TURN - apart) < 1e-11, "{f:?} {w:?}");
+        let distance = (f.0 - w.0).rem_euclid(TURN);
+        assert!(distance.min(TURN - distance) < 1e-11, "{f:?} {w:?}");
         assert!((f.1 - w.1).abs() <= 1e-13 * w.1.abs(), "{f:?} {w:?}");
     }
 }
@@ -77,12 +77,13 @@ fn small_load_jump_breaks_the_curve_in_any_turn() {
         + "[[loads]]\nlink = \"r2\"\ntorque = -100\n\
            over = [[0, 0], [80.2, 0.5], [80.2, 0.55], [180, 1], [360, 0]]\n";
     let opened = opened(&text);
-    let figures = Catalogue::new(&opened.0)
+    let quantities = Catalogue::new(&opened.0)
         .select(&["driver.torque"])
         .unwrap();
     for first in [0.0, 720.0] {
         let window = Some((first, first + 360.0));
-        let curves = Curves::new(&opened.0, &opened.1, &figures, Abscissa::Driver, window).unwrap();
+        let curves =
+            Curves::new(&opened.0, &opened.1, &quantities, Abscissa::Driver, window).unwrap();
         let pieces = curves.pieces(0);
         assert_eq!(pieces.len(), 2, "{first}");
         assert_eq!((pieces[0].len(), pieces[1][0][0]), (161, first + 80.5));
@@ -130,20 +131,20 @@ fn denser_samples_find_no_further_extrema() {
             "15 rad/s\"\nacceleration = \"40 rad/s^2\"\n",
         );
         let (scene, solver) = opened(&text);
-        let figures = Catalogue::new(&scene).figures();
-        let curves = Curves::new(&scene, &solver, &figures, abscissa.clone(), None).unwrap();
+        let quantities = Catalogue::new(&scene).figures();
+        let curves = Curves::new(&scene, &solver, &quantities, abscissa.clone(), None).unwrap();
         let clock = curves.clock.clone();
-        let mut probe = Probe::new(&solver, &figures, solver.motion().range, clock);
+        let mut probe = Probe::new(&solver, &quantities, solver.motion().range, clock);
         let (first, last) = (curves.places(0), curves.places(usize::MAX));
         let count = DENSER * (curves.at.len() - 1);
         let step = (last - first) / count as f64;
-        let places: Vec<f64> = (0..=count).map(|k| first + step * k as f64).collect();
-        let (dense, _) = probe.sample(&places);
+        let coordinates: Vec<f64> = (0..=count).map(|k| first + step * k as f64).collect();
+        let (dense, _) = probe.sample(&coordinates);
         let mut seen = 0;
         for (i, curve) in curves.curves.iter().enumerate() {
             let dense: Vec<f64> = dense[i].iter().copied().flatten().collect();
-            let whole = dense.len() == places.len() && !curve.breaks.contains(&true);
-            if curve.is_level() || !whole {
+            let is_whole = dense.len() == coordinates.len() && !curve.breaks.contains(&true);
+            if curve.is_level() || !is_whole {
                 continue;
             }
             let size = curve.range().map_or(0.0, |(low, high)| high - low);
@@ -153,10 +154,10 @@ fn denser_samples_find_no_further_extrema() {
             let found: Vec<&Extremum> = curve.extrema.iter().filter(of).collect();
             let about = format!("{name} {} {found:?} {denser:?}", curve.quantity.name);
             for turn in &denser {
-                let (at, value) = (places[turn.sample], dense[turn.sample]);
+                let (at, value) = (coordinates[turn.sample], dense[turn.sample]);
                 let near = |e: &&Extremum| {
-                    let apart = (e.along - at).abs();
-                    apart.min((last - first).abs() - apart) <= 2.0 * step.abs()
+                    let distance = (e.along - at).abs();
+                    distance.min((last - first).abs() - distance) <= 2.0 * step.abs()
                 };
                 let Some(extremum) = curve.extrema.iter().find(near) else {
                     panic!("nothing at {at}: {about}");
@@ -172,10 +173,13 @@ fn denser_samples_find_no_further_extrema() {
                 );
                 let slopes = [-1.0, 0.0, 1.0].map(|k| probe.slope(i, at + k * step).unwrap_or(0.0));
                 let slope = probe.slope(i, extremum.along).unwrap_or(0.0);
-                let most = slopes
+                let maximum = slopes
                     .iter()
-                    .fold(0.0_f64, |most, slope| most.max(slope.abs()));
-                assert!(slope.abs() <= 1e-6 * most, "{slope:e} of {most:e}: {about}");
+                    .fold(0.0_f64, |maximum, slope| maximum.max(slope.abs()));
+                assert!(
+                    slope.abs() <= 1e-6 * maximum,
+                    "{slope:e} of {maximum:e}: {about}"
+                );
                 seen += 1;
             }
             assert!(found.len() <= denser.len(), "{about}");
@@ -188,8 +192,8 @@ fn denser_samples_find_no_further_extrema() {
 fn samples_equal_solved_states_bitwise() {
     for name in ["four-bar", "stephenson-six-bar", "double-rocker", "kite"] {
         let (scene, solver) = preset(name);
-        let figures = Catalogue::new(&scene).figures();
-        let curves = Curves::new(&scene, &solver, &figures, Abscissa::Driver, None).unwrap();
+        let quantities = Catalogue::new(&scene).figures();
+        let curves = Curves::new(&scene, &solver, &quantities, Abscissa::Driver, None).unwrap();
         let mut state = solver.state();
         for (k, &at) in curves.at.iter().enumerate().step_by(7) {
             let condition = solver.solve(at, Order::Acceleration, &mut state);
@@ -237,14 +241,14 @@ fn span_covers_two_turn_period_and_limited_range() {
 #[test]
 fn only_directions_break_at_360_degrees() {
     let (scene, solver) = preset("drag-link");
-    let figures = Catalogue::new(&scene).figures();
-    let curves = Curves::new(&scene, &solver, &figures, Abscissa::Driver, None).unwrap();
+    let quantities = Catalogue::new(&scene).figures();
+    let curves = Curves::new(&scene, &solver, &quantities, Abscissa::Driver, None).unwrap();
     for (i, curve) in curves.curves.iter().enumerate() {
         for piece in curves.pieces(i) {
             let steps = piece.windows(2).map(|p| (p[1][1] - p[0][1]).abs());
-            let most = steps.fold(0.0, f64::max);
+            let maximum = steps.fold(0.0, f64::max);
             if curve.quantity.is_direction() {
-                assert!(most < 180.0, "{} {most}", curve.quantity.name);
+                assert!(maximum < 180.0, "{} {maximum}", curve.quantity.name);
             }
         }
         if !curve.quantity.is_direction() {
@@ -256,8 +260,8 @@ fn only_directions_break_at_360_degrees() {
 #[test]
 fn jumps_detects_jump_but_not_steep_slope() {
     let (scene, solver) = preset("four-bar");
-    let figures = Catalogue::new(&scene).select(&["C.x"]).unwrap();
-    let mut probe = Probe::new(&solver, &figures, solver.motion().range, None);
+    let quantities = Catalogue::new(&scene).select(&["C.x"]).unwrap();
+    let mut probe = Probe::new(&solver, &quantities, solver.motion().range, None);
     // C.x itself, from one end of its stroke to the other: steep, but no jump.
     let values = [0.0, 180.0].map(|at| probe.value(0, at).unwrap());
     assert!(!probe.jumps(0, [0.0, 180.0], values));
@@ -311,8 +315,8 @@ fn time_abscissa_needs_nonzero_speed() {
         .text
         .replace("15 rad/s", "0 rad/s");
     let (scene, solver) = opened(&text);
-    let figures = Catalogue::new(&scene).select(&["C.x"]).unwrap();
-    let none = Curves::new(&scene, &solver, &figures, Abscissa::Time, None);
+    let quantities = Catalogue::new(&scene).select(&["C.x"]).unwrap();
+    let none = Curves::new(&scene, &solver, &quantities, Abscissa::Time, None);
     assert!(matches!(none, Err(TimeError::StandsStill)));
 }
 
@@ -351,8 +355,8 @@ fn constant_curve_with_rounding_errors_is_level() {
 #[test]
 fn moving_curve_near_change_point_is_not_level() {
     let kite = presets::find("kite").unwrap().text;
-    for beside in [1e-9_f64, 1e-7, 1e-6, 1e-5, 1e-4] {
-        let direction = (30.0 + beside).to_radians();
+    for nearby in [1e-9_f64, 1e-7, 1e-6, 1e-5, 1e-4] {
+        let direction = (30.0 + nearby).to_radians();
         let (x, y) = (100.0 * direction.cos(), 100.0 * direction.sin());
         let text = kite
             .replace("D = [100, 0]", &format!("D = [{x:?}, {y:?}]"))
@@ -367,7 +371,7 @@ fn moving_curve_near_change_point_is_not_level() {
             Abscissa::Driver,
         );
         for curve in &curves.curves {
-            assert!(!curve.is_level(), "{} {beside}", curve.quantity.name);
+            assert!(!curve.is_level(), "{} {nearby}", curve.quantity.name);
         }
     }
 }
@@ -414,8 +418,8 @@ fn cursor_lies_on_curve_over_time_for_uneven_driver() {
             let _ = solver.solve(at, Order::Acceleration, &mut state);
             let here = curves.here(&state);
             let time = here.along.unwrap_or_else(|| panic!("{speed} {at}"));
-            let apart = (clock.coordinate(time) - at).rem_euclid(TURN);
-            assert!(apart.min(TURN - apart) < 1e-6, "{speed} {at} {time}");
+            let distance = (clock.coordinate(time) - at).rem_euclid(TURN);
+            assert!(distance.min(TURN - distance) < 1e-6, "{speed} {at} {time}");
             // Between the adjacent samples.
             let next = curves
                 .along
@@ -427,8 +431,8 @@ fn cursor_lies_on_curve_over_time_for_uneven_driver() {
                 .range()
                 .map_or(0.0, |(low, high)| high - low);
             for value in around.flatten() {
-                let apart = (here.values[1].unwrap() - value).abs();
-                assert!(apart < 0.05 * size, "{speed} {at} {apart} {size}");
+                let distance = (here.values[1].unwrap() - value).abs();
+                assert!(distance < 0.05 * size, "{speed} {at} {distance} {size}");
             }
         }
     }

@@ -6,7 +6,7 @@ use crate::scene::Unit;
 use crate::scene::accuracy::general_tolerance::{GeneralSizes, GeneralTolerance};
 use crate::scene::draft::SceneDraft;
 use crate::scene::elements::slide::DraftSlide;
-use crate::scene::names::{Names, Sort};
+use crate::scene::names::{NameKind, Names};
 use crate::scene::numbers::reader::{ByteSpan, Name, Reader, quoted};
 use crate::scene::table::{KeyTable, NumberRule};
 use crate::wording::words;
@@ -18,14 +18,14 @@ use std::collections::HashMap;
 #[derive(Clone, Debug)]
 pub(crate) struct DraftTolerance {
     size: AllowedDeviation,
-    place: ByteSpan,
+    span: ByteSpan,
 }
 
 /// The clearance of a pin, with its place in the file.
 #[derive(Clone, Debug)]
 pub(crate) struct DraftClearance {
     size: f64,
-    place: ByteSpan,
+    span: ByteSpan,
 }
 
 /// A tolerance as given in the file.
@@ -73,13 +73,13 @@ pub(crate) fn designated(text: &str) -> Option<Result<GeneralTolerance, String>>
 /// Returns the message that a class has no deviation for a size in mm.
 pub(crate) fn unsized_by(class: GeneralTolerance, what: &str, mm: f64) -> String {
     let GeneralSizes {
-        least,
+        least: minimum,
         is_above,
-        greatest,
+        greatest: maximum,
     } = class.sizes();
     let sizes = match is_above {
-        true => words().sizes_over_to(least, greatest),
-        false => words().sizes_from_to(least, greatest),
+        true => words().sizes_over_to(minimum, maximum),
+        false => words().sizes_from_to(minimum, maximum),
     };
     words().no_deviation_of_size(&class.designation(), what, mm, &sizes)
 }
@@ -110,22 +110,22 @@ fn tolerance(
     what: &str,
     value: &WrittenValue<'_>,
 ) -> Option<DraftTolerance> {
-    let place = value.span();
+    let span = value.span();
     let size = match value.get_ref().as_str() {
         Some(text) if names_class(text) => {
-            AllowedDeviation::Class(class(reader, what, text, &place)?)
+            AllowedDeviation::Class(class(reader, what, text, &span)?)
         }
         _ => AllowedDeviation::Size(reader.measured(what, "", NumberRule::Deviation, value)?),
     };
-    Some(DraftTolerance { size, place })
+    Some(DraftTolerance { size, span })
 }
 
 /// Returns `true` if a text is, or looks like, a class of the standard; any other text is a
 /// formula.
 fn names_class(text: &str) -> bool {
-    let begins = text.trim_start().get(..3);
-    begins
-        .is_some_and(|begin| begin.eq_ignore_ascii_case("iso") || begin == "DIN" || begin == "276")
+    let starts = text.trim_start().get(..3);
+    starts
+        .is_some_and(|start| start.eq_ignore_ascii_case("iso") || start == "DIN" || start == "276")
         || GeneralTolerance::designated(text).is_some()
 }
 
@@ -133,7 +133,7 @@ fn class(
     reader: &mut Reader<'_>,
     what: &str,
     text: &str,
-    place: &ByteSpan,
+    span: &ByteSpan,
 ) -> Option<GeneralTolerance> {
     let class = GeneralTolerance::designated(text);
     if class.is_none() {
@@ -141,7 +141,7 @@ fn class(
         let near = did_you_mean(text, all.iter().map(String::as_str));
         reader.report(
             Diagnostic::new(words().no_general_tolerance(what, &quoted(text)))
-                .at(place.clone(), words().unknown_general_tolerance())
+                .at(span.clone(), words().unknown_general_tolerance())
                 .maybe_help(near)
                 .help(words().known_general_tolerances(&format!("\"{}\"", all.join("\", \"")))),
         );
@@ -184,12 +184,12 @@ pub(crate) fn clearance(
 ) -> Option<DraftClearance> {
     Some(DraftClearance {
         size: reader.measured(what, "", NumberRule::Deviation, value)?,
-        place: value.span(),
+        span: value.span(),
     })
 }
 
 /// The inputs needed to resolve the tolerances of a scene.
-pub(crate) struct Settling<'r, 's, 't> {
+pub(crate) struct ToleranceResolver<'r, 's, 't> {
     pub(crate) reader: &'r mut Reader<'s>,
     pub(crate) draft: &'r SceneDraft<'t>,
     pub(crate) names: &'r Names<'t>,
@@ -199,13 +199,13 @@ pub(crate) struct Settling<'r, 's, 't> {
     pub(crate) mechanism: &'r Mechanism,
 }
 
-impl<'r> Settling<'r, '_, '_> {
+impl<'r> ToleranceResolver<'r, '_, '_> {
     /// Returns the tolerance of every length and the clearance of every pin.
     pub(crate) fn settle(mut self) -> Tolerances {
         for (name, tolerance) in &self.draft.tolerances.of_frame {
             self.reader.report(
                 Diagnostic::new(words().frame_has_no_tolerance(name))
-                    .at(tolerance.place.clone(), words().is_of_the_frame())
+                    .at(tolerance.span.clone(), words().is_of_the_frame())
                     .help(words().give_ground_points_tolerances()),
             );
         }
@@ -232,7 +232,7 @@ impl<'r> Settling<'r, '_, '_> {
                 let of = words().slide_called(&slide.name.to_string());
                 self.reader.report(
                     Diagnostic::new(words().guide_has_no_tolerance(&of))
-                        .at(tolerance.place.clone(), words().nothing_to_be_off())
+                        .at(tolerance.span.clone(), words().nothing_to_be_off())
                         .help(words().give_point_of_guide_tolerance()),
                 );
             }
@@ -262,7 +262,8 @@ impl<'r> Settling<'r, '_, '_> {
     }
 
     fn point(&mut self, section: &str, name: &Name<'_>) -> Option<PointId> {
-        self.names.find(self.reader, section, name, Sort::Point)?;
+        self.names
+            .find(self.reader, section, name, NameKind::Point)?;
         self.points.get(name.text).copied()
     }
 
@@ -296,10 +297,10 @@ impl<'r> Settling<'r, '_, '_> {
         });
         if is_beyond(length, nominal, size) {
             let what = self.called(length);
-            let literal = self.reader.literal(&tolerance.place);
+            let literal = self.reader.literal(&tolerance.span);
             self.reader.report(
                 Diagnostic::new(words().tolerance_beyond_length(&what, nominal, &literal))
-                    .at(tolerance.place.clone(), words().is_too_large())
+                    .at(tolerance.span.clone(), words().is_too_large())
                     .and(self.place(length), words().of_this_length())
                     .help(words().give_it_its_own_tolerance()),
             );
@@ -318,7 +319,7 @@ impl<'r> Settling<'r, '_, '_> {
         self.reader.report(
             Diagnostic::new(unsized_by(class, &what, mm))
                 .at(self.place(length), words().of_this_length())
-                .and(tolerance.place.clone(), words().by_this_class())
+                .and(tolerance.span.clone(), words().by_this_class())
                 .help(words().give_it_its_own_tolerance()),
         );
     }
@@ -370,7 +371,7 @@ impl<'r> Settling<'r, '_, '_> {
             let Some(point) = self.point("[clearances]", name) else {
                 continue;
             };
-            if loose(self.mechanism, point).is_empty() {
+            if links_with_play(self.mechanism, point).is_empty() {
                 let what = words().clearance_of_pin(&name.to_string());
                 self.reader.report(
                     Diagnostic::new(words().is_no_pin(&what))
@@ -391,7 +392,7 @@ impl<'r> Settling<'r, '_, '_> {
             else {
                 continue;
             };
-            let links = loose(self.mechanism, point);
+            let links = links_with_play(self.mechanism, point);
             if !links.is_empty() {
                 self.shorter_than(point, given);
             }
@@ -421,11 +422,11 @@ impl<'r> Settling<'r, '_, '_> {
         };
         let name = self.point_names[pin.index()].as_deref();
         let what = words().clearance_of_pin(&quoted(name.unwrap_or_default()));
-        let literal = self.reader.literal(&clearance.place);
+        let literal = self.reader.literal(&clearance.span);
         let of = self.called(length);
         self.reader.report(
             Diagnostic::new(words().clearance_beyond_length(&what, &of, nominal, &literal))
-                .at(clearance.place.clone(), words().is_too_large())
+                .at(clearance.span.clone(), words().is_too_large())
                 .and(self.place(length), words().of_this_length())
                 .help(words().give_it_its_own_clearance()),
         );
@@ -446,7 +447,7 @@ fn placed(length: Length) -> Option<PointId> {
 /// Returns the links with play at a pin. A pin fixed to the ground or moving in a slot has play in
 /// each of its links. Any other pin is fixed in one link. That is a sliding link with its origin at
 /// the pin, since the slide is measured from there; if there is none, the link of the lowest rank.
-fn loose(mechanism: &Mechanism, point: PointId) -> Vec<LinkId> {
+fn links_with_play(mechanism: &Mechanism, point: PointId) -> Vec<LinkId> {
     let mut links = mechanism.point(point).links.clone();
     links.sort_by_key(|&link| mechanism.link_rank(link));
     let sliders = || mechanism.slides().iter().map(|slide| slide.slider);
@@ -475,8 +476,11 @@ mod tests {
         let text = SCENE
             .replace("ISO 2768-m", "ISO 2768-v")
             .replace("[40, 0.2]", "[40, 0.3]");
-        let told = Scene::parse(&text, "t.toml").unwrap_err().to_string();
-        assert!(told.contains("it covers over 3 up to 4000 mm"), "{told}");
+        let shown_text = Scene::parse(&text, "t.toml").unwrap_err().to_string();
+        assert!(
+            shown_text.contains("it covers over 3 up to 4000 mm"),
+            "{shown_text}"
+        );
     }
 
     const SCENE: &str = r#"
@@ -513,9 +517,9 @@ P = 0.004
     #[test]
     fn each_length_uses_most_specific_tolerance() {
         let scene = Scene::parse(SCENE, "t.toml").unwrap();
-        let told = scene.tolerances().lengths.iter();
-        let told = told.map(|&(length, by)| (scene.mechanism.given(length), by));
-        let found: Vec<(f64, f64)> = told.collect();
+        let text = scene.tolerances().lengths.iter();
+        let text = text.map(|&(length, by)| (scene.mechanism.given(length), by));
+        let found: Vec<(f64, f64)> = text.collect();
         // Ordered by kind, then by name.
         let expected = [
             // Ground: A has its own; 400 mm are +-0.5 mm, 2 mm are +-0.1 mm.
@@ -547,12 +551,12 @@ P = 0.004
     #[test]
     fn each_joint_pin_has_one_clearance() {
         let scene = Scene::parse(SCENE, "t.toml").unwrap();
-        let told = scene.tolerances().clearances.iter();
-        let told = told.map(|&(link, point, by)| {
+        let text = scene.tolerances().clearances.iter();
+        let text = text.map(|&(link, point, by)| {
             let point = scene.point_name(point).unwrap();
             (point, scene.link_name(link), by)
         });
-        let found: Vec<(&str, &str, f64)> = told.collect();
+        let found: Vec<(&str, &str, f64)> = text.collect();
         let expected = [
             ("A", "crank", 0.002),
             ("B", "crank", 0.002),

@@ -56,11 +56,11 @@ impl GeneralTolerance {
     /// Returns the permissible deviation for a size, both in mm; `None` outside the standard's
     /// range.
     pub(crate) fn deviation(self, size: f64) -> Option<f64> {
-        let least = size * (1.0 - ROUNDING);
+        let minimum = size * (1.0 - ROUNDING);
         if size * (1.0 + ROUNDING) < MIN_VALUE {
             return None;
         }
-        let (_, all) = DEVIATIONS.iter().find(|(most, _)| least <= *most)?;
+        let (_, all) = DEVIATIONS.iter().find(|(maximum, _)| minimum <= *maximum)?;
         Some(all[self as usize]).filter(|deviation| *deviation > 0.0)
     }
 
@@ -71,11 +71,11 @@ impl GeneralTolerance {
             is_above: false,
             greatest: MIN_VALUE,
         };
-        for (most, all) in DEVIATIONS {
+        for (maximum, all) in DEVIATIONS {
             match all[self as usize] > 0.0 {
-                true => sizes.greatest = most,
+                true => sizes.greatest = maximum,
                 false if sizes.greatest == MIN_VALUE => {
-                    (sizes.least, sizes.is_above) = (most, true);
+                    (sizes.least, sizes.is_above) = (maximum, true);
                 }
                 false => {}
             }

@@ -66,7 +66,7 @@ impl Scene {
 
     /// Parses a positive size in the scene's unit.
     fn typed_size(&self, typed: &str) -> Result<f64, String> {
-        let size = Value::beside(self, Measure::Deviation).typed_number(typed.trim());
+        let size = Value::outside_text(self, Measure::Deviation).typed_number(typed.trim());
         let size = size.map_err(|why| why.to_string())?;
         let size = size.parse().ok().filter(|size| *size > 0.0);
         size.ok_or_else(|| words().must_be_positive().to_owned())
@@ -81,7 +81,7 @@ mod tests {
     #[test]
     fn typed_tolerances_accepts_units_and_classes() {
         let scene = Scene::parse(presets::find("four-bar").unwrap().text, "t.toml").unwrap();
-        let told = |typed: &str| {
+        let text = |typed: &str| {
             let found = scene.typed_tolerances(typed, |_| "L".into());
             found.map(|found| {
                 let of = |(length, by)| (scene.mechanism.given(length).abs(), by);
@@ -94,13 +94,13 @@ mod tests {
             ("0.05 in", 1.27),
             ("0.1 cm", 1.0),
         ] {
-            let all = told(typed).unwrap();
+            let all = text(typed).unwrap();
             assert!(
                 all.iter().all(|(_, found)| *found == by),
                 "{typed}: {all:?}"
             );
         }
-        for (size, by) in told("ISO 2768-m").unwrap() {
+        for (size, by) in text("ISO 2768-m").unwrap() {
             let known = match size {
                 0.0 => 0.0,
                 6.0..=30.0 => 0.2,
@@ -111,8 +111,8 @@ mod tests {
             assert_eq!(by, known, "{size}");
         }
         let refused = |typed: &str, why: &str| {
-            let told = told(typed).unwrap_err();
-            assert!(told.contains(why), "{typed}: {told}");
+            let text = text(typed).unwrap_err();
+            assert!(text.contains(why), "{typed}: {text}");
         };
         refused("ISO 2768-x", "ISO 2768-m");
         refused("0", "greater than 0");

@@ -5,7 +5,7 @@ use crate::nearest::did_you_mean;
 use crate::scene::acting::profile;
 use crate::scene::elements::slide::DraftSlide;
 use crate::scene::keys;
-use crate::scene::names::Sort;
+use crate::scene::names::NameKind;
 use crate::scene::numbers::reader::{Name, Reader};
 use crate::scene::resolve::Resolver;
 use crate::scene::table::KeyTable;
@@ -17,7 +17,7 @@ const LOAD: ListExample = ["[[loads]]", r#"point = "C""#, "force = [0, -500]"];
 /// The heading of a list, and two keys of a table in it.
 pub(crate) type ListExample = [&'static str; 3];
 
-pub(crate) fn said([list, one, other]: ListExample) -> String {
+pub(crate) fn load_example([list, one, other]: ListExample) -> String {
     words().example_of_list(list, one, other)
 }
 
@@ -104,14 +104,14 @@ pub(crate) fn list<'v>(
     reader.report(
         Diagnostic::new(words().must_be_list_of_tables(key))
             .at(value.span(), words().expected(words().a_list()))
-            .help(words().for_example(&said(example))),
+            .help(words().for_example(&load_example(example))),
     );
     &[]
 }
 
 fn load<'v>(reader: &mut Reader<'_>, value: &'v WrittenValue<'v>) -> Option<DraftLoad<'v>> {
     let names = [words().a_load(), words().the_load()];
-    let table = &reader.open(names, keys::LOAD, &said(LOAD), value)?;
+    let table = &reader.open(names, keys::LOAD, &load_example(LOAD), value)?;
     reader.only_known(table);
     let kind = kind(reader, table)?;
     foreign(reader, table, kind);
@@ -179,7 +179,7 @@ fn kind(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<LoadKind> {
 /// reported, explains it.
 fn without(load: &KeyTable<'_>, kind: LoadKind) -> Option<Diagnostic> {
     let (size, on) = (kind.size(), kind.on());
-    if load.meant(on) {
+    if load.is_probable_misspelling(on) {
         return None;
     }
     let fault = Diagnostic::new(words().load_has_no_target(size, on))
@@ -190,8 +190,8 @@ fn without(load: &KeyTable<'_>, kind: LoadKind) -> Option<Diagnostic> {
 
 /// Returns the diagnostic of a load without a magnitude; `None` if a misspelt key explains it.
 fn nothing(load: &KeyTable<'_>) -> Option<Diagnostic> {
-    let meant = |kind: &LoadKind| load.meant(kind.size());
-    if LoadKind::ALL.iter().any(meant) {
+    let intended = |kind: &LoadKind| load.is_probable_misspelling(kind.size());
+    if LoadKind::ALL.iter().any(intended) {
         return None;
     }
     Some(match load.key("over") {
@@ -201,7 +201,7 @@ fn nothing(load: &KeyTable<'_>) -> Option<Diagnostic> {
         None => Diagnostic::new(words().load_has_no_size())
             .at(load.span.clone(), words().no_load_here())
             .help(words().kinds_of_loads())
-            .help(words().for_example(&said(LOAD))),
+            .help(words().for_example(&load_example(LOAD))),
     })
 }
 
@@ -226,8 +226,8 @@ fn foreign(reader: &mut Reader<'_>, table: &KeyTable<'_>, kind: LoadKind) {
 fn stroke_end(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<StrokeEnd> {
     let name = reader.text_of(table, "end")?;
     let end = match name.text {
-        "least" => return Some(StrokeEnd::Least),
-        "greatest" => return Some(StrokeEnd::Greatest),
+        "least" => return Some(StrokeEnd::Minimum),
+        "greatest" => return Some(StrokeEnd::Maximum),
         _ => Diagnostic::new(words().least_or_greatest(&name.to_string())),
     };
     reader.report(
@@ -273,7 +273,7 @@ impl<'t> Resolver<'_, '_, 't> {
             }
             DraftLoad::Torque { link, torque, over } => {
                 let what = of_load("link");
-                let link = self.names.find(self.reader, &what, link, Sort::Link)?;
+                let link = self.names.find(self.reader, &what, link, NameKind::Link)?;
                 Some(Load::Torque {
                     link: LinkId::new(link),
                     torque: *torque,
@@ -291,7 +291,7 @@ impl<'t> Resolver<'_, '_, 't> {
             return Some(Body::Ground);
         }
         let what = of_load("frame");
-        let link = self.names.find(self.reader, &what, name, Sort::Link);
+        let link = self.names.find(self.reader, &what, name, NameKind::Link);
         if link.is_none() {
             self.reader.help(words().keeps_direction_without_frame());
         }
@@ -300,7 +300,7 @@ impl<'t> Resolver<'_, '_, 't> {
 
     fn press(&mut self, name: &Name<'t>, curve: &Profile, end: Option<StrokeEnd>) -> Option<Load> {
         let what = of_load("slide");
-        let index = self.names.find(self.reader, &what, name, Sort::Slide)?;
+        let index = self.names.find(self.reader, &what, name, NameKind::Slide)?;
         let slide = &self.draft.slides[index];
         self.on_ground(name, slide)?;
         let end = match end {
@@ -341,10 +341,10 @@ impl<'t> Resolver<'_, '_, 't> {
     fn lower_end(&mut self, name: &Name<'t>, slide: &DraftSlide<'t>) -> Option<StrokeEnd> {
         let up = angle::unit(slide.angle).y;
         if up > 0.0 {
-            return Some(StrokeEnd::Least);
+            return Some(StrokeEnd::Minimum);
         }
         if up < 0.0 {
-            return Some(StrokeEnd::Greatest);
+            return Some(StrokeEnd::Maximum);
         }
         self.reader.report(
             Diagnostic::new(words().press_without_end(&name.to_string()))

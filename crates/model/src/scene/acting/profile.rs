@@ -78,7 +78,7 @@ pub(crate) fn over_time(
     let words = words();
     let sentences = CurveSentences {
         form: words.time_and_coordinate(),
-        must_grow: &|what, first, second| words.times_must_grow(what, first, second),
+        not_increasing: &|what, first, second| words.times_must_grow(what, first, second),
     };
     curve(reader, what, example, value, &sentences)
 }
@@ -94,7 +94,7 @@ pub(crate) fn over_driver(
     let words = words();
     let sentences = CurveSentences {
         form: words.driver_and_input(),
-        must_grow: &|what, first, second| words.places_must_grow(what, first, second),
+        not_increasing: &|what, first, second| words.places_must_grow(what, first, second),
     };
     curve(reader, what, example, value, &sentences)
 }
@@ -105,7 +105,7 @@ struct CurveSentences<'w> {
     form: &'w str,
     /// Returns the message that two knots do not increase, from the curve's name and their
     /// literals.
-    must_grow: &'w dyn Fn(&str, &str, &str) -> String,
+    not_increasing: &'w dyn Fn(&str, &str, &str) -> String,
 }
 
 /// Reads at least two knots with strictly increasing coordinates.
@@ -121,7 +121,7 @@ fn curve(
     if let Some(pair) = knots.windows(2).find(|pair| !grows(pair)) {
         let [first, second] = [&pair[0], &pair[1]].map(|knot| reader.literal(&knot.at_place));
         reader.report(
-            Diagnostic::new((sentences.must_grow)(what, &first, &second))
+            Diagnostic::new((sentences.not_increasing)(what, &first, &second))
                 .at(pair[1].at_place.clone(), words().does_not_grow())
                 .and(pair[0].at_place.clone(), words().the_knot_before()),
         );
@@ -182,12 +182,12 @@ fn shorter(reader: &Reader<'_>, what: &str, knot: &Knot) -> Option<Diagnostic> {
 /// Returns the diagnostic of a negative number; `None` for other numbers.
 fn negative(
     reader: &Reader<'_>,
-    (value, place): (f64, &ByteSpan),
+    (value, span): (f64, &ByteSpan),
     message: impl Fn(&str) -> String,
     help: &'static str,
 ) -> Option<Diagnostic> {
-    let fault = || Diagnostic::new(message(&reader.literal(place)));
-    (value < 0.0).then(|| fault().at(place.clone(), words().is_negative()).help(help))
+    let fault = || Diagnostic::new(message(&reader.literal(span)));
+    (value < 0.0).then(|| fault().at(span.clone(), words().is_negative()).help(help))
 }
 
 /// Reads a list of at least one knot.

@@ -2,11 +2,11 @@
 //! between links.
 
 use crate::document::{Diagnostic, WrittenValue};
-use crate::scene::acting::loads::{ListExample, list, said};
+use crate::scene::acting::loads::{ListExample, list, load_example};
 use crate::scene::acting::profile;
 use crate::scene::elements::link::DraftLink;
 use crate::scene::keys;
-use crate::scene::names::Sort;
+use crate::scene::names::NameKind;
 use crate::scene::numbers::reader::{Name, Reader};
 use crate::scene::resolve::Resolver;
 use crate::scene::table::KeyTable;
@@ -99,7 +99,7 @@ pub(crate) fn springs<'v>(
 
 fn spring<'v>(reader: &mut Reader<'_>, value: &'v WrittenValue<'v>) -> Option<DraftSpring<'v>> {
     let names = [words().a_spring(), words().the_spring()];
-    let mut table = reader.open(names, keys::SPRING, &said(SPRING), value)?;
+    let mut table = reader.open(names, keys::SPRING, &load_example(SPRING), value)?;
     reader.only_known(&table);
     let kind = SpringKind::of(&table);
     foreign(reader, &table, kind);
@@ -135,11 +135,11 @@ fn ends<'v>(
     kind: SpringKind,
 ) -> (Option<Name<'v>>, Option<Name<'v>>) {
     let mut end = |key: &str, is_needed: bool| {
-        if is_needed && !table.has(key) && !table.meant(key) {
+        if is_needed && !table.has(key) && !table.is_probable_misspelling(key) {
             reader.report(
                 Diagnostic::new(words().spring_lacks_end(key))
                     .at(table.span.clone(), words().springs_have_two_ends())
-                    .help(words().for_example(&said(SPRING))),
+                    .help(words().for_example(&load_example(SPRING))),
             );
         }
         reader.text_of(table, key)
@@ -171,7 +171,7 @@ fn law(reader: &mut Reader<'_>, table: &KeyTable<'_>, kind: SpringKind) -> Optio
 
 /// Returns `true` if a spring has a stiffness, a damping or a preload, as far as its kind needs one.
 fn sized(table: &KeyTable<'_>, kind: SpringKind) -> bool {
-    let is_given = |key: &&str| table.has(key) || table.meant(key);
+    let is_given = |key: &&str| table.has(key) || table.is_probable_misspelling(key);
     kind == SpringKind::Gas || ["stiffness", "damping", "preload"].iter().any(is_given)
 }
 
@@ -207,9 +207,9 @@ impl<'t> Resolver<'_, '_, 't> {
     /// them.
     fn between_points(&mut self, spring: &DraftSpring<'t>, to: &Name<'t>) -> Option<Load> {
         let of = words().the_spring();
-        let begin = self.point(&words().key_of("from", of), &spring.from);
+        let start = self.point(&words().key_of("from", of), &spring.from);
         let end = self.point(&words().key_of("to", of), to);
-        let (from_point, to_point) = (begin?, end?);
+        let (from_point, to_point) = (start?, end?);
         if let Some(fault) = self.idle(&spring.from, to) {
             self.reader.report(fault);
             return None;
@@ -270,7 +270,7 @@ impl<'t> Resolver<'_, '_, 't> {
 
     fn spring_link(&mut self, key: &str, name: &Name<'t>) -> Option<LinkId> {
         let what = words().key_of(key, words().the_spring());
-        let link = self.names.find(self.reader, &what, name, Sort::Link)?;
+        let link = self.names.find(self.reader, &what, name, NameKind::Link)?;
         Some(LinkId::new(link))
     }
 

@@ -16,7 +16,7 @@ use std::collections::HashMap;
 use std::collections::HashSet;
 
 /// Maximum relative difference between a manually computed length and the distance of its ends.
-const ROUNDED: f64 = 1e-9;
+const LENGTH_TOLERANCE: f64 = 1e-9;
 
 /// Converts the links that are the frame to vectors. A link whose length differs from the distance
 /// of its ends stays a link, and a later check reports that it does not fit.
@@ -30,7 +30,7 @@ pub(crate) fn as_vectors(draft: &mut SceneDraft<'_>) {
         let Some(ends) = &link.ends else { return false };
         let [from, to] = [&ends.from, &ends.to].map(|end| ground.get(end.text));
         let away = from.zip(to).map(|(from, to)| (*to - *from).norm());
-        let fits = away.is_some_and(|away| (ends.length - away).abs() <= ROUNDED * away);
+        let fits = away.is_some_and(|away| (ends.length - away).abs() <= LENGTH_TOLERANCE * away);
         let carries = !link.points.is_empty() || link.com.is_some() || link.mass_key.is_some();
         fits && !carries && !link.broken && !carriers.contains(link.name.text)
     };

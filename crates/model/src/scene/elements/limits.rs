@@ -12,7 +12,7 @@ use crate::mechanism::MAX_TURNS;
 use crate::nearest::did_you_mean;
 use crate::scene::draft::SceneDraft;
 use crate::scene::keys;
-use crate::scene::names::Sort;
+use crate::scene::names::NameKind;
 use crate::scene::numbers::reader::{ByteSpan, Name, Reader};
 use crate::scene::resolve::Resolver;
 use crate::scene::table::KeyTable;
@@ -27,7 +27,7 @@ const PAIR: (&str, &str) = ("[low, high]", "[120, 200]");
 pub(crate) struct DraftEnds {
     pub(crate) low: f64,
     pub(crate) high: f64,
-    pub(crate) place: ByteSpan,
+    pub(crate) span: ByteSpan,
 }
 
 #[derive(Debug)]
@@ -104,18 +104,18 @@ pub(crate) fn range(
     let low = reader.number(&words().low_end_of(what), low);
     let high = reader.number(&words().high_end_of(what), high);
     let (low, high) = (low?, high?);
-    let place = value.span();
+    let span = value.span();
     if low < high {
-        return Some(DraftEnds { low, high, place });
+        return Some(DraftEnds { low, high, span });
     }
-    let literal = reader.literal(&place);
+    let literal = reader.literal(&span);
     let help = match low == high {
         true => words().nothing_moves_between().to_owned(),
         false => words().ends_the_other_way(&format!("[{high}, {low}]")),
     };
     reader.report(
         Diagnostic::new(words().ends_must_rise(what, &literal))
-            .at(place, words().lower_end_first())
+            .at(span, words().lower_end_first())
             .help(help),
     );
     None
@@ -123,12 +123,12 @@ pub(crate) fn range(
 
 /// Reports a driver's range with more turns than can be listed.
 pub(crate) fn check_turns(reader: &mut Reader<'_>, what: &str, ends: &DraftEnds) {
-    let most = MAX_TURNS * TURN;
+    let maximum = MAX_TURNS * TURN;
     // Negated, so that an overflow is rejected too.
-    if !(ends.high - ends.low < most) {
+    if !(ends.high - ends.low < maximum) {
         reader.report(
-            Diagnostic::new(words().range_of_too_many_turns(what, most))
-                .at(ends.place.clone(), words().is_too_wide())
+            Diagnostic::new(words().range_of_too_many_turns(what, maximum))
+                .at(ends.span.clone(), words().is_too_wide())
                 .help(words().leave_range_out()),
         );
     }
@@ -147,7 +147,7 @@ impl<'t> Resolver<'_, '_, 't> {
         for limit in &draft.limits {
             let of = match &limit.angle {
                 None => self.named(limit),
-                Some((link, from)) => self.seen(limit, link, from.as_ref()),
+                Some((link, from)) => self.relative_angle(limit, link, from.as_ref()),
             };
             let Some(of) = of else { continue };
             if let LimitOf::Angle { .. } = of
@@ -162,7 +162,7 @@ impl<'t> Resolver<'_, '_, 't> {
     fn push_limit(&mut self, name: String, of: LimitOf, ends: &DraftEnds) {
         let (low, high) = (ends.low, ends.high);
         self.builder.limit(Limit { of, low, high });
-        self.limit_places.push((name, ends.place.clone()));
+        self.limit_places.push((name, ends.span.clone()));
     }
 
     /// Returns the element that a limit is named after: a slide, or a link relative to the ground.
@@ -194,7 +194,7 @@ impl<'t> Resolver<'_, '_, 't> {
 
     /// Returns the angle of a link relative to another link or the ground. Reports invalid links,
     /// and returns `None`.
-    fn seen(
+    fn relative_angle(
         &mut self,
         limit: &DraftLimit<'t>,
         link: &Name<'t>,
@@ -224,7 +224,7 @@ impl<'t> Resolver<'_, '_, 't> {
 
     fn limited_link(&mut self, what: &str, key: &str, name: &Name<'t>) -> Option<LinkId> {
         let what = words().key_of(key, what);
-        let found = self.names.find(self.reader, &what, name, Sort::Link);
+        let found = self.names.find(self.reader, &what, name, NameKind::Link);
         found.map(LinkId::new)
     }
 
@@ -232,7 +232,7 @@ impl<'t> Resolver<'_, '_, 't> {
         let what = words().limit_called(&limit.name.to_string());
         self.reader.report(
             Diagnostic::new(words().limit_of_a_turn(&what))
-                .at(limit.ends.place.clone(), words().is_too_wide())
+                .at(limit.ends.span.clone(), words().is_too_wide())
                 .help(words().driver_has_range()),
         );
     }

@@ -159,7 +159,7 @@ fn link_ends<'v>(reader: &mut Reader<'_>, table: &KeyTable<'v>, link: &mut Draft
     };
     if let Some(missing) = missing {
         // A misspelt key was already reported; do not report the missing key as well.
-        let misspelt = |key: &&str| !table.has(key) && table.meant(key);
+        let misspelt = |key: &&str| !table.has(key) && table.is_probable_misspelling(key);
         if !ends.iter().any(misspelt) {
             reader.report(incomplete(&table.of, missing, link.name.span.clone()));
         }
@@ -189,7 +189,7 @@ fn link_points<'v>(
     link: &mut DraftLink<'v>,
 ) -> bool {
     let Some(points) = table.get("points") else {
-        return !table.meant("points");
+        return !table.is_probable_misspelling("points");
     };
     let (of, what) = (&table.of, table.what(reader, "points"));
     for (name, value) in reader.entries(&what, "{ A = [0, 0] }", points) {
@@ -197,7 +197,7 @@ fn link_points<'v>(
         let place = sighted::place(reader, &what, &name, value);
         link.points.push(PlacedPoint::read_as(name, place));
     }
-    sighted::lay(reader, of, link);
+    sighted::compute_polar_points(reader, of, link);
     points.get_ref().is_table()
 }
 
@@ -207,7 +207,7 @@ fn link_mass<'v>(reader: &mut Reader<'_>, table: &KeyTable<'v>, link: &mut Draft
         let place = sighted::place(reader, &what, &name, com);
         let mut com = PlacedPoint::read_as(name, place);
         if let Some(sighted) = &com.sighted {
-            com.read = sighted::lay_centre(reader, &table.of, sighted, link);
+            com.read = sighted::compute_centre(reader, &table.of, sighted, link);
         }
         link.com = Some(com);
     }

@@ -16,7 +16,7 @@ const MAX_PART: f64 = 0.01;
 #[derive(Debug, Default)]
 pub(crate) struct Redundant {
     pub(crate) misfit: f64,
-    place: ByteSpan,
+    span: ByteSpan,
 }
 
 /// Reads the section.
@@ -28,7 +28,7 @@ pub(crate) fn read(reader: &mut Reader<'_>, value: &WrittenValue<'_>) -> Redunda
     reader.only_known(&table);
     Redundant {
         misfit: reader.number_of(&table, "misfit").unwrap_or(0.0),
-        place: table
+        span: table
             .get("misfit")
             .map(WrittenValue::span)
             .unwrap_or_default(),
@@ -37,14 +37,14 @@ pub(crate) fn read(reader: &mut Reader<'_>, value: &WrittenValue<'_>) -> Redunda
 
 /// Reports a misfit out of proportion, which would accept constraints that contradict each other.
 pub(crate) fn check(reader: &mut Reader<'_>, draft: &SceneDraft<'_>) {
-    let Redundant { misfit, place } = &draft.redundant;
-    let most = MAX_PART * longest(draft);
-    if *misfit > most {
-        let literal = reader.literal(place);
+    let Redundant { misfit, span } = &draft.redundant;
+    let maximum = MAX_PART * longest(draft);
+    if *misfit > maximum {
+        let literal = reader.literal(span);
         let unit = draft.unit.symbol();
         reader.report(
-            Diagnostic::new(words().misfit_too_large(unit, most, &literal))
-                .at(place.clone(), words().is_too_large())
+            Diagnostic::new(words().misfit_too_large(unit, maximum, &literal))
+                .at(span.clone(), words().is_too_large())
                 .help(words().misfit_is_for_digits()),
         );
     }
@@ -55,7 +55,7 @@ pub(crate) fn check(reader: &mut Reader<'_>, draft: &SceneDraft<'_>) {
 fn longest(draft: &SceneDraft<'_>) -> f64 {
     let ground = draft.ground.iter().map(PlacedPoint::at);
     let first = draft.ground.first().map_or(Vec2::ZERO, PlacedPoint::at);
-    let ground = ground.map(|place| (place - first).norm());
+    let ground = ground.map(|position| (position - first).norm());
     let ends = draft.links.iter().filter_map(|l| l.ends.as_ref());
     let points = draft.links.iter().flat_map(|l| &l.points);
     let points = points.map(|p| p.at().norm());

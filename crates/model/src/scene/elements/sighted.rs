@@ -79,7 +79,7 @@ fn sighted<'v>(
 
 /// Computes the coordinates of a link's points given by length and angle, and sorts points after
 /// their reference points.
-pub(crate) fn lay(reader: &mut Reader<'_>, of: &str, link: &mut DraftLink<'_>) {
+pub(crate) fn compute_polar_points(reader: &mut Reader<'_>, of: &str, link: &mut DraftLink<'_>) {
     let ends = link.ends.iter().flat_map(|ends| {
         let to = Vec2::new(ends.length, 0.0).map(Constant::given);
         [
@@ -101,7 +101,7 @@ pub(crate) fn lay(reader: &mut Reader<'_>, of: &str, link: &mut DraftLink<'_>) {
                     None => Some(Vec2::ZERO.map(Constant::given)),
                     Some(from) => laid.get(from.text).copied(),
                 };
-                base.map(|base| mechanism::seen_from(base, sighted.length, sighted.angle))
+                base.map(|base| mechanism::polar_position(base, sighted.length, sighted.angle))
             }
         };
         let Some(place) = place else {
@@ -153,7 +153,7 @@ fn not_on_link(what: &str, of: &str, from: &Name<'_>) -> Diagnostic {
 }
 
 /// Computes the coordinates of a centre of mass; reports a reference point that is not on the link.
-pub(crate) fn lay_centre(
+pub(crate) fn compute_centre(
     reader: &mut Reader<'_>,
     of: &str,
     sighted: &Sighted<'_>,
@@ -169,6 +169,7 @@ pub(crate) fn lay_centre(
             }
         },
     };
-    let place = mechanism::seen_from(base.map(Constant::given), sighted.length, sighted.angle);
-    Some(place.map(|v| v.hi))
+    let position =
+        mechanism::polar_position(base.map(Constant::given), sighted.length, sighted.angle);
+    Some(position.map(|v| v.hi))
 }

@@ -3,7 +3,7 @@
 use crate::document::{Diagnostic, WrittenValue};
 use crate::scene::accuracy::deviations::{self, DraftTolerance};
 use crate::scene::keys;
-use crate::scene::names::Sort;
+use crate::scene::names::NameKind;
 use crate::scene::numbers::reader::{Name, Reader};
 use crate::scene::resolve::Resolver;
 use crate::scene::table::KeyTable;
@@ -68,9 +68,9 @@ fn slide<'v>(
     slide.angle = reader.number_of(&table, "angle").unwrap_or(0.0);
     slide.tolerance = deviations::tolerance_of(reader, &table);
     table.kind = "link";
-    let place = &slide.name.span;
-    reader.require(&table, "on", place, r#"on = "ground""#);
-    reader.require(&table, "through", place, "through = [0, 0]");
+    let span = &slide.name.span;
+    reader.require(&table, "on", span, r#"on = "ground""#);
+    reader.require(&table, "through", span, "through = [0, 0]");
     slide.on = reader.text_of(&table, "on");
     slide.through = through(reader, &table);
     slide
@@ -193,7 +193,7 @@ impl<'r, 't> Resolver<'r, '_, 't> {
             return Some(Carrier::Ground);
         }
         let what = words().key_of("on", &words().slide_called(&slide.name.to_string()));
-        let link = self.names.find(self.reader, &what, on, Sort::Link);
+        let link = self.names.find(self.reader, &what, on, NameKind::Link);
         if link.is_none() {
             self.reader.help(words().guide_in_the_frame());
         }
@@ -206,7 +206,7 @@ impl<'r, 't> Resolver<'r, '_, 't> {
             DraftSlider::Link { link, turn } => {
                 let slide = words().slide_called(&slide.name.to_string());
                 let what = words().key_of("link", &slide);
-                let link = self.names.find(self.reader, &what, link, Sort::Link)?;
+                let link = self.names.find(self.reader, &what, link, NameKind::Link)?;
                 Some(SlidingId::Link {
                     link: LinkId::new(link),
                     turn: *turn,
@@ -220,7 +220,7 @@ impl<'r, 't> Resolver<'r, '_, 't> {
     fn through(&mut self, slide: &DraftSlide<'t>, name: &Name<'t>, on: Carrier) -> Option<Vec2> {
         let what = words().key_of("through", &words().slide_called(&slide.name.to_string()));
         self.referred.insert(name.text);
-        self.names.find(self.reader, &what, name, Sort::Point)?;
+        self.names.find(self.reader, &what, name, NameKind::Point)?;
         let (local, body) = match on {
             Carrier::Ground => {
                 let place = self.ground.get(name.text);

@@ -4,7 +4,7 @@ use crate::document::{Diagnostic, WrittenValue};
 use crate::nearest::did_you_mean;
 use crate::scene::elements::limits::{self, DraftEnds};
 use crate::scene::inputs::timed_motion::{self, MotionFrame};
-use crate::scene::numbers::rate::{self, Degree, Misfit, Rate, RateKind};
+use crate::scene::numbers::rate::{self, Degree, Rate, RateError, RateKind};
 use crate::scene::numbers::reader::{ByteSpan, Name, Reader};
 use crate::scene::table::KeyTable;
 use crate::scene::{Unit, keys};
@@ -182,13 +182,13 @@ fn motion(
 ) -> Option<MotionLaw> {
     let given = table.get("motion")?;
     for key in ["speed", "acceleration"] {
-        if let Some(beside) = table.key(key) {
-            timed_motion::alone(reader, key, &beside.span);
+        if let Some(nearby) = table.key(key) {
+            timed_motion::report_redundant_key(reader, key, &nearby.span);
         }
     }
     let frame = MotionFrame {
         start: start?,
-        turns: kind == RateKind::Turn,
+        is_rotary: kind == RateKind::Turn,
         range,
     };
     let what = table.what(reader, "motion");
@@ -207,7 +207,7 @@ fn range(reader: &mut Reader<'_>, kind: RateKind, table: &KeyTable<'_>) -> Optio
 /// Reports a driver without a link or slide, unless a misspelt key explains it.
 fn neither(reader: &mut Reader<'_>, table: &KeyTable<'_>, key: &ByteSpan) {
     reader.only_known(table);
-    if !table.meant("link") && !table.meant("slide") {
+    if !table.is_probable_misspelling("link") && !table.is_probable_misspelling("slide") {
         let fault = Diagnostic::new(words().driver_has_neither());
         reader.report(both_forms(
             fault.at(key.clone(), words().nothing_is_driven()),
@@ -241,7 +241,7 @@ fn start(
     let coordinate = form.coordinate;
     reader.only_known(table);
     // A misspelt key was already reported; do not report the missing key as well.
-    if !table.has(coordinate) && !table.meant(coordinate) {
+    if !table.has(coordinate) && !table.is_probable_misspelling(coordinate) {
         let label = words().coordinate_is_missing(coordinate);
         reader.report(
             Diagnostic::new(words().driver_lacks(coordinate))
@@ -261,58 +261,58 @@ pub(crate) fn rate(
     degree: Degree,
 ) -> Option<Rate> {
     let value = table.get(key)?;
-    let (of, place) = (&*table.of, value.span());
-    let literal = reader.literal(&place);
-    let bare = literal.trim_matches(['`', '"', '\'', ' ']);
+    let (of, span) = (&*table.of, value.span());
+    let literal = reader.literal(&span);
+    let plain = literal.trim_matches(['`', '"', '\'', ' ']);
     let misfit = match value.get_ref() {
         DeValue::String(text) => match rate::parse(text, kind, degree) {
             Ok(rate) => return Some(rate),
             Err(misfit) => match rate::formula(text, kind, degree) {
                 Some((formula, unit)) => {
                     let what = words().key_of(key, of);
-                    let worth = reader.worked_out(&what, formula, &place)?;
-                    if let Some(dimension) = worth.dimension {
+                    let result = reader.worked_out(&what, formula, &span)?;
+                    if let Some(dimension) = result.dimension {
                         let found = dimension.symbol(reader.named.length.0);
                         let message = words().rate_of_units(key, of, formula, &found);
-                        let fault = Diagnostic::new(message).at(place, "");
+                        let fault = Diagnostic::new(message).at(span, "");
                         reader.report(fault.help(words().rate_brings_its_unit(formula, unit)));
                         return None;
                     }
-                    let rate = rate::of(worth.value.twice(), unit, kind);
+                    let rate = rate::of(result.value.twice(), unit, kind);
                     if rate.value.is_finite() {
                         return Some(rate);
                     }
-                    Misfit::NotFinite
+                    RateError::NotFinite
                 }
                 None => misfit,
             },
         },
-        DeValue::Integer(_) | DeValue::Float(_) => Misfit::NoUnit,
-        _ => Misfit::NoNumber,
+        DeValue::Integer(_) | DeValue::Float(_) => RateError::NoUnit,
+        _ => RateError::NoNumber,
     };
     let units = rate::units(kind, degree);
     let (message, help) = match misfit {
-        Misfit::NoNumber => (
-            words().rate_is_no_number(key, of, bare),
+        RateError::NoNumber => (
+            words().rate_is_no_number(key, of, plain),
             Some(words().for_example(&format!("{key} = \"15 {}\"", units[0]))),
         ),
-        Misfit::NoUnit => (
-            words().rate_has_no_unit(key, of, bare),
-            Some(words().for_example(&format!("{key} = \"{bare} {}\"", units[0]))),
+        RateError::NoUnit => (
+            words().rate_has_no_unit(key, of, plain),
+            Some(words().for_example(&format!("{key} = \"{plain} {}\"", units[0]))),
         ),
-        Misfit::Unit(unit) => (
-            words().rate_has_other_unit(key, of, bare),
+        RateError::Unit(unit) => (
+            words().rate_has_other_unit(key, of, plain),
             did_you_mean(unit, units.iter().copied()),
         ),
-        Misfit::TwoMarks => (
-            words().rate_has_two_marks(key, of, bare),
+        RateError::TwoMarks => (
+            words().rate_has_two_marks(key, of, plain),
             Some(words().digits_without_groups().to_owned()),
         ),
-        Misfit::NotFinite => (words().rate_is_too_large(key, of, bare), None),
+        RateError::NotFinite => (words().rate_is_too_large(key, of, plain), None),
     };
     reader.report(
         Diagnostic::new(message)
-            .at(place, words().expected_a_rate())
+            .at(span, words().expected_a_rate())
             .maybe_help(help)
             .help(words().possible_units(&format!("`{}`", units.join("`, `")))),
     );

@@ -62,9 +62,9 @@ pub(crate) fn read(
     let mut table = reader.open(names, keys::MOTOR, EXAMPLE, value)?;
     reader.only_known(&table);
     // Without a driver, the keys of its motor cannot be checked.
-    table.turns = matches!(driven?, DraftInput::Link(_));
+    table.is_rotary = matches!(driven?, DraftInput::Link(_));
     misfits(reader, &table);
-    let (form, kind) = match table.turns {
+    let (form, kind) = match table.is_rotary {
         true => (TURNED, RateKind::Turn),
         false => (PUSHED, RateKind::Push(unit)),
     };
@@ -88,7 +88,7 @@ pub(crate) fn read(
 
 /// Reports keys of a motor of the other kind.
 fn misfits(reader: &mut Reader<'_>, table: &KeyTable<'_>) {
-    let form = if table.turns { TURNED } else { PUSHED };
+    let form = if table.is_rotary { TURNED } else { PUSHED };
     for key in table.strays(form.driven) {
         let (message, help) = match key.text {
             "torque" => (

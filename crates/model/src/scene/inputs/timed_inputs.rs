@@ -31,7 +31,7 @@ enum DraftInputLaw {
     },
     Table {
         knots: Vec<[f64; 2]>,
-        place: ByteSpan,
+        span: ByteSpan,
     },
 }
 
@@ -72,20 +72,20 @@ fn by_table(
     table: &KeyTable<'_>,
     over: &WrittenValue<'_>,
 ) -> Option<DraftInputLaw> {
-    let place = over.span();
+    let span = over.span();
     let mut others = table.names();
     if let Some(other) = others.find(|key| ["ratio", "phase"].contains(&key.text)) {
         reader.report(
             Diagnostic::new(words().table_beside(&table.of, other.text))
                 .at(other.span, words().says_the_same_otherwise())
-                .and(place, words().the_table())
+                .and(span, words().the_table())
                 .help(words().for_example(TABLE)),
         );
         return None;
     }
     let what = table.what(reader, "over");
     let knots = profile::over_driver(reader, &what, TABLE, over)?;
-    Some(DraftInputLaw::Table { knots, place })
+    Some(DraftInputLaw::Table { knots, span })
 }
 
 impl<'t> Resolver<'_, '_, 't> {
@@ -121,17 +121,17 @@ impl<'t> Resolver<'_, '_, 't> {
                     ratio: *ratio,
                     phase: *phase,
                 }),
-                DraftInputLaw::Table { knots, place } => {
-                    self.table(&of, input, knots, place).map(InputLaw::Table)
+                DraftInputLaw::Table { knots, span } => {
+                    self.table(&of, input, knots, span).map(InputLaw::Table)
                 }
             };
             let Some(law) = law else { continue };
             if self.builder.timed(TimedInput { input, law }).is_some()
-                && let DraftInputLaw::Table { place, .. } = &timed.law
+                && let DraftInputLaw::Table { span, .. } = &timed.law
             {
                 // The ends of the table are a limit.
                 let name = timed.name.text.to_owned();
-                self.limit_places.push((name, place.clone()));
+                self.limit_places.push((name, span.clone()));
             }
         }
     }
@@ -143,16 +143,16 @@ impl<'t> Resolver<'_, '_, 't> {
         of: &str,
         input: Input,
         knots: &[[f64; 2]],
-        place: &ByteSpan,
+        span: &ByteSpan,
     ) -> Option<InputTable> {
         let driver = self.draft.driver.as_ref();
-        let turns = driver.is_some_and(|driver| matches!(driver.input, DraftInput::Link(_)));
-        let closed = InputTable::closed(knots.to_vec()).filter(|_| turns);
+        let is_rotary = driver.is_some_and(|driver| matches!(driver.input, DraftInput::Link(_)));
+        let closed = InputTable::closed(knots.to_vec()).filter(|_| is_rotary);
         let Some(closed) = closed else {
             return InputTable::open(knots.to_vec());
         };
-        let turns = matches!(input, Input::Turn(_));
-        if closed.comes_back(turns) {
+        let is_rotary = matches!(input, Input::Turn(_));
+        if closed.is_closed(is_rotary) {
             return Some(closed);
         }
         if driver.is_some_and(|driver| driver.range.is_some()) {
@@ -161,13 +161,13 @@ impl<'t> Resolver<'_, '_, 't> {
         let [[_, first], .., [_, last]] = knots else {
             return None;
         };
-        let help = match turns {
+        let help = match is_rotary {
             true => words().table_of_link_closes(),
             false => words().table_of_slide_closes(),
         };
         self.reader.report(
             Diagnostic::new(words().table_does_not_close(of, *first, *last))
-                .at(place.clone(), words().ends_elsewhere())
+                .at(span.clone(), words().ends_elsewhere())
                 .help(help)
                 .help(words().or_table_is_shorter()),
         );

@@ -26,7 +26,7 @@ const RAMP: f64 = 1.0 / 3.0;
 pub(crate) struct MotionFrame<'r> {
     pub(crate) start: f64,
     /// Whether a link is turned: its motion may end whole turns away from the start.
-    pub(crate) turns: bool,
+    pub(crate) is_rotary: bool,
     pub(crate) range: Option<&'r DraftEnds>,
 }
 
@@ -52,7 +52,7 @@ fn steps(
     reader: &mut Reader<'_>,
     frame: &MotionFrame<'_>,
     items: &[WrittenValue<'_>],
-    place: &ByteSpan,
+    span: &ByteSpan,
 ) -> Option<MotionLaw> {
     let mut steps = Vec::with_capacity(items.len());
     let mut from = Some(frame.start);
@@ -63,15 +63,15 @@ fn steps(
         steps.push(step);
     }
     let steps: Option<Vec<TimedStep>> = steps.into_iter().collect();
-    let (law, end) = (MotionLaw::new(frame.start, steps?, frame.turns), from?);
+    let (law, end) = (MotionLaw::new(frame.start, steps?, frame.is_rotary), from?);
     if law.is_none() {
-        let help = match frame.turns {
+        let help = match frame.is_rotary {
             true => words().motion_of_link_closes(),
             false => words().motion_of_slide_closes(),
         };
         reader.report(
             Diagnostic::new(words().motion_does_not_close(frame.start, end))
-                .at(place.clone(), words().ends_elsewhere())
+                .at(span.clone(), words().ends_elsewhere())
                 .help(help),
         );
     }
@@ -93,7 +93,7 @@ fn stays_in_range(
         reader.report(
             Diagnostic::new(words().step_leaves_range(number, to, range.low, range.high))
                 .at(item.span(), words().beyond_a_stop())
-                .and(range.place.clone(), words().the_stops()),
+                .and(range.span.clone(), words().the_stops()),
         );
     }
 }
@@ -117,7 +117,9 @@ fn step(
         }
         (has_law, _) => {
             // A misspelt key was already reported.
-            if has_law || !(table.meant("law") || table.meant("dwell")) {
+            if has_law
+                || !(table.is_probable_misspelling("law") || table.is_probable_misspelling("dwell"))
+            {
                 reader.report(
                     Diagnostic::new(words().step_has_one_of(&of, "law", "dwell"))
                         .at(table.span.clone(), words().how_does_it_move())
@@ -190,9 +192,9 @@ fn through_knots(
     let given = table.get("knots")?;
     let what = table.what(reader, "knots");
     let knots = profile::over_time(reader, &what, KNOTS, given)?;
-    let begins = [0.0, from?];
-    if knots.first() != Some(&begins) {
-        let literal = format!("[0, {}]", begins[1]);
+    let starts = [0.0, from?];
+    if knots.first() != Some(&starts) {
+        let literal = format!("[0, {}]", starts[1]);
         reader.report(
             Diagnostic::new(words().table_begins_elsewhere(&table.of, &literal))
                 .at(given.span(), words().the_first_knot_is(&literal))
@@ -216,10 +218,10 @@ fn foreign(reader: &mut Reader<'_>, table: &KeyTable<'_>, kind: &str) {
 }
 
 /// Reports a key that contradicts a motion, which already determines the speed.
-pub(crate) fn alone(reader: &mut Reader<'_>, key: &str, place: &ByteSpan) {
+pub(crate) fn report_redundant_key(reader: &mut Reader<'_>, key: &str, span: &ByteSpan) {
     reader.report(
         Diagnostic::new(words().motion_beside(key))
-            .at(place.clone(), words().the_motion_says())
+            .at(span.clone(), words().the_motion_says())
             .help(words().leave_out_beside_motion(key)),
     );
 }

@@ -69,19 +69,19 @@ impl DependentValues {
         for (value, number) in self.varied.iter().zip(varied) {
             if let Some(name) = parameter(value) {
                 let text = value.with_number(*number);
-                let worth = self.named.worth_of_text(text.trim_matches('"')).ok()?;
-                self.named.worth.insert(name.to_owned(), Some(worth));
+                let result = self.named.evaluate_text(text.trim_matches('"')).ok()?;
+                self.named.worth.insert(name.to_owned(), Some(result));
             }
         }
         let mut numbers = Vec::with_capacity(self.computed.len());
         for one in &self.computed {
-            let worth: MeasuredNumber = self.named.worth_of(&one.formula, &one.tree).ok()?;
-            if worth.dimension != one.value.dimension {
+            let result: MeasuredNumber = self.named.evaluate_tree(&one.formula, &one.tree).ok()?;
+            if result.dimension != one.value.dimension {
                 return None;
             }
-            numbers.push(worth.nearest());
+            numbers.push(result.nearest());
             if let Some(name) = parameter(&one.value) {
-                self.named.worth.insert(name.to_owned(), Some(worth));
+                self.named.worth.insert(name.to_owned(), Some(result));
             }
         }
         Some(numbers)
@@ -165,7 +165,7 @@ C = [250, 200]
         for number in [50.0, 53.1, 0.1 + 0.2, 1e-3] {
             let numbers = values.numbers(&[number]).unwrap();
             let text = scene.with_value(&varied[0], &varied[0].with_number(number));
-            let other = scene.again(&text).unwrap();
+            let other = scene.reparse(&text).unwrap();
             let names: Vec<String> = values.computed().map(Value::dotted).collect();
             assert_eq!(names.len(), 5, "{names:?}");
             for (name, number) in names.iter().zip(numbers) {

@@ -82,8 +82,8 @@ impl Measure {
 
     /// Returns the measure of a rate of the driver; `turns` is `true` for a link, `false` for a
     /// slide.
-    pub(crate) fn of_rate(degree: Degree, turns: bool) -> Measure {
-        match (degree, turns) {
+    pub(crate) fn of_rate(degree: Degree, is_rotary: bool) -> Measure {
+        match (degree, is_rotary) {
             (Degree::Speed, true) => Measure::TurnSpeed,
             (Degree::Speed, false) => Measure::PushSpeed,
             (Degree::Acceleration, true) => Measure::TurnAcceleration,

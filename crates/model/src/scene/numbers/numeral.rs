@@ -23,10 +23,10 @@ pub fn with_point(text: &str) -> Option<Cow<'_, str>> {
 /// Returns `true` if the comma of a number could separate thousands.
 pub fn are_thousands(number: &str) -> bool {
     let digits = number.trim_start_matches(['+', '-']);
-    let whole = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
+    let integer = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
     digits.split_once(',').is_some_and(|(thousands, hundreds)| {
         let is_led = (1..=3).contains(&thousands.len()) && !thousands.starts_with('0');
-        is_led && whole(thousands) && hundreds.len() == 3 && whole(hundreds)
+        is_led && integer(thousands) && hundreds.len() == 3 && integer(hundreds)
     })
 }
 

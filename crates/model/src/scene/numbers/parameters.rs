@@ -36,7 +36,7 @@ struct WaitingParameter<'v> {
     tree: ExpressionTree,
     /// The indices of the formulas that use it, and the number of formulas that it still waits for.
     followers: Vec<usize>,
-    waits: usize,
+    pending: usize,
 }
 
 /// Reads the section and makes its names known to all formulas.
@@ -48,7 +48,7 @@ pub(crate) fn read<'v>(
     let mut waiting = Vec::new();
     for (name, value) in reader.entries("[parameters]", EXAMPLE, value) {
         let formula = value.get_ref().as_str();
-        let worth = match formula {
+        let result = match formula {
             None => number(reader, &name, value),
             Some(text) => {
                 let span = value.span();
@@ -56,7 +56,7 @@ pub(crate) fn read<'v>(
                 None
             }
         };
-        reader.named.worth.insert(name.text.to_owned(), worth);
+        reader.named.worth.insert(name.text.to_owned(), result);
         draft.push(DraftParameter { name, formula });
     }
     in_order(reader, waiting);
@@ -64,17 +64,17 @@ pub(crate) fn read<'v>(
 }
 
 /// Returns the parameters with their values.
-pub(crate) fn told(named: &NamedNumbers, draft: Vec<DraftParameter<'_>>) -> Vec<Parameter> {
-    let told = draft.into_iter().filter_map(|parameter| {
-        let worth = named.worth.get(parameter.name.text)?.as_ref()?;
+pub(crate) fn with_values(named: &NamedNumbers, draft: Vec<DraftParameter<'_>>) -> Vec<Parameter> {
+    let text = draft.into_iter().filter_map(|parameter| {
+        let value = named.worth.get(parameter.name.text)?.as_ref()?;
         Some(Parameter {
             name: parameter.name.text.to_owned(),
-            number: worth.nearest(),
+            number: value.nearest(),
             formula: parameter.formula.map(str::to_owned),
-            dimension: worth.dimension,
+            dimension: value.dimension,
         })
     });
-    told.collect()
+    text.collect()
 }
 
 fn what(name: &Name<'_>) -> String {
@@ -107,7 +107,7 @@ fn parsed<'v>(
             formula,
             tree,
             followers: Vec::new(),
-            waits: 0,
+            pending: 0,
         }),
         Err(fault) => {
             let place = FormulaPlace::of(reader, &formula);
@@ -125,13 +125,13 @@ fn in_order(reader: &mut Reader<'_>, mut waiting: Vec<WaitingParameter<'_>>) {
         .collect();
     let parts: Vec<Vec<usize>> = waiting.iter().map(|one| uses(one, &numbers)).collect();
     for (i, parts) in parts.iter().enumerate() {
-        waiting[i].waits = parts.len();
+        waiting[i].pending = parts.len();
         for &part in parts {
             waiting[part].followers.push(i);
         }
     }
     let mut ready: Vec<usize> = (0..waiting.len())
-        .filter(|&i| waiting[i].waits == 0)
+        .filter(|&i| waiting[i].pending == 0)
         .collect();
     let mut next = 0;
     while let Some(&i) = ready.get(next) {
@@ -142,11 +142,11 @@ fn in_order(reader: &mut Reader<'_>, mut waiting: Vec<WaitingParameter<'_>>) {
             tree,
             ..
         } = &waiting[i];
-        let worth = reader.worth(&what(name), formula, tree);
-        reader.named.worth.insert(name.text.to_owned(), worth);
+        let value = reader.evaluate_formula(&what(name), formula, tree);
+        reader.named.worth.insert(name.text.to_owned(), value);
         for follower in std::mem::take(&mut waiting[i].followers) {
-            waiting[follower].waits -= 1;
-            if waiting[follower].waits == 0 {
+            waiting[follower].pending -= 1;
+            if waiting[follower].pending == 0 {
                 ready.push(follower);
             }
         }
@@ -171,30 +171,30 @@ fn circles(reader: &mut Reader<'_>, waiting: &[WaitingParameter<'_>], parts: &[V
     for first in 0..waiting.len() {
         let mut walk = Vec::new();
         let mut at = first;
-        while waiting[at].waits > 0 && met[at] == usize::MAX {
+        while waiting[at].pending > 0 && met[at] == usize::MAX {
             met[at] = first;
             walk.push(at);
             // A waiting parameter always depends on another waiting one.
-            let Some(&next) = parts[at].iter().find(|&&part| waiting[part].waits > 0) else {
+            let Some(&next) = parts[at].iter().find(|&&part| waiting[part].pending > 0) else {
                 break;
             };
             at = next;
         }
         let is_circle = met[at] == first && !walk.is_empty();
-        if let Some(begin) = walk.iter().position(|&one| one == at && is_circle) {
-            reader.report(circle(waiting, &walk[begin..]));
+        if let Some(start) = walk.iter().position(|&one| one == at && is_circle) {
+            reader.report(circle(waiting, &walk[start..]));
         }
     }
 }
 
 /// Maximum number of names in a message.
-const LISTED: usize = 8;
+const MAX_LISTED: usize = 8;
 
 fn circle(waiting: &[WaitingParameter<'_>], round: &[usize]) -> Diagnostic {
     let first = &waiting[round[0]];
     let mut names: Vec<&str> = round.iter().map(|&one| waiting[one].name.text).collect();
-    if names.len() > LISTED {
-        names.truncate(LISTED);
+    if names.len() > MAX_LISTED {
+        names.truncate(MAX_LISTED);
         names.push("...");
     }
     names.push(first.name.text);

@@ -37,7 +37,7 @@ pub(crate) struct Rate {
 
 /// The reason why a text is not a rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Misfit<'t> {
+pub(crate) enum RateError<'t> {
     /// The text does not begin with a number.
     NoNumber,
     /// The number has no unit.
@@ -70,19 +70,19 @@ pub(crate) fn known(kind: RateKind, degree: Degree, text: &str) -> Option<&'stat
 }
 
 /// Parses a number with a unit: `15 rad/s`, `143.2 rpm`, `0.05 m/s`, `15,5 rad/s`.
-pub(crate) fn parse(text: &str, kind: RateKind, degree: Degree) -> Result<Rate, Misfit<'_>> {
+pub(crate) fn parse(text: &str, kind: RateKind, degree: Degree) -> Result<Rate, RateError<'_>> {
     let WrittenRate {
         number: written,
         unit,
     } = WrittenRate::of(text);
-    let number: f64 = written.parse().map_err(|_| Misfit::NoNumber)?;
+    let number: f64 = written.parse().map_err(|_| RateError::NoNumber)?;
     if unit.starts_with(['.', ',']) {
-        return Err(Misfit::TwoMarks);
+        return Err(RateError::TwoMarks);
     }
     if unit.is_empty() {
-        return Err(Misfit::NoUnit);
+        return Err(RateError::NoUnit);
     }
-    let unit = known(kind, degree, unit).ok_or(Misfit::Unit(unit))?;
+    let unit = known(kind, degree, unit).ok_or(RateError::Unit(unit))?;
     let rate = match numeral::typed(&written) {
         Some(typed) => of(typed, unit, kind),
         None => Rate {
@@ -91,7 +91,7 @@ pub(crate) fn parse(text: &str, kind: RateKind, degree: Degree) -> Result<Rate, 
         },
     };
     let is_finite = rate.value.is_finite();
-    is_finite.then_some(rate).ok_or(Misfit::NotFinite)
+    is_finite.then_some(rate).ok_or(RateError::NotFinite)
 }
 
 /// Converts a double-double from one of its units.
@@ -109,7 +109,7 @@ pub(crate) fn of(number: Double, unit: &str, kind: RateKind) -> Rate {
 pub(crate) fn formula(text: &str, kind: RateKind, degree: Degree) -> Option<(&str, &'static str)> {
     let text = text.trim();
     let ends = text.match_indices([' ', '\t', ')']);
-    let heads = ends.filter_map(|(at, mark)| {
+    let headers = ends.filter_map(|(at, mark)| {
         let (head, unit) = text.split_at(at + mark.len());
         Some((head.trim(), known(kind, degree, unit)?))
     });
@@ -121,7 +121,7 @@ pub(crate) fn formula(text: &str, kind: RateKind, degree: Degree) -> Option<(&st
         // `nan` and `inf` are not names.
         !is_number && number_length(&plain) < plain.len() && plain.parse::<f64>().is_err()
     };
-    heads.into_iter().find(is_formula)
+    headers.into_iter().find(is_formula)
 }
 
 /// A number and a unit as written in the file.
@@ -262,22 +262,22 @@ mod tests {
     #[test]
     fn parse_reports_why_a_rate_is_invalid() {
         let turn = |text| parse(text, RateKind::Turn, Degree::Speed);
-        assert_eq!(turn("15"), Err(Misfit::NoUnit));
-        assert_eq!(turn(""), Err(Misfit::NoNumber));
-        assert_eq!(turn("fast"), Err(Misfit::NoNumber));
-        assert_eq!(turn("nan rad/s"), Err(Misfit::NoNumber));
-        assert_eq!(turn("inf rad/s"), Err(Misfit::NoNumber));
-        assert_eq!(turn("1e400 rad/s"), Err(Misfit::NotFinite));
+        assert_eq!(turn("15"), Err(RateError::NoUnit));
+        assert_eq!(turn(""), Err(RateError::NoNumber));
+        assert_eq!(turn("fast"), Err(RateError::NoNumber));
+        assert_eq!(turn("nan rad/s"), Err(RateError::NoNumber));
+        assert_eq!(turn("inf rad/s"), Err(RateError::NoNumber));
+        assert_eq!(turn("1e400 rad/s"), Err(RateError::NotFinite));
         for two in [
             "1,500", "-12,345", "1,234.5", "1.234,5", "1,234,5", "1.2.3", "1,,5",
         ] {
             let two = format!("{two} rad/s");
             let read = parse(&two, RateKind::Turn, Degree::Speed);
-            assert_eq!(read, Err(Misfit::TwoMarks), "{two}");
+            assert_eq!(read, Err(RateError::TwoMarks), "{two}");
         }
-        assert_eq!(turn("15 mm/s"), Err(Misfit::Unit("mm/s")));
-        assert_eq!(turn("1e rad/s"), Err(Misfit::Unit("e rad/s")));
-        assert_eq!(turn("15 rad/s^2"), Err(Misfit::Unit("rad/s^2")));
-        assert_eq!(turn("\u{bd} rpm"), Err(Misfit::NoNumber));
+        assert_eq!(turn("15 mm/s"), Err(RateError::Unit("mm/s")));
+        assert_eq!(turn("1e rad/s"), Err(RateError::Unit("e rad/s")));
+        assert_eq!(turn("15 rad/s^2"), Err(RateError::Unit("rad/s^2")));
+        assert_eq!(turn("\u{bd} rpm"), Err(RateError::NoNumber));
     }
 }

@@ -15,24 +15,24 @@ pub(crate) const MAX_SIZE: f64 = 1e300;
 pub(crate) const MIN_LENGTH: f64 = 1e-300;
 
 /// Maximum relative rounding error of a formula in double-double, with a margin.
-const TWICE_ROUNDED: f64 = 1e-29;
+const FORMULA_ERROR: f64 = 1e-29;
 
 impl Reader<'_> {
     /// Reads a finite number of permitted size.
     pub fn number(&mut self, what: &str, value: &WrittenValue<'_>) -> Option<f64> {
-        let place = value.span();
+        let span = value.span();
         let number = match (number_of(self.text(), value), value.get_ref().as_str()) {
             (Some(number), _) => {
-                let written = self.text().get(place.clone()).unwrap_or("");
+                let written = self.text().get(span.clone()).unwrap_or("");
                 self.has_rounded |= is_rounded(written, number);
                 number
             }
             (None, Some(formula)) => {
-                let worth = self.worked_out(what, formula, &place)?;
-                let number = worth.nearest();
+                let result = self.worked_out(what, formula, &span)?;
+                let number = result.nearest();
                 let decimal = Decimal::of(number);
-                let apart = (decimal.value - worth.value.twice()).hi.abs();
-                self.has_rounded |= !decimal.is_long && apart > TWICE_ROUNDED * number.abs();
+                let distance = (decimal.value - result.value.twice()).hi.abs();
+                self.has_rounded |= !decimal.is_long && distance > FORMULA_ERROR * number.abs();
                 number
             }
             (None, None) => {
@@ -41,7 +41,7 @@ impl Reader<'_> {
                 return None;
             }
         };
-        let literal = self.literal(&place);
+        let literal = self.literal(&span);
         // A comparison that also rejects NaN.
         if number.abs() <= MAX_SIZE {
             return Some(number);
@@ -67,7 +67,7 @@ impl Reader<'_> {
         };
         self.report(
             Diagnostic::new(words().must_be(what, rule, &literal))
-                .at(place, label)
+                .at(span, label)
                 .help(help),
         );
         None

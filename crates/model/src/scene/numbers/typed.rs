@@ -102,7 +102,9 @@ impl Value {
             Err(fault) => {
                 let help = fault.help.clone().or_else(|| self.named.product(head));
                 let fault = FormulaError { help, ..fault };
-                return self.is_meant(head).then(|| Err(placed(&fault, head)));
+                return self
+                    .is_probably_formula(head)
+                    .then(|| Err(placed(&fault, head)));
             }
         };
         let is_number = match is_parameter {
@@ -114,7 +116,7 @@ impl Value {
         if is_number || is_word {
             return None;
         }
-        let found = self.named.worth_of_text(head);
+        let found = self.named.evaluate_text(head);
         let found = found.map_err(|fault| fault.words());
         Some(found.map(|_| match unit {
             "" => quoted(head),
@@ -124,7 +126,7 @@ impl Value {
 
     /// Returns `true` if an unreadable text was probably meant as a formula, rather than as a word
     /// or a number with an unsuitable unit.
-    fn is_meant(&self, typed: &str) -> bool {
+    fn is_probably_formula(&self, typed: &str) -> bool {
         let (number, rest) = typed.split_at(number_length(typed));
         let rest = rest.trim();
         let has_sign = |text: &str| text.contains(['+', '-', '*', '(', ')']);
@@ -239,8 +241,8 @@ fn placed(fault: &FormulaError, formula: &str) -> String {
 
 /// Returns `true` if two units differ only in blanks.
 fn same(one: &str, other: &str) -> bool {
-    let bare = |c: &char| *c != ' ';
-    one.chars().filter(bare).eq(other.chars().filter(bare))
+    let plain = |c: &char| *c != ' ';
+    one.chars().filter(plain).eq(other.chars().filter(plain))
 }
 
 /// One radian in degrees, 180/pi, to 23 digits. The product with the typed digits is exact before
@@ -302,11 +304,11 @@ impl TypedDecimal {
         let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
         let sign = if mantissa.starts_with('-') { "-" } else { "" };
         let mantissa = mantissa.trim_start_matches(['+', '-']);
-        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let (text, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
         let exponent: i64 = exponent.parse().ok()?;
         Some(TypedDecimal {
             sign,
-            digits: format!("{whole}{fraction}").parse().ok()?,
+            digits: format!("{text}{fraction}").parse().ok()?,
             // Clamped, so that adding a few digits cannot overflow.
             exponent: (exponent.clamp(-MAX_TOTAL_POWER, MAX_TOTAL_POWER))
                 .checked_sub(i64::try_from(fraction.len()).ok()?)?,

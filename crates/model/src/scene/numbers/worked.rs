@@ -11,7 +11,7 @@ use crate::scene::{Scene, Value};
 use crate::wording::words;
 
 /// Maximum number of names in a hint.
-const LISTED: usize = 12;
+const MAX_LISTED: usize = 12;
 
 impl Reader<'_> {
     /// Evaluates a formula given as a number; reports faults.
@@ -35,21 +35,21 @@ impl Reader<'_> {
                 return None;
             }
         };
-        self.worth(what, &formula, &tree)
+        self.evaluate_formula(what, &formula, &tree)
     }
 
     /// Evaluates a parsed formula; reports faults.
-    pub(crate) fn worth(
+    pub(crate) fn evaluate_formula(
         &mut self,
         what: &str,
         formula: &Name<'_>,
         tree: &ExpressionTree,
     ) -> Option<MeasuredNumber> {
         // The fault of the parameter was reported at its definition.
-        if self.named.lacks(tree) {
+        if self.named.names_unknown_parameter(tree) {
             return None;
         }
-        match self.named.worth_of(formula.text, tree) {
+        match self.named.evaluate_tree(formula.text, tree) {
             Ok(found) => {
                 self.worked.insert(formula.span.start, found.nearest());
                 Some(found)
@@ -65,14 +65,14 @@ impl Reader<'_> {
 
 impl NamedNumbers {
     /// Returns `true` if a formula names a parameter without a known value.
-    fn lacks(&self, tree: &ExpressionTree) -> bool {
-        let mut lacks = false;
-        tree.each_name(&mut |name| lacks |= matches!(self.worth.get(name), Some(None)));
-        lacks
+    fn names_unknown_parameter(&self, tree: &ExpressionTree) -> bool {
+        let mut missing = false;
+        tree.each_name(&mut |name| missing |= matches!(self.worth.get(name), Some(None)));
+        missing
     }
 
     /// Evaluates a parsed formula.
-    pub(in crate::scene) fn worth_of(
+    pub(in crate::scene) fn evaluate_tree(
         &self,
         text: &str,
         tree: &ExpressionTree,
@@ -84,24 +84,24 @@ impl NamedNumbers {
         };
         evaluate(text, tree, length, &|name| {
             let found = self.worth.get(name).cloned().flatten();
-            found.ok_or_else(|| self.meant(name))
+            found.ok_or_else(|| self.suggest_fix(name))
         })
     }
 
     /// Parses and evaluates a formula.
-    pub(crate) fn worth_of_text(&self, text: &str) -> Result<MeasuredNumber, FormulaError> {
-        self.worth_of(text, &expression::parse(text)?)
+    pub(crate) fn evaluate_text(&self, text: &str) -> Result<MeasuredNumber, FormulaError> {
+        self.evaluate_tree(text, &expression::parse(text)?)
     }
 
     /// Lists the parameters with units in a value's formula, each with its own unit; `None` if
     /// there are none.
     fn units_in(&self, value: &Value, wanted: &str) -> Option<String> {
-        let told = value.follows_from().into_iter().filter_map(|name| {
+        let text = value.follows_from().into_iter().filter_map(|name| {
             let dimension = self.worth.get(&name)?.as_ref()?.dimension?;
             Some((name, dimension.symbol(self.length.0)))
         });
-        let told: Vec<_> = told.take(LISTED).collect();
-        (!told.is_empty()).then(|| words().parameters_measured_in(&told, wanted))
+        let text: Vec<_> = text.take(MAX_LISTED).collect();
+        (!text.is_empty()).then(|| words().parameters_measured_in(&text, wanted))
     }
 
     /// Suggests a product sign between a number and a name; returns `None` for other texts.
@@ -114,7 +114,7 @@ impl NamedNumbers {
     }
 
     /// Suggests a fix for an unknown name.
-    fn meant(&self, name: &str) -> Option<String> {
+    fn suggest_fix(&self, name: &str) -> Option<String> {
         if let Some((number, unit)) = expression::glued(name) {
             return Some(words().blank_before_unit(number, unit));
         }
@@ -123,13 +123,13 @@ impl NamedNumbers {
         }
         let mut names: Vec<&str> = self.worth.keys().map(String::as_str).collect();
         names.sort_unstable();
-        if let Some(meant) = did_you_mean(name, names.iter().copied()) {
-            return Some(meant);
+        if let Some(intended) = did_you_mean(name, names.iter().copied()) {
+            return Some(intended);
         }
         let help = match names.len() {
             _ if name.contains('-') => words().minus_between_blanks().to_owned(),
             0 => words().scene_has_no_parameters().to_owned(),
-            1..=LISTED => words().parameters_are(&format!("`{}`", names.join("`, `"))),
+            1..=MAX_LISTED => words().parameters_are(&format!("`{}`", names.join("`, `"))),
             _ => return None,
         };
         Some(help)

@@ -17,16 +17,16 @@ pub(crate) fn values(scene: &Scene) -> Vec<Value> {
         // Parsing succeeded before, when the scene was read.
         return Vec::new();
     };
-    let turns = matches!(scene.mechanism.driver().input, Input::Turn(_));
+    let is_rotary = matches!(scene.mechanism.driver().input, Input::Turn(_));
     let mut collector = Collector {
         text: scene.text(),
         unit: scene.unit,
         slides: &scene.slide_names,
-        turns,
-        driver_turns: turns,
+        is_rotary,
+        driver_turns: is_rotary,
         is_torsion: false,
         owner: ValueOwner::Scene,
-        met: HashMap::new(),
+        counts_by_name: HashMap::new(),
         found: Vec::new(),
         named: &scene.named,
     };
@@ -40,7 +40,7 @@ struct Collector<'t> {
     unit: Unit,
     slides: &'t [String],
     /// Whether the input of the current table drives a link rather than a slide.
-    turns: bool,
+    is_rotary: bool,
     /// Whether the driver itself drives a link, even in the table of another input.
     driver_turns: bool,
     /// Whether the current table is that of a torsion spring.
@@ -48,7 +48,7 @@ struct Collector<'t> {
     /// The owner of the values found next.
     owner: ValueOwner,
     /// The number of loads or springs found so far, by name.
-    met: HashMap<String, usize>,
+    counts_by_name: HashMap<String, usize>,
     found: Vec<Value>,
     /// The names available to formulas.
     named: &'t Arc<NamedNumbers>,
@@ -135,14 +135,14 @@ impl Collector<'_> {
                 self.of(owner, |its| its.inner(keys, key.name, value));
             }
             KeyKind::Each(keys) => each(value, |name, value| {
-                let turns = self.turns;
+                let is_rotary = self.is_rotary;
                 if key.name == "inputs" {
-                    self.turns = !self.slides.iter().any(|slide| slide == name);
+                    self.is_rotary = !self.slides.iter().any(|slide| slide == name);
                 }
                 self.of(ValueOwner::Element(name.to_owned()), |its| {
                     its.inner(keys, name, value);
                 });
-                self.turns = turns;
+                self.is_rotary = is_rotary;
             }),
             KeyKind::List(keys) => {
                 let tables = list(value).filter_map(|item| item.get_ref().as_table());
@@ -168,9 +168,9 @@ impl Collector<'_> {
         });
     }
 
-    fn ends(&mut self, name: &str, behind: &str, size: NumberMeasure, value: &WrittenValue<'_>) {
+    fn ends(&mut self, name: &str, after: &str, size: NumberMeasure, value: &WrittenValue<'_>) {
         for (end, item) in ["low", "high"].into_iter().zip(list(value)) {
-            self.number(format!("{name} {end}{behind}"), size, item);
+            self.number(format!("{name} {end}{after}"), size, item);
         }
     }
 
@@ -243,7 +243,7 @@ impl Collector<'_> {
     /// Returns the suffix that makes the names of repeated loads unique, such as ` (2)` for the
     /// second load on one point.
     fn again(&mut self, what: &str) -> String {
-        let times = self.met.entry(what.to_owned()).or_default();
+        let times = self.counts_by_name.entry(what.to_owned()).or_default();
         *times += 1;
         match *times {
             1 => String::new(),
@@ -251,9 +251,9 @@ impl Collector<'_> {
         }
     }
 
-    fn pair(&mut self, name: &str, behind: &str, size: NumberMeasure, value: &WrittenValue<'_>) {
+    fn pair(&mut self, name: &str, after: &str, size: NumberMeasure, value: &WrittenValue<'_>) {
         for (axis, item) in ["x", "y"].into_iter().zip(list(value)) {
-            self.number(format!("{name} {axis}{behind}"), size, item);
+            self.number(format!("{name} {axis}{after}"), size, item);
         }
     }
 
@@ -266,12 +266,12 @@ impl Collector<'_> {
     }
 
     fn number(&mut self, name: String, size: NumberMeasure, value: &WrittenValue<'_>) {
-        let place = value.span();
+        let span = value.span();
         let (number, formula, dimension) =
             match (number_of(self.text, value), value.get_ref().as_str()) {
                 (Some(number), _) => (number, None, None),
                 (None, Some(text)) => {
-                    let Ok(found) = self.named.worth_of_text(text) else {
+                    let Ok(found) = self.named.evaluate_text(text) else {
                         return;
                     };
                     let number = found.nearest();
@@ -279,15 +279,15 @@ impl Collector<'_> {
                 }
                 (None, None) => return,
             };
-        let turns = match size {
+        let is_rotary = match size {
             NumberMeasure::DriverItself => self.driver_turns,
             NumberMeasure::Of(_)
             | NumberMeasure::In(_)
             | NumberMeasure::Driver
-            | NumberMeasure::Effort => self.turns,
+            | NumberMeasure::Effort => self.is_rotary,
         };
-        let measure = size.measure(turns, self.is_torsion);
-        let written = || self.text[place.clone()].to_owned();
+        let measure = size.measure(is_rotary, self.is_torsion);
+        let written = || self.text[span.clone()].to_owned();
         self.found.push(Value {
             name,
             owner: self.owner.clone(),
@@ -296,7 +296,7 @@ impl Collector<'_> {
             literal: formula.clone().unwrap_or_else(written),
             formula,
             unit: measure.unit(self.unit),
-            place,
+            place: span,
             scene: self.unit,
             quotes: false,
             dimension,
@@ -307,14 +307,14 @@ impl Collector<'_> {
     /// Collects a quoted number with a unit. The quotes stay unchanged, unless the text contains
     /// escapes.
     fn rate(&mut self, name: &str, degree: Degree, value: &WrittenValue<'_>) {
-        let measure = Measure::of_rate(degree, self.turns);
+        let measure = Measure::of_rate(degree, self.is_rotary);
         let (Some(text), MeasureUnits::Rate(kind, degree)) =
             (value.get_ref().as_str(), measure.units(self.unit))
         else {
             return;
         };
-        let whole = value.span();
-        let inner = whole.start + 1..whole.end.saturating_sub(1);
+        let complete = value.span();
+        let inner = complete.start + 1..complete.end.saturating_sub(1);
         let quotes = self.text.get(inner.clone()) != Some(text);
         let WrittenRate { number, unit } = WrittenRate::of(text);
         let unit = rate::known(kind, degree, unit);
@@ -324,7 +324,7 @@ impl Collector<'_> {
                 let Some((formula, unit)) = rate::formula(text, kind, degree) else {
                     return;
                 };
-                let Ok(found) = self.named.worth_of_text(formula) else {
+                let Ok(found) = self.named.evaluate_text(formula) else {
                     return;
                 };
                 let formula = formula.to_owned();
@@ -339,7 +339,7 @@ impl Collector<'_> {
             literal,
             formula,
             unit,
-            place: if quotes { whole } else { inner },
+            place: if quotes { complete } else { inner },
             scene: self.unit,
             quotes,
             dimension: None,

@@ -417,14 +417,14 @@ fn formulas_are_accepted_wherever_numbers_are() {
     assert_eq!(values(&formulas), values(&numbers));
     let parameters = formulas.parameters.iter();
     let parameters: Vec<_> = parameters.map(|p| (&*p.name, p.number)).collect();
-    let worth = [
+    let result = [
         ("rod", 300.0),
         ("a", 100.0),
         ("crank", 100.0),
         ("g", 9.81),
         ("n", 30.0),
     ];
-    assert_eq!(parameters, worth);
+    assert_eq!(parameters, result);
     // Parameters come first in the list, wherever they are in the file.
     let first: Vec<String> = formulas
         .values()
@@ -544,7 +544,7 @@ fn parameter_keeps_its_unit() {
     ] {
         let value = scene.value_named(name).unwrap();
         assert_eq!(value.with_number(310.5), text);
-        let changed = scene.again(&scene.with_value(&value, text)).unwrap();
+        let changed = scene.reparse(&scene.with_value(&value, text)).unwrap();
         assert_eq!(changed.value_named(name).unwrap().number, 310.5, "{name}");
     }
 }
@@ -570,13 +570,13 @@ proptest! {
     /// A decimal written as a sum and product gives the same scene, bit by bit.
     #[test]
     fn formulas_of_decimals_equal_written_out_decimals(
-        whole in 1_u64..100_000, cents in 0_u64..100, times in 1_u64..50,
+        integer in 1_u64..100_000, cents in 0_u64..100, times in 1_u64..50,
     ) {
         // The exact number of hundredths.
-        let hundredths = (whole * 100 + cents) * times;
+        let hundredths = (integer * 100 + cents) * times;
         let written = format!("{}.{:02}", hundredths / 100, hundredths % 100);
         let parameters = format!(
-            "[parameters]\na = \"{whole} + {} / 100\"\nb = \"c + a * {times} - c\"\nc = 0.3\n[ground]",
+            "[parameters]\na = \"{integer} + {} / 100\"\nb = \"c + a * {times} - c\"\nc = 0.3\n[ground]",
             cents,
         );
         let formulas = BY_NUMBERS
@@ -591,8 +591,8 @@ proptest! {
 #[test]
 fn retold_and_rewritten_scenes_keep_formulas() {
     let scene = Scene::parse(BY_FORMULAS, "test").unwrap();
-    let told = scene.retold("n", "s", "t");
-    assert!(told.ends_with(BY_FORMULAS), "{told}");
+    let shown_text = scene.with_header("n", "s", "t");
+    assert!(shown_text.ends_with(BY_FORMULAS), "{shown_text}");
     // A new start position replaces the old one and nothing else.
     let point = scene
         .mechanism

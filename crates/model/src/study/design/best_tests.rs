@@ -38,29 +38,29 @@ fn stopped_search_returns_best_so_far() {
     let space = space("slider-crank", &["r2 length"]);
     let figures = figures(&space, &["r4.length.stroke"]);
     let axes = axes(&["r2=2..19"]);
-    for greatest in [true, false] {
+    for maximum in [true, false] {
         let order = OptimiseOrder {
-            greatest,
+            greatest: maximum,
             generations: 20,
             seed: 4,
             threads: 1,
         };
         for calls in [1, 10, 30, 60, 100] {
-            let (mut told, mut seen) = (0, None);
+            let (mut text, mut seen) = (0, None);
             let best = BestDesign::find(&figures, &[], &axes, order, &mut |state| {
-                told += 1;
+                text += 1;
                 seen = state.best;
-                told < calls
+                text < calls
             });
             let best = best.unwrap();
-            assert_eq!(told, calls, "it ends at once");
+            assert_eq!(text, calls, "it ends at once");
             // The stroke of an in-line slider-crank is twice its crank.
             assert!(
                 (best.value - 2.0 * best.numbers[0]).abs() < 1e-9,
                 "{best:?}"
             );
             assert!(!best.stationary && best.generations < 5, "{best:?}");
-            let is_better = |other: f64| match greatest {
+            let is_better = |other: f64| match maximum {
                 true => best.value >= other,
                 false => best.value <= other,
             };

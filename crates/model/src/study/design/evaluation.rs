@@ -68,7 +68,7 @@ impl FigureSet {
         let names = self.figures.figures().iter().map(CycleFigure::name);
         let again = names.map(|name| CycleFigure::parse(name, &catalogue));
         match again.collect::<Result<Vec<_>, _>>() {
-            Ok(figures) => self.figures.again(figures).of(solver),
+            Ok(figures) => self.figures.with_figures(figures).of(solver),
             // Unreachable in practice: the names were parsed before, for a scene with the same
             // names.
             Err(_) => self.figures.of(solver),
@@ -81,7 +81,7 @@ impl FigureSet {
         let figures: Vec<CycleFigure> = indices.iter().map(|&i| all[i].clone()).collect();
         FigureSet {
             has_formulas: figures.iter().any(CycleFigure::is_derived),
-            figures: self.figures.again(figures),
+            figures: self.figures.with_figures(figures),
         }
     }
 }
@@ -166,7 +166,7 @@ impl DesignFigures {
         if let Some(solver) = quick.and_then(|quick| quick.solver(given, &mechanism)) {
             return Ok(OpenedDesign { scene, solver });
         }
-        match self.space.kept(&mechanism) {
+        match self.space.solver_for(&mechanism) {
             Ok((solver, _)) => Ok(OpenedDesign { scene, solver }),
             Err(fault) => {
                 let scene = scene.map_or_else(|| self.space.parse(numbers).map(Box::new), Ok)?;

@@ -110,8 +110,8 @@ impl Goal {
     /// design.
     #[must_use]
     pub fn from(self, given: Option<f64>) -> Goal {
-        let way = given.map_or(0.0, |given| self.over(given).abs());
-        let size = self.number.abs().max(way);
+        let travel = given.map_or(0.0, |given| self.over(given).abs());
+        let size = self.number.abs().max(travel);
         Goal {
             size: if size > 0.0 { size } else { 1.0 },
             ..self
@@ -122,7 +122,7 @@ impl Goal {
     /// turn it is the shorter difference. Inequalities compare the values as they are shown.
     fn over(&self, value: f64) -> f64 {
         match self.sense == GoalSense::Equal && self.figure.is_round() {
-            true => crate::angle::beside(0.0, value - self.number),
+            true => crate::angle::unwrap_near(0.0, value - self.number),
             false => value - self.number,
         }
     }

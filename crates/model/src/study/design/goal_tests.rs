@@ -81,15 +81,15 @@ fn unreachable_goal_returns_nearest_design() {
 fn direction_goal_is_met_modulo_360() {
     let space = space("four-bar", &["D x"]);
     let known = 350.0 + (250.0_f64.powi(2) - 7_500.0).sqrt();
-    for wish in ["r3.angle@60 = 0", "r3.angle@60 = 360", "r3.angle@60 = -360"] {
-        let goals = goals(&space, &[wish]);
+    for options in ["r3.angle@60 = 0", "r3.angle@60 = 360", "r3.angle@60 = -360"] {
+        let goals = goals(&space, &[options]);
         let search = figures(&space, &["r3.angle@60"]);
         let outcome = GoalSearch::new(search, goals, &axes(&["D.x"])).run(0, 1, 2, &mut |_| true);
         let found = outcome.solutions.first();
         let off = found.map(|found| (found.numbers[0] - known).abs());
         assert!(
             off.is_some_and(|off| off < 1e-5),
-            "{wish}: {outcome:?} {known}"
+            "{options}: {outcome:?} {known}"
         );
     }
 }
@@ -122,10 +122,13 @@ fn solutions_report_whether_they_move_as_given() {
     let outcome = found(1);
     assert!(!outcome.solutions.is_empty());
     for found in &outcome.solutions {
-        let turns = found.numbers[0] < 150.0;
-        assert_eq!(found.moves_as_given, turns, "{:?}", found.numbers);
+        let is_rotary = found.numbers[0] < 150.0;
+        assert_eq!(found.is_same_motion_kind, is_rotary, "{:?}", found.numbers);
     }
-    let kinds = outcome.solutions.iter().map(|found| !found.moves_as_given);
+    let kinds = outcome
+        .solutions
+        .iter()
+        .map(|found| !found.is_same_motion_kind);
     assert!(kinds.is_sorted(), "those that move as given come first");
     // The result does not depend on the number of threads.
     let numbers = |outcome: &SearchOutcome| -> Vec<Vec<f64>> {
@@ -140,7 +143,7 @@ fn solutions_report_whether_they_move_as_given() {
 #[test]
 fn freedoms_count_parameters_of_solution_family() {
     let both = ["r4.length.stroke = 120", "r4.length.ratio = 1.1"];
-    for (values, wishes, freedoms) in [
+    for (values, requests, freedoms) in [
         (vec!["r2 length"], &both[..1], 0),
         (vec!["r2 length", "r4 through y"], &both[..1], 1),
         (vec!["r2 length", "r4 through y"], &both[..], 0),
@@ -151,13 +154,13 @@ fn freedoms_count_parameters_of_solution_family() {
         ),
     ] {
         let space = space("offset-slider-crank", &values);
-        let wished = goals(&space, wishes);
-        let names: Vec<&str> = wished.iter().map(|goal| goal.figure.name()).collect();
+        let requested = goals(&space, requests);
+        let names: Vec<&str> = requested.iter().map(|goal| goal.figure.name()).collect();
         let axes: Vec<PlanAxis> = axes(&values.iter().map(|_| "v").collect::<Vec<_>>());
-        let search = GoalSearch::new(figures(&space, &names), wished.clone(), &axes);
+        let search = GoalSearch::new(figures(&space, &names), requested.clone(), &axes);
         let outcome = search.run(6, 1, 2, &mut |_| true);
-        assert!(!outcome.solutions.is_empty(), "{values:?} {wishes:?}");
-        assert_eq!(outcome.freedoms(), freedoms, "{values:?} {wishes:?}");
+        assert!(!outcome.solutions.is_empty(), "{values:?} {requests:?}");
+        assert_eq!(outcome.freedoms(), freedoms, "{values:?} {requests:?}");
     }
 }
 
@@ -167,9 +170,9 @@ fn freedoms_count_parameters_of_solution_family() {
 fn derivatives_match_closed_formula() {
     let values = ["r2 length", "r3 length", "r4 through y"];
     let space = space("offset-slider-crank", &values);
-    let wished = goals(&space, &["r4.length.stroke = 100"]);
+    let requested = goals(&space, &["r4.length.stroke = 100"]);
     let axes = axes(&["r2=40..140", "r3=240..340", "e=-40..60"]);
-    let mut search = GoalSearch::new(figures(&space, &["r4.length.stroke"]), wished, &axes);
+    let mut search = GoalSearch::new(figures(&space, &["r4.length.stroke"]), requested, &axes);
     for numbers in [
         [80.0, 280.0, 20.0],
         [61.7, 301.3, -33.1],
@@ -199,20 +202,20 @@ fn derivatives_match_closed_formula() {
     // Compares derivatives of a swing, of extrema and at a coordinate with differences.
     let values = ["r2 length", "r3 length", "D x"];
     let space = super::tests::space("four-bar", &values);
-    let wishes = [
+    let requests = [
         "r4.angle.swing = 40",
         "C.x.least = 10",
         "C.y.greatest <= 100",
         "C.x@60 = 300",
     ];
-    let wished = goals(&space, &wishes);
-    let names: Vec<&str> = wished.iter().map(|goal| goal.figure.name()).collect();
+    let requested = goals(&space, &requests);
+    let names: Vec<&str> = requested.iter().map(|goal| goal.figure.name()).collect();
     let axes = super::tests::axes(&["r2=90..110", "r3=290..320", "x=390..410"]);
-    let mut search = GoalSearch::new(figures(&space, &names), wished.clone(), &axes);
+    let mut search = GoalSearch::new(figures(&space, &names), requested.clone(), &axes);
     let place = search.place(vec![101.0, 303.0, 398.0]).unwrap();
     let set = search.figures.set().clone();
     let exact = search.figures.exact_slopes(&set, &place.numbers);
     assert!(exact.is_some());
-    let apart = search.slopes(&place).unwrap() - search.differences(&place).unwrap();
-    assert!(apart.amax() < 1e-7, "{apart}");
+    let distance = search.slopes(&place).unwrap() - search.differences(&place).unwrap();
+    assert!(distance.amax() < 1e-7, "{distance}");
 }

@@ -1,11 +1,11 @@
 //! The active constraints and bounds of a design, with their Lagrange multipliers.
 
 use super::GoalSense;
-use super::judge::{DesignEvaluator, DesignSlopes, JudgedDesign, is_finite};
+use super::judge::{DesignEvaluator, DesignSlopes, EvaluatedDesign, is_finite};
 use nalgebra::{DMatrix, DVector};
 
 /// The slack below which a constraint counts as active, relative to its size.
-const HELD: f64 = 1e-7;
+const ACTIVE_SLACK: f64 = 1e-7;
 /// The relative size below which a slope counts as zero: the error of two-sided differences,
 /// relative to the slope or to the figure.
 const FLAT: f64 = 1e-6;
@@ -14,14 +14,14 @@ const SINGULAR: f64 = 1e-9;
 
 /// The constraints and bounds that may be active at a design.
 #[derive(Clone, Debug)]
-pub(super) struct Holds {
-    all: Vec<MayHold>,
+pub(super) struct ActiveConstraints {
+    all: Vec<PossibleConstraint>,
     /// Number of a design's variables.
     count: usize,
 }
 
 #[derive(Clone, Debug)]
-struct MayHold {
+struct PossibleConstraint {
     /// The index of the constraint; `None` for a bound.
     row: Option<usize>,
     /// The slope of its slack.
@@ -43,14 +43,18 @@ pub(super) struct ActiveSet {
     pub(super) free: DVector<f64>,
 }
 
-impl Holds {
+impl ActiveConstraints {
     /// Finds the constraints and bounds without slack at a design.
-    pub(super) fn at(judge: &DesignEvaluator, here: &JudgedDesign, slopes: &DesignSlopes) -> Holds {
+    pub(super) fn at(
+        judge: &DesignEvaluator,
+        here: &EvaluatedDesign,
+        slopes: &DesignSlopes,
+    ) -> ActiveConstraints {
         let mut all = Vec::new();
         for (i, goal) in judge.constraints.iter().enumerate() {
             let is_equal = goal.sense == GoalSense::Equal;
-            if is_equal || here.slacks[i] <= HELD {
-                all.push(MayHold {
+            if is_equal || here.slacks[i] <= ACTIVE_SLACK {
+                all.push(PossibleConstraint {
                     row: Some(i),
                     normal: slopes.slacks.row(i).transpose(),
                     is_one_sided: !is_equal,
@@ -67,14 +71,14 @@ impl Holds {
             };
             let mut normal = DVector::zeros(here.numbers.len());
             normal[i] = inwards;
-            all.push(MayHold {
+            all.push(PossibleConstraint {
                 row: None,
                 normal,
                 // Equal bounds act in both directions.
                 is_one_sided: low < high,
             });
         }
-        Holds {
+        ActiveConstraints {
             all,
             count: here.numbers.len(),
         }
@@ -100,16 +104,16 @@ impl ActiveSet {
     /// the most negative first.
     pub(super) fn of(
         judge: &DesignEvaluator,
-        here: &JudgedDesign,
+        here: &EvaluatedDesign,
         slopes: &DesignSlopes,
     ) -> ActiveSet {
-        let mut holds = Holds::at(judge, here, slopes);
+        let mut holds = ActiveConstraints::at(judge, here, slopes);
         loop {
             let normals = holds.normals();
             let multipliers = multipliers(&normals, &slopes.value);
-            let lets_go = |&i: &usize| holds.all[i].is_one_sided && multipliers[i] < 0.0;
+            let ends_drag = |&i: &usize| holds.all[i].is_one_sided && multipliers[i] < 0.0;
             let worst = (0..holds.all.len())
-                .filter(lets_go)
+                .filter(ends_drag)
                 .min_by(|&a, &b| multipliers[a].total_cmp(&multipliers[b]));
             if let Some(worst) = worst {
                 holds.all.remove(worst);
@@ -128,7 +132,7 @@ impl ActiveSet {
         }
     }
 
-    pub(super) fn is_stationary(&self, here: &JudgedDesign, slopes: &DesignSlopes) -> bool {
+    pub(super) fn is_stationary(&self, here: &EvaluatedDesign, slopes: &DesignSlopes) -> bool {
         self.free.norm() <= FLAT * slopes.value.norm().max(here.value.abs())
     }
 
@@ -148,8 +152,8 @@ pub(super) fn multipliers(normals: &DMatrix<f64>, slope: &DVector<f64>) -> DVect
         return DVector::zeros(normals.nrows());
     }
     let parts = normals.transpose().svd(true, true);
-    let least = SINGULAR * parts.singular_values.max();
-    let found = parts.solve(slope, least);
+    let minimum = SINGULAR * parts.singular_values.max();
+    let found = parts.solve(slope, minimum);
     found.unwrap_or_else(|_| DVector::zeros(normals.nrows()))
 }
 

@@ -11,11 +11,11 @@ pub(super) const DIFFERENCE: f64 = 1e-5;
 const STEPS: usize = 12;
 const HALVINGS: u32 = 6;
 /// Part of the misses that a step may leave before the derivatives are computed again.
-const SLOW: f64 = 0.3;
+const MAX_REMAINING_MISS: f64 = 0.3;
 /// The slack below which a constraint is met up to rounding error, relative to its size; and the
 /// slack at which a failed step may be due to rounding.
 const NOUGHT: f64 = 1e-13;
-const ROUNDED: f64 = 1e-11;
+const ROUNDING_TOLERANCE: f64 = 1e-11;
 /// The relative size below which a singular value counts as zero.
 const SINGULAR: f64 = 1e-9;
 
@@ -40,7 +40,7 @@ pub(super) struct DesignEvaluator {
 
 /// The figures of a design that are evaluated.
 #[derive(Clone, Copy, Debug)]
-enum JudgedPart {
+enum EvaluatedPart {
     /// Those of equality constraints alone. The design's value and all other slacks are 0.
     Equalities,
     /// All figures.
@@ -49,13 +49,13 @@ enum JudgedPart {
 
 /// The evaluation of a design.
 #[derive(Clone, Debug)]
-pub(super) struct JudgedDesign {
+pub(super) struct EvaluatedDesign {
     pub(super) numbers: Vec<f64>,
     /// The value to minimize: the figure, or its negative for a maximum.
     pub(super) value: f64,
     /// The slack of each constraint; see [`Goal::slack`].
     pub(super) slacks: DVector<f64>,
-    pub(super) worth: DesignScore,
+    pub(super) score: DesignScore,
 }
 
 /// The derivatives of a design's evaluation by its numbers, each relative to the range between its
@@ -70,7 +70,7 @@ pub(super) struct DesignSlopes {
 /// The constraints onto which a design is projected.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DesignProjection<'a> {
-    part: JudgedPart,
+    part: EvaluatedPart,
     /// Inequalities that are included in addition to the missed ones; `None` to include neither.
     held: Option<&'a [usize]>,
     /// The miss at which the projection ends, relative to the constraints' sizes.
@@ -81,7 +81,7 @@ impl DesignProjection<'_> {
     /// Creates a projection onto the equality constraints alone.
     pub(super) fn onto_equalities(tolerance: f64) -> DesignProjection<'static> {
         DesignProjection {
-            part: JudgedPart::Equalities,
+            part: EvaluatedPart::Equalities,
             held: None,
             tolerance,
         }
@@ -90,7 +90,7 @@ impl DesignProjection<'_> {
     /// Creates a projection onto the equality constraints, some inequalities and all missed ones.
     pub(super) fn onto_all(held: &[usize]) -> DesignProjection<'_> {
         DesignProjection {
-            part: JudgedPart::Whole,
+            part: EvaluatedPart::Whole,
             held: Some(held),
             tolerance: NOUGHT,
         }
@@ -104,7 +104,7 @@ impl DesignEvaluator {
         figures: &DesignFigures,
         constraints: &[Goal],
         axes: &[PlanAxis],
-        greatest: bool,
+        maximum: bool,
     ) -> DesignEvaluator {
         let given = figures.space().given();
         let mut figures = figures.clone();
@@ -126,7 +126,7 @@ impl DesignEvaluator {
             all: (0..constraints.len()).collect(),
             equal: (equal, figures.set().subset(&of)),
             figures,
-            greatest,
+            greatest: maximum,
         }
     }
 
@@ -136,24 +136,24 @@ impl DesignEvaluator {
     }
 
     /// Evaluates a design; `None` if there is no such design, or if a figure is missing.
-    pub(super) fn judge(&mut self, numbers: Vec<f64>) -> Option<JudgedDesign> {
-        self.judge_part(numbers, JudgedPart::Whole)
+    pub(super) fn evaluate(&mut self, numbers: Vec<f64>) -> Option<EvaluatedDesign> {
+        self.evaluate_part(numbers, EvaluatedPart::Whole)
     }
 
     /// Evaluates a design by its equality constraints alone.
-    pub(super) fn judge_equalities(&mut self, numbers: Vec<f64>) -> Option<JudgedDesign> {
-        self.judge_part(numbers, JudgedPart::Equalities)
+    pub(super) fn evaluate_equalities(&mut self, numbers: Vec<f64>) -> Option<EvaluatedDesign> {
+        self.evaluate_part(numbers, EvaluatedPart::Equalities)
     }
 
     /// Evaluates some figures of a design.
-    fn judge_part(&mut self, numbers: Vec<f64>, part: JudgedPart) -> Option<JudgedDesign> {
+    fn evaluate_part(&mut self, numbers: Vec<f64>, part: EvaluatedPart) -> Option<EvaluatedDesign> {
         let design = self.figures.open(&numbers).ok()?;
         let known = |value: Result<f64, _>| value.ok().filter(|value: &f64| value.is_finite());
         let mut slacks = DVector::zeros(self.constraints.len());
         let mut value = 0.0;
         let (of, found) = match part {
-            JudgedPart::Equalities => (&self.equal.0, self.equal.1.of(&design).into_iter()),
-            JudgedPart::Whole => {
+            EvaluatedPart::Equalities => (&self.equal.0, self.equal.1.of(&design).into_iter()),
+            EvaluatedPart::Whole => {
                 let mut found = self.figures.set().of(&design).into_iter();
                 let first = known(found.next()?)?;
                 value = if self.greatest { -first } else { first };
@@ -163,19 +163,19 @@ impl DesignEvaluator {
         for (&i, found) in of.iter().zip(found) {
             slacks[i] = self.constraints[i].slack(known(found)?);
         }
-        let mut design = JudgedDesign {
+        let mut design = EvaluatedDesign {
             numbers,
             value,
             slacks,
-            worth: NONE,
+            score: NONE,
         };
-        design.worth = self.score(&design, 0.0);
+        design.score = self.score(&design, 0.0);
         Some(design)
     }
 
     /// Returns the score of a design if equality constraints have a tolerance, relative to their
     /// sizes. Rounding errors never count.
-    pub(super) fn score(&self, design: &JudgedDesign, tolerance: f64) -> DesignScore {
+    pub(super) fn score(&self, design: &EvaluatedDesign, tolerance: f64) -> DesignScore {
         let slacks = self.constraints.iter().zip(design.slacks.iter());
         let missed = slacks.map(|(goal, &slack)| match goal.sense {
             GoalSense::Equal if slack.abs() <= tolerance.max(MET) => 0.0,
@@ -193,10 +193,10 @@ impl DesignEvaluator {
     /// a step that does not improve is halved; the projection ends if this is in vain.
     pub(super) fn onto(
         &mut self,
-        mut design: JudgedDesign,
+        mut design: EvaluatedDesign,
         slopes: &mut Option<DMatrix<f64>>,
         onto: DesignProjection<'_>,
-    ) -> JudgedDesign {
+    ) -> EvaluatedDesign {
         let mut is_new = false;
         for _ in 0..STEPS {
             let rows = self.missed_by(&design, onto.held);
@@ -213,12 +213,12 @@ impl DesignEvaluator {
                 break;
             };
             let halvings = if is_new { HALVINGS } else { 0 };
-            let way = self.way_onto(&design, known, &rows);
-            let better = way.and_then(|way| {
+            let travel = self.way_onto(&design, known, &rows);
+            let better = travel.and_then(|travel| {
                 (0..=halvings).find_map(|k| {
                     let part = 0.5_f64.powi(i32::try_from(k).unwrap_or(0));
-                    let numbers = self.moved(&design.numbers, &(&way * part));
-                    let there = self.judge_part(numbers, onto.part)?;
+                    let numbers = self.moved(&design.numbers, &(&travel * part));
+                    let there = self.evaluate_part(numbers, onto.part)?;
                     (norm(&there, &rows) < missed).then_some(there)
                 })
             });
@@ -230,8 +230,8 @@ impl DesignEvaluator {
                 break;
             }
             is_new = false;
-            if left > SLOW * missed {
-                if left <= ROUNDED {
+            if left > MAX_REMAINING_MISS * missed {
+                if left <= ROUNDING_TOLERANCE {
                     break;
                 }
                 *slopes = None;
@@ -242,12 +242,12 @@ impl DesignEvaluator {
 
     /// Changes approximate derivatives of the slacks by as little as possible so that they explain
     /// the change from one design to another (Broyden, 1965).
-    fn update(&self, slopes: &mut DMatrix<f64>, from: &JudgedDesign, to: &JudgedDesign) {
-        let way = self.way_between(&from.numbers, &to.numbers);
-        let square = way.norm_squared();
+    fn update(&self, slopes: &mut DMatrix<f64>, from: &EvaluatedDesign, to: &EvaluatedDesign) {
+        let travel = self.way_between(&from.numbers, &to.numbers);
+        let square = travel.norm_squared();
         if square > 0.0 {
-            let unexplained = &to.slacks - &from.slacks - &*slopes * &way;
-            *slopes += unexplained * way.transpose() / square;
+            let unexplained = &to.slacks - &from.slacks - &*slopes * &travel;
+            *slopes += unexplained * travel.transpose() / square;
         }
     }
 
@@ -262,7 +262,7 @@ impl DesignEvaluator {
     }
 
     /// Returns the constraints that a design is projected onto.
-    fn missed_by(&self, design: &JudgedDesign, held: Option<&[usize]>) -> Vec<usize> {
+    fn missed_by(&self, design: &EvaluatedDesign, held: Option<&[usize]>) -> Vec<usize> {
         let all = self.constraints.iter().enumerate();
         let is_missed = |i: usize, goal: &Goal| {
             let is_held = |held: &[usize]| design.slacks[i] < 0.0 || held.contains(&i);
@@ -276,7 +276,7 @@ impl DesignEvaluator {
     /// move out of their bounds.
     fn way_onto(
         &self,
-        design: &JudgedDesign,
+        design: &EvaluatedDesign,
         slopes: &DMatrix<f64>,
         rows: &[usize],
     ) -> Option<DVector<f64>> {
@@ -293,36 +293,41 @@ impl DesignEvaluator {
                 return None;
             }
             let parts = matrix.svd(true, true);
-            let least = SINGULAR * parts.singular_values.max();
-            if !(least > 0.0) {
+            let minimum = SINGULAR * parts.singular_values.max();
+            if !(minimum > 0.0) {
                 return None;
             }
-            let way = -parts.solve(&missed, least).ok()?;
+            let travel = -parts.solve(&missed, minimum).ok()?;
             let leads_out = |&i: &usize| {
                 let [low, high] = self.ends[i];
                 free[i]
-                    && ((design.numbers[i] <= low && way[i] < 0.0)
-                        || (design.numbers[i] >= high && way[i] > 0.0))
+                    && ((design.numbers[i] <= low && travel[i] < 0.0)
+                        || (design.numbers[i] >= high && travel[i] > 0.0))
             };
             match (0..count).find(leads_out) {
                 Some(i) => free[i] = false,
-                None => return Some(way),
+                None => return Some(travel),
             }
         }
     }
 
     /// Returns the numbers moved by fractions of their ranges, limited to the bounds.
-    pub(super) fn moved(&self, numbers: &[f64], way: &DVector<f64>) -> Vec<f64> {
-        let moved = numbers.iter().zip(&self.ends).zip(way.iter());
-        let moved = moved.map(|((v, &[low, high]), way)| (v + way * (high - low)).clamp(low, high));
+    pub(super) fn moved(&self, numbers: &[f64], travel: &DVector<f64>) -> Vec<f64> {
+        let moved = numbers.iter().zip(&self.ends).zip(travel.iter());
+        let moved =
+            moved.map(|((v, &[low, high]), travel)| (v + travel * (high - low)).clamp(low, high));
         moved.collect()
     }
 
     /// Returns the solver's own derivatives, if all figures have them.
-    fn exact_ones(&mut self, design: &JudgedDesign, part: JudgedPart) -> Option<DesignSlopes> {
+    fn exact_ones(
+        &mut self,
+        design: &EvaluatedDesign,
+        part: EvaluatedPart,
+    ) -> Option<DesignSlopes> {
         let set = match part {
-            JudgedPart::Equalities => self.equal.1.clone(),
-            JudgedPart::Whole => self.figures.set().clone(),
+            EvaluatedPart::Equalities => self.equal.1.clone(),
+            EvaluatedPart::Whole => self.figures.set().clone(),
         };
         let found = self.figures.exact_slopes(&set, &design.numbers)?;
         let size = |i: usize| self.ends[i][1] - self.ends[i][0];
@@ -333,8 +338,8 @@ impl DesignEvaluator {
         };
         let mut found = found.iter();
         let rows = match part {
-            JudgedPart::Equalities => &self.equal.0,
-            JudgedPart::Whole => {
+            EvaluatedPart::Equalities => &self.equal.0,
+            EvaluatedPart::Whole => {
                 let sense = if self.greatest { -1.0 } else { 1.0 };
                 let value = found.next()?;
                 slopes.value = DVector::from_fn(count, |i, _| sense * value[i] * size(i));
@@ -354,19 +359,19 @@ impl DesignEvaluator {
     /// or else one-sided if possible.
     pub(super) fn slopes(
         &mut self,
-        design: &JudgedDesign,
+        design: &EvaluatedDesign,
         part: f64,
         to_both: bool,
     ) -> Option<DesignSlopes> {
-        self.slopes_of_part(design, part, to_both, JudgedPart::Whole)
+        self.slopes_of_part(design, part, to_both, EvaluatedPart::Whole)
     }
 
     fn slopes_of_part(
         &mut self,
-        design: &JudgedDesign,
+        design: &EvaluatedDesign,
         step: f64,
         to_both: bool,
-        part: JudgedPart,
+        part: EvaluatedPart,
     ) -> Option<DesignSlopes> {
         if let Some(slopes) = self.exact_ones(design, part) {
             return Some(slopes);
@@ -382,15 +387,17 @@ impl DesignEvaluator {
             if size <= 0.0 {
                 continue;
             }
-            let mut beside = |by: f64| {
+            let mut nearby = |by: f64| {
                 let mut numbers = design.numbers.clone();
                 numbers[i] += by * size;
                 let is_within = low <= numbers[i] && numbers[i] <= high;
-                is_within.then(|| self.judge_part(numbers, part)).flatten()
+                is_within
+                    .then(|| self.evaluate_part(numbers, part))
+                    .flatten()
             };
-            let above = beside(step);
+            let above = nearby(step);
             let below = match to_both || above.is_none() {
-                true => beside(-step),
+                true => nearby(-step),
                 false => None,
             };
             let (from, to) = match (&below, &above) {
@@ -420,7 +427,7 @@ pub(super) fn is_finite(matrix: &DMatrix<f64>) -> bool {
 }
 
 /// Returns the norm of some constraints' slacks.
-fn norm(design: &JudgedDesign, rows: &[usize]) -> f64 {
+fn norm(design: &EvaluatedDesign, rows: &[usize]) -> f64 {
     let squares = rows.iter().map(|&i| design.slacks[i].powi(2));
     squares.sum::<f64>().sqrt()
 }

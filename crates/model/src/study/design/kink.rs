@@ -3,8 +3,8 @@
 //! hull of the slopes from all sides. This is Goldstein's condition, with the gradient sampling of
 //! Burke, Lewis and Overton.
 
-use super::hold::{Holds, multipliers};
-use super::judge::{DesignEvaluator, JudgedDesign};
+use super::hold::{ActiveConstraints, multipliers};
+use super::judge::{DesignEvaluator, EvaluatedDesign};
 use nalgebra::{DMatrix, DVector};
 
 /// Step of differences, relative to the distance at which slopes are sampled, so that none crosses
@@ -23,7 +23,7 @@ pub(super) enum KinkSampling {
     Lowest,
     /// This direction improves the design, to first order.
     Down {
-        way: DVector<f64>,
+        travel: DVector<f64>,
         /// The derivatives of the slacks at the design.
         slacks: DMatrix<f64>,
     },
@@ -36,21 +36,21 @@ impl KinkSampling {
     /// to the ranges.
     pub(super) fn at(
         judge: &mut DesignEvaluator,
-        here: &JudgedDesign,
-        beside: f64,
+        here: &EvaluatedDesign,
+        nearby: f64,
     ) -> KinkSampling {
-        let part = DIFFERENCE * beside;
+        let part = DIFFERENCE * nearby;
         let Some(own) = judge.slopes(here, part, true) else {
             return KinkSampling::Open;
         };
-        let holds = Holds::at(judge, here, &own);
+        let holds = ActiveConstraints::at(judge, here, &own);
         let normals = holds.normals();
         let count = here.numbers.len();
-        let (mut free, mut held, mut greatest) = (Vec::new(), Vec::new(), 0.0_f64);
+        let (mut free, mut held, mut maximum) = (Vec::new(), Vec::new(), 0.0_f64);
         for (i, sense) in (0..count).flat_map(|i| [(i, -1.0), (i, 1.0)]) {
-            let mut way = DVector::zeros(count);
-            way[i] = sense * beside;
-            let there = judge.judge(judge.moved(&here.numbers, &way));
+            let mut travel = DVector::zeros(count);
+            travel[i] = sense * nearby;
+            let there = judge.evaluate(judge.moved(&here.numbers, &travel));
             let Some(slopes) = there.and_then(|there| judge.slopes(&there, part, true)) else {
                 return KinkSampling::Open;
             };
@@ -61,12 +61,12 @@ impl KinkSampling {
             };
             free.push(&slopes.value - held_back);
             held.push(by);
-            greatest = greatest.max(slopes.value.norm());
+            maximum = maximum.max(slopes.value.norm());
         }
         let (shortest, parts) = shortest_between(&free);
-        if shortest.norm() > FLAT * greatest.max(here.value.abs()) {
+        if shortest.norm() > FLAT * maximum.max(here.value.abs()) {
             return KinkSampling::Down {
-                way: -shortest,
+                travel: -shortest,
                 slacks: own.slacks,
             };
         }
@@ -96,12 +96,12 @@ fn shortest_between(slopes: &[DVector<f64>]) -> (DVector<f64>, Vec<f64>) {
         let (Some(worst), Some(best)) = (worst, best) else {
             break;
         };
-        let way = &slopes[best] - &slopes[worst];
+        let travel = &slopes[best] - &slopes[worst];
         let gain = along[worst] - along[best];
         if !(gain > f64::EPSILON * here.norm_squared()) {
             break;
         }
-        let step = (gain / way.norm_squared()).min(parts[worst]);
+        let step = (gain / travel.norm_squared()).min(parts[worst]);
         parts[best] += step;
         parts[worst] -= step;
     }

@@ -8,7 +8,7 @@ use crate::{Length, Mechanism};
 /// below 1.
 const PROBE: f64 = 1.0 / 64.0;
 /// Tolerance for the change found, relative to the change made: rounding error.
-const SAME: f64 = 1e-9;
+const EQUALITY_TOLERANCE: f64 = 1e-9;
 
 /// The lengths that follow from the numbers of a design, by themselves or by formulas.
 #[derive(Clone, Debug)]
@@ -78,11 +78,11 @@ impl DesignLengths {
     fn is_complete(&mut self, space: &DesignSpace, all: &[Length]) -> bool {
         let values = space.values().iter();
         let numbers: Vec<f64> = values.map(|value| value.number + probe(value)).collect();
-        let parsed = space.scene().again(&space.text(&numbers));
+        let parsed = space.scene().reparse(&space.text(&numbers));
         let made = self.mechanism(space, &numbers);
         parsed.zip(made).is_some_and(|(parsed, made)| {
             let other = &parsed.mechanism;
-            let finest = SAME * other.reach();
+            let finest = EQUALITY_TOLERANCE * other.reach();
             let [a, b] = [&made, other].map(Mechanism::driver);
             let rates = |driver: &crate::Driver| [driver.start, driver.speed, driver.acceleration];
             let is_same = |by: Vec<f64>| by.iter().all(|by| by.abs() <= finest);
@@ -105,10 +105,10 @@ fn length_of(value: &Value, scene: &Scene, lengths: &[Length]) -> Option<Length>
     }
     let by = probe(value);
     let text = scene.with_value(value, &value.with_number(value.number + by));
-    let other = scene.again(&text)?;
+    let other = scene.reparse(&text)?;
     let changes = scene.mechanism.longer(&other.mechanism, lengths)?;
     let mut changed = lengths.iter().zip(changes).filter(|(_, by)| *by != 0.0);
     let (&length, found) = changed.next()?;
-    let is_all = changed.next().is_none() && (found - by).abs() <= SAME * by;
+    let is_all = changed.next().is_none() && (found - by).abs() <= EQUALITY_TOLERANCE * by;
     is_all.then_some(length)
 }

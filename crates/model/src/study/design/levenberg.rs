@@ -83,9 +83,10 @@ impl GoalSearch {
         while *damping < MAX_DAMPING {
             let damped =
                 &square + DMatrix::identity(square.nrows(), square.ncols()) * (*damping * size);
-            let way = damped.cholesky()?.solve(&pull);
-            let moved = place.numbers.iter().zip(&self.sizes).zip(way.iter());
-            let mut numbers: Vec<f64> = moved.map(|((v, size), way)| v - way * size).collect();
+            let travel = damped.cholesky()?.solve(&pull);
+            let moved = place.numbers.iter().zip(&self.sizes).zip(travel.iter());
+            let mut numbers: Vec<f64> =
+                moved.map(|((v, size), travel)| v - travel * size).collect();
             self.keep_within(&mut numbers);
             match self.misses(&numbers) {
                 Some(misses) if misses.norm() < place.misses.norm() => {

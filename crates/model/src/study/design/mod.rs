@@ -155,7 +155,7 @@ impl DesignSpace {
     /// assemble as the given one does.
     pub fn open(&self, numbers: &[f64]) -> Result<Design, NoDesign> {
         let scene = self.parse(numbers)?;
-        match self.kept(&scene.mechanism) {
+        match self.solver_for(&scene.mechanism) {
             Ok((solver, is_held)) => Ok(Design {
                 scene,
                 solver,
@@ -173,13 +173,14 @@ impl DesignSpace {
 
     /// Returns the solver of a design's mechanism in the assembly of the given scene, and whether
     /// the mechanism alone would open in another one.
-    fn kept(&self, mechanism: &Mechanism) -> Result<(Solver, bool), Fault> {
-        self.solver.kept(self.seen_at(mechanism), mechanism)
+    fn solver_for(&self, mechanism: &Mechanism) -> Result<(Solver, bool), Fault> {
+        self.solver
+            .with_dimensions(self.comparison_coordinate(mechanism), mechanism)
     }
 
     /// Returns the driver coordinate at which the assembly is compared: the design's start if the
     /// given scene reaches it, or else the given scene's start.
-    fn seen_at(&self, mechanism: &Mechanism) -> f64 {
+    fn comparison_coordinate(&self, mechanism: &Mechanism) -> f64 {
         let [there, here] = [mechanism, &self.scene.mechanism].map(|of| of.driver().start);
         let mut state = self.solver.state();
         let gets_there = there == here

@@ -20,7 +20,7 @@ use nalgebra::DMatrix;
 const FOR_EACH: usize = 12;
 const MIN_COUNT: usize = 24;
 /// The spread of a generation, relative to the bounds, below which the search has converged.
-const TOGETHER: f64 = 1e-8;
+const CONVERGED_SPREAD: f64 = 1e-8;
 /// Tolerances of equality constraints, relative to their sizes: that of the first generation, and
 /// the smallest one.
 const LOOSE: f64 = 1e-3;
@@ -76,7 +76,7 @@ pub struct OptimiseState {
 #[derive(Clone, Debug)]
 struct TrialDesign {
     numbers: Vec<f64>,
-    worth: DesignScore,
+    score: DesignScore,
     /// Approximate derivatives of the slacks of the equality constraints.
     slopes: Option<DMatrix<f64>>,
 }
@@ -115,7 +115,7 @@ impl BestDesign {
             !is_stopped
         };
         let mut search = DesignEvolution::new(judge, order);
-        search.begin(axes, &mut |_| go_on(0, NONE))?;
+        search.first_generation(axes, &mut |_| go_on(0, NONE))?;
         let mut made = 0;
         let mut is_together = false;
         let (mut last, mut stays) = (NONE, 0);
@@ -129,19 +129,19 @@ impl BestDesign {
             stays = if now == last { stays + 1 } else { 0 };
             last = now;
             let spread = search.spread();
-            is_together = spread <= TOGETHER;
+            is_together = spread <= CONVERGED_SPREAD;
             if !search.tighten(spread, &mut |_| go_on(made, now)) {
                 break;
             }
         }
         let best = search.best()?.clone();
         let mut judge = search.judge;
-        let design = judge.judge(best.numbers)?;
+        let design = judge.evaluate(best.numbers)?;
         let Polished {
             design,
             is_stationary,
-        } = polished(&mut judge, design, &mut || go_on(made, best.worth));
-        let (missed, value) = design.worth;
+        } = polished(&mut judge, design, &mut || go_on(made, best.score));
+        let (missed, value) = design.score;
         Some(BestDesign {
             numbers: design.numbers,
             value: if order.greatest { -value } else { value },
@@ -158,7 +158,7 @@ struct DesignEvolution {
     judge: DesignEvaluator,
     threads: usize,
     seed: u64,
-    chance: SeededRng,
+    rng: SeededRng,
     /// The tolerance of equality constraints.
     tolerance: f64,
     bounds: Vec<Option<[f64; 2]>>,
@@ -173,7 +173,7 @@ impl DesignEvolution {
         DesignEvolution {
             threads: order.threads,
             seed: order.seed,
-            chance: SeededRng::new(order.seed ^ 0x5bd1_e995),
+            rng: SeededRng::new(order.seed ^ 0x5bd1_e995),
             tolerance: if judge.has_equalities() { LOOSE } else { TIGHT },
             bounds: judge.ends.iter().copied().map(Some).collect(),
             generation: Vec::new(),
@@ -183,17 +183,17 @@ impl DesignEvolution {
 
     /// Evaluates the first generation: a Latin hypercube, and the given design if it is within the
     /// bounds.
-    fn begin(&mut self, axes: &[PlanAxis], watch: PartWatch<'_>) -> Option<()> {
+    fn first_generation(&mut self, axes: &[PlanAxis], watch: PartWatch<'_>) -> Option<()> {
         let given = self.judge.figures.space().given();
         let count = (FOR_EACH * axes.len()).max(MIN_COUNT);
         let plan = DesignPlan::latin(axes, &given, u32::try_from(count).ok()?, self.seed);
-        let begun = (0..plan.count()).map(|k| TrialDesign::new(plan.numbers(k)));
-        let mut begun: Vec<TrialDesign> = begun.collect();
+        let started = (0..plan.count()).map(|k| TrialDesign::new(plan.numbers(k)));
+        let mut started: Vec<TrialDesign> = started.collect();
         let mut ends = given.iter().zip(&self.judge.ends);
         if ends.all(|(v, [low, high])| low <= v && v <= high) {
-            begun[0] = TrialDesign::new(given);
+            started[0] = TrialDesign::new(given);
         }
-        self.generation = self.settled(&begun, watch);
+        self.generation = self.settled(&started, watch);
         Some(())
     }
 
@@ -209,7 +209,7 @@ impl DesignEvolution {
                 &self.generation,
                 best.as_deref(),
                 &self.bounds,
-                &mut self.chance,
+                &mut self.rng,
             );
             trial.slopes.clone_from(&self.generation[base].slopes);
             trials.push(trial);
@@ -220,7 +220,7 @@ impl DesignEvolution {
             return false;
         }
         for (own, trial) in self.generation.iter_mut().zip(found) {
-            if trial.worth <= own.worth {
+            if trial.score <= own.score {
                 *own = trial;
             }
         }
@@ -235,7 +235,7 @@ impl DesignEvolution {
         }
         self.tolerance = (TIGHTER * self.tolerance).max(TIGHT);
         let all = self.generation.iter().map(|own| TrialDesign {
-            worth: NONE,
+            score: NONE,
             ..own.clone()
         });
         let all: Vec<TrialDesign> = all.collect();
@@ -261,14 +261,14 @@ impl DesignEvolution {
     /// Returns the best design, the first of several.
     fn best(&self) -> Option<&TrialDesign> {
         let by_worth = |a: &&TrialDesign, b: &&TrialDesign| {
-            let order = a.worth.partial_cmp(&b.worth);
+            let order = a.score.partial_cmp(&b.score);
             order.unwrap_or(std::cmp::Ordering::Equal)
         };
         self.generation.iter().min_by(by_worth)
     }
 
     fn best_score(&self) -> DesignScore {
-        self.best().map_or(NONE, |best| best.worth)
+        self.best().map_or(NONE, |best| best.score)
     }
 
     /// Returns the largest range of a number in the generation, relative to its bounds and its
@@ -292,7 +292,7 @@ impl TrialDesign {
     fn new(numbers: Vec<f64>) -> TrialDesign {
         TrialDesign {
             numbers,
-            worth: NONE,
+            score: NONE,
             slopes: None,
         }
     }
@@ -302,29 +302,29 @@ impl TrialDesign {
     fn settled(self, judge: &mut DesignEvaluator, tolerance: f64) -> TrialDesign {
         let TrialDesign {
             mut numbers,
-            worth: (most, _),
+            score: (maximum, _),
             mut slopes,
         } = self;
         if judge.has_equalities() {
-            let Some(start) = judge.judge_equalities(numbers.clone()) else {
+            let Some(start) = judge.evaluate_equalities(numbers.clone()) else {
                 return TrialDesign::new(numbers);
             };
             let onto = DesignProjection::onto_equalities(tolerance);
             let near = judge.onto(start, &mut slopes, onto);
             numbers = near.numbers.clone();
             let missed = judge.score(&near, tolerance).0;
-            if missed > most {
+            if missed > maximum {
                 return TrialDesign {
                     numbers,
-                    worth: (missed, f64::INFINITY),
+                    score: (missed, f64::INFINITY),
                     slopes,
                 };
             }
         }
-        match judge.judge(numbers.clone()) {
+        match judge.evaluate(numbers.clone()) {
             Some(design) => TrialDesign {
                 numbers,
-                worth: judge.score(&design, tolerance),
+                score: judge.score(&design, tolerance),
                 slopes,
             },
             None => TrialDesign::new(numbers),

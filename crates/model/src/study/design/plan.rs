@@ -103,7 +103,7 @@ pub struct DesignPlan {
 }
 
 /// Default number of places.
-const USUAL_PLACES: u32 = 11;
+const DEFAULT_PLACES: u32 = 11;
 
 impl DesignPlan {
     /// Creates a plan of all combinations, with the last axis varying fastest. An axis without ends
@@ -127,13 +127,13 @@ impl DesignPlan {
     /// contains one design.
     #[must_use]
     pub fn latin(axes: &[PlanAxis], given: &[f64], count: u32, seed: u64) -> DesignPlan {
-        let mut chance = SeededRng::new(seed);
+        let mut rng = SeededRng::new(seed);
         let axes: Vec<PlanPlaces> = axes
             .iter()
             .zip(given)
             .map(|(axis, &given)| places(axis, given))
             .collect();
-        let parts = axes.iter().map(|_| shuffled(count, &mut chance)).collect();
+        let parts = axes.iter().map(|_| shuffled(count, &mut rng)).collect();
         DesignPlan {
             axes,
             parts: Some(parts),
@@ -190,7 +190,11 @@ impl DesignPlan {
 
 fn places(axis: &PlanAxis, given: f64) -> PlanPlaces {
     let ends = axis.ends.unwrap_or([given, given]);
-    let usual = if ends[0] == ends[1] { 1 } else { USUAL_PLACES };
+    let usual = if ends[0] == ends[1] {
+        1
+    } else {
+        DEFAULT_PLACES
+    };
     PlanPlaces {
         ends,
         count: axis.count.unwrap_or(usual),
@@ -198,10 +202,10 @@ fn places(axis: &PlanAxis, given: f64) -> PlanPlaces {
 }
 
 /// Returns the numbers below a count in random order (Fisher and Yates).
-fn shuffled(count: u32, chance: &mut SeededRng) -> Vec<u32> {
+fn shuffled(count: u32, rng: &mut SeededRng) -> Vec<u32> {
     let mut all: Vec<u32> = (0..count).collect();
     for last in (1..count).rev() {
-        let other = chance.between(0, last);
+        let other = rng.between(0, last);
         all.swap(last as usize, other as usize);
     }
     all

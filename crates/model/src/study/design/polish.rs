@@ -5,7 +5,7 @@
 
 use super::hold::ActiveSet;
 use super::judge::{
-    DIFFERENCE, DesignEvaluator, DesignProjection, DesignSlopes, JudgedDesign, is_finite,
+    DIFFERENCE, DesignEvaluator, DesignProjection, DesignSlopes, EvaluatedDesign, is_finite,
 };
 use super::kink::KinkSampling;
 use nalgebra::{DMatrix, DVector};
@@ -15,17 +15,17 @@ const STEPS: usize = 100;
 const KINKS: usize = 30;
 const HALVINGS: i32 = 30;
 /// Distances from a kink at which slopes are sampled, relative to the ranges.
-const BESIDE: [f64; 4] = [1e-3, 1e-4, 1e-5, 1e-6];
+const KINK_DISTANCES: [f64; 4] = [1e-3, 1e-4, 1e-5, 1e-6];
 /// Maximum length of a step, relative to the ranges.
 const MAX_LEN: f64 = 0.25;
 /// Minimum fraction of the curvature that an update keeps, so that the matrix stays positive
 /// definite (Powell, 1978).
-const KEPT: f64 = 0.2;
+const MIN_CURVATURE_FRACTION: f64 = 0.2;
 
 /// A design at the end of the steps.
 #[derive(Clone, Debug)]
 pub(super) struct Polished {
-    pub(super) design: JudgedDesign,
+    pub(super) design: EvaluatedDesign,
     /// `true` if no small step along the constraints improves the design, to first order.
     pub(super) is_stationary: bool,
 }
@@ -34,7 +34,7 @@ pub(super) struct Polished {
 /// returns `false`.
 pub(super) fn polished(
     judge: &mut DesignEvaluator,
-    design: JudgedDesign,
+    design: EvaluatedDesign,
     watch: &mut dyn FnMut() -> bool,
 ) -> Polished {
     let mut here = judge.onto(design, &mut None, DesignProjection::onto_all(&[]));
@@ -55,7 +55,7 @@ pub(super) fn polished(
             };
         }
         let hold = ActiveSet::of(judge, &here, &slopes);
-        is_stationary = here.worth.0 == 0.0 && hold.is_stationary(&here, &slopes);
+        is_stationary = here.score.0 == 0.0 && hold.is_stationary(&here, &slopes);
         if is_stationary {
             break;
         }
@@ -81,7 +81,7 @@ pub(super) fn polished(
         is_fresh = false;
         (here, slopes) = (better, after);
     }
-    if !is_stationary && here.worth.0 == 0.0 {
+    if !is_stationary && here.score.0 == 0.0 {
         return at_kink(judge, here, watch);
     }
     Polished {
@@ -93,22 +93,22 @@ pub(super) fn polished(
 /// Improves a design at a kink by slopes sampled around it, at decreasing distances.
 fn at_kink(
     judge: &mut DesignEvaluator,
-    mut here: JudgedDesign,
+    mut here: EvaluatedDesign,
     watch: &mut dyn FnMut() -> bool,
 ) -> Polished {
     let mut is_stationary = false;
-    for beside in BESIDE {
+    for nearby in KINK_DISTANCES {
         for _ in 0..KINKS {
-            let look = KinkSampling::at(judge, &here, beside);
+            let look = KinkSampling::at(judge, &here, nearby);
             is_stationary = matches!(look, KinkSampling::Lowest);
             if !watch() {
                 break;
             }
-            let KinkSampling::Down { way, slacks } = look else {
+            let KinkSampling::Down { travel, slacks } = look else {
                 break;
             };
-            let length = MAX_LEN / way.amax().max(f64::MIN_POSITIVE);
-            match bettered(judge, &here, &slacks, &(way * length), &[]) {
+            let length = MAX_LEN / travel.amax().max(f64::MIN_POSITIVE);
+            match bettered(judge, &here, &slacks, &(travel * length), &[]) {
                 Some(better) => here = better,
                 None => break,
             }
@@ -123,14 +123,14 @@ fn at_kink(
 /// Returns a step that improves the design, and the slopes after it.
 fn step(
     judge: &mut DesignEvaluator,
-    here: &JudgedDesign,
+    here: &EvaluatedDesign,
     slopes: &DesignSlopes,
     hold: &ActiveSet,
     curvature: &DMatrix<f64>,
-) -> Option<(JudgedDesign, DesignSlopes)> {
-    let way = way(hold, &slopes.value, curvature)?;
-    let length = (MAX_LEN / way.amax().max(f64::MIN_POSITIVE)).min(1.0);
-    let there = bettered(judge, here, &slopes.slacks, &(way * length), &hold.rows)?;
+) -> Option<(EvaluatedDesign, DesignSlopes)> {
+    let travel = way(hold, &slopes.value, curvature)?;
+    let length = (MAX_LEN / travel.amax().max(f64::MIN_POSITIVE)).min(1.0);
+    let there = bettered(judge, here, &slopes.slacks, &(travel * length), &hold.rows)?;
     let slopes = judge.slopes(&there, DIFFERENCE, true)?;
     Some((there, slopes))
 }
@@ -139,17 +139,17 @@ fn step(
 /// the active constraints. `slacks` are the derivatives of their slacks.
 fn bettered(
     judge: &mut DesignEvaluator,
-    here: &JudgedDesign,
+    here: &EvaluatedDesign,
     slacks: &DMatrix<f64>,
-    way: &DVector<f64>,
+    travel: &DVector<f64>,
     held: &[usize],
-) -> Option<JudgedDesign> {
+) -> Option<EvaluatedDesign> {
     let mut length = 1.0;
     for _ in 0..HALVINGS {
-        if let Some(there) = judge.judge(judge.moved(&here.numbers, &(way * length))) {
+        if let Some(there) = judge.evaluate(judge.moved(&here.numbers, &(travel * length))) {
             let mut slacks = Some(slacks.clone());
             let there = judge.onto(there, &mut slacks, DesignProjection::onto_all(held));
-            if there.worth < here.worth {
+            if there.score < here.score {
                 return Some(there);
             }
         }
@@ -175,10 +175,10 @@ fn way(hold: &ActiveSet, slope: &DVector<f64>, curvature: &DMatrix<f64>) -> Opti
         return None;
     }
     let parts = matrix.svd(true, true);
-    let least = f64::EPSILON * parts.singular_values.max();
-    let found = parts.solve(&right, least).ok()?;
-    let way = found.rows(0, count).into_owned();
-    way.iter().all(|v| v.is_finite()).then_some(way)
+    let minimum = f64::EPSILON * parts.singular_values.max();
+    let found = parts.solve(&right, minimum).ok()?;
+    let travel = found.rows(0, count).into_owned();
+    travel.iter().all(|v| v.is_finite()).then_some(travel)
 }
 
 /// Updates the matrix with the curvature along a step.
@@ -186,8 +186,8 @@ fn update(
     judge: &DesignEvaluator,
     curvature: &mut DMatrix<f64>,
     hold: &ActiveSet,
-    (before, slopes_before): (&JudgedDesign, &DesignSlopes),
-    (after, slopes_after): (&JudgedDesign, &DesignSlopes),
+    (before, slopes_before): (&EvaluatedDesign, &DesignSlopes),
+    (after, slopes_after): (&EvaluatedDesign, &DesignSlopes),
 ) {
     let gone = judge.way_between(&before.numbers, &after.numbers);
     let bent = hold.lagrangian(slopes_after) - hold.lagrangian(slopes_before);
@@ -197,8 +197,8 @@ fn update(
         return;
     }
     let seen = gone.dot(&bent);
-    let part = match seen < KEPT * own {
-        true => (1.0 - KEPT) * own / (own - seen),
+    let part = match seen < MIN_CURVATURE_FRACTION * own {
+        true => (1.0 - MIN_CURVATURE_FRACTION) * own / (own - seen),
         false => 1.0,
     };
     let bent = bent * part + &image * (1.0 - part);

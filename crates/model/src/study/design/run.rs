@@ -9,7 +9,7 @@ use std::thread;
 /// Designs per chunk, which take about a millisecond.
 const CHUNK: u64 = 32;
 /// Maximum number of chunks by which a thread may be ahead of the consumer.
-const AHEAD: usize = 64;
+const MAX_CHUNKS_AHEAD: usize = 64;
 
 /// The validity of a design.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,8 +86,8 @@ impl DesignRow {
 
     /// Returns the figure with this index, if it exists.
     #[must_use]
-    pub fn figure(&self, figure: usize) -> Option<f64> {
-        self.figures.get(figure)?.ok()
+    pub fn figure(&self, index: usize) -> Option<f64> {
+        self.figures.get(index)?.ok()
     }
 }
 
@@ -107,11 +107,11 @@ impl DesignRun<'_> {
             // The chunks are distributed round-robin, so that they are complete in order.
             let lines: Vec<_> = (0..threads)
                 .map(|first| {
-                    let (to, from) = sync_channel(AHEAD);
+                    let (to, from) = sync_channel(MAX_CHUNKS_AHEAD);
                     let own = (first..chunks).step_by(usize::try_from(threads).unwrap_or(1));
                     let work = move || self.work(own, &to);
-                    let begun = thread::Builder::new().spawn_scoped(scope, work);
-                    begun.is_ok().then_some(from)
+                    let started = thread::Builder::new().spawn_scoped(scope, work);
+                    started.is_ok().then_some(from)
                 })
                 .collect();
             let mut figures = None;

@@ -5,7 +5,7 @@ use crate::parallel;
 use crate::study::NoFigure;
 
 /// The distance below which two solutions count as one, with each number relative to its size.
-const SAME: f64 = 1e-6;
+const EQUALITY_TOLERANCE: f64 = 1e-6;
 /// Half the range of starts for a value without bounds, relative to its size.
 const AROUND: f64 = 0.5;
 
@@ -26,7 +26,7 @@ pub struct FoundDesign {
     pub design: Design,
     /// `true` if the motion is of the same kind as the given design's; a goal may be met by a crank
     /// that no longer turns fully.
-    pub moves_as_given: bool,
+    pub is_same_motion_kind: bool,
 }
 
 /// The result of a search.
@@ -38,7 +38,7 @@ pub struct SearchOutcome {
     /// The design with minimum misses if no design meets every goal.
     pub nearest: Option<FoundDesign>,
     /// The reason why the given design cannot be opened, if it cannot.
-    pub unopened: Option<NoDesign>,
+    pub open_error: Option<NoDesign>,
     /// The number of starts.
     pub starts: u32,
 }
@@ -75,7 +75,9 @@ impl GoalSearch {
     #[must_use]
     pub fn new(figures: DesignFigures, goals: Vec<Goal>, axes: &[PlanAxis]) -> GoalSearch {
         let given = figures.space().given();
-        let largest = given.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+        let largest = given
+            .iter()
+            .fold(0.0_f64, |maximum, v| maximum.max(v.abs()));
         let size = |(v, axis): (&f64, &PlanAxis)| match axis.ends {
             Some([low, high]) if high != low => (high - low).abs(),
             _ if *v != 0.0 => v.abs(),
@@ -123,24 +125,26 @@ impl GoalSearch {
         let count = starts as usize + 1;
         let ends = parallel::each(count, threads, || self.clone(), from, watch);
         let mut outcome = SearchOutcome {
-            unopened: self.figures.clone().of(&given).err(),
+            open_error: self.figures.clone().of(&given).err(),
             starts: u32::try_from(ends.len()).unwrap_or(u32::MAX),
             ..SearchOutcome::default()
         };
-        let mut least = f64::INFINITY;
+        let mut minimum = f64::INFINITY;
         for end in ends.into_iter().flatten() {
             if end.is_met {
                 let known = &mut outcome.solutions.iter();
-                if !known.any(|other| self.apart(&other.numbers, &end.found.numbers) < SAME) {
+                if !known.any(|other| {
+                    self.design_distance(&other.numbers, &end.found.numbers) < EQUALITY_TOLERANCE
+                }) {
                     outcome.solutions.push(end.found);
                 }
-            } else if end.missed < least {
-                least = end.missed;
+            } else if end.missed < minimum {
+                minimum = end.missed;
                 outcome.nearest = Some(end.found);
             }
         }
         outcome.solutions.sort_by(|a, b| {
-            let alike = b.moves_as_given.cmp(&a.moves_as_given);
+            let alike = b.is_same_motion_kind.cmp(&a.is_same_motion_kind);
             alike.then(a.distance.total_cmp(&b.distance))
         });
         if !outcome.solutions.is_empty() {
@@ -162,7 +166,7 @@ impl GoalSearch {
 
     /// Returns the distance of two designs: the root of the sum of squares, each number relative to
     /// its size.
-    fn apart(&self, one: &[f64], other: &[f64]) -> f64 {
+    fn design_distance(&self, one: &[f64], other: &[f64]) -> f64 {
         let pairs = one.iter().zip(other).zip(&self.sizes);
         let squares = pairs.map(|((a, b), size)| ((a - b) / size).powi(2));
         squares.sum::<f64>().sqrt()
@@ -179,8 +183,8 @@ impl GoalSearch {
         let mut pairs = self.goals.iter().zip(&figures);
         let is_met = pairs.all(|(goal, value)| value.is_ok_and(|value| goal.is_met(value)));
         let found = FoundDesign {
-            distance: self.apart(&place.numbers, given),
-            moves_as_given: design.moves_like(self.figures.space().solver()),
+            distance: self.design_distance(&place.numbers, given),
+            is_same_motion_kind: design.moves_like(self.figures.space().solver()),
             numbers: place.numbers,
             figures,
             freedoms,

@@ -68,13 +68,13 @@ fn goals_are_converted_to_unit_of_their_value() {
     ] {
         assert_eq!(number(text).unwrap(), expected, "{text}");
     }
-    for (text, told) in [
+    for (text, shown_text) in [
         ("r4.length.stroke = 5 kg", "has the unit cm, not kg"),
         ("r4.length.ratio = 5 mm", "has no unit, not mm"),
         ("r4.length.stroke = long", "is not a goal"),
     ] {
         let why = number(text).unwrap_err().to_string();
-        assert!(why.contains(told), "{why}");
+        assert!(why.contains(shown_text), "{why}");
     }
 }
 
@@ -138,7 +138,7 @@ C = [250, 200]
 "#;
 
 /// The relative and absolute difference that rounding errors cause between two computations.
-const ROUNDED: f64 = 1e-9;
+const ROUNDING_TOLERANCE: f64 = 1e-9;
 
 /// Returns how many of 40 designs around the given one are evaluated in place; checks that all have
 /// the figures of the opened scene.
@@ -164,7 +164,7 @@ fn held_in_place(space: &DesignSpace, names: &[&str], part: f64) -> u32 {
             let (one, other) = (one.unwrap(), other.unwrap());
             let name = &space.scene().name;
             assert!(
-                (one - other).abs() <= ROUNDED * other.abs().max(1.0),
+                (one - other).abs() <= ROUNDING_TOLERANCE * other.abs().max(1.0),
                 "{name} {numbers:?}: {one} {other}"
             );
         }
@@ -253,7 +253,7 @@ fn computed_lengths_in_place_match_opened_scenes() {
                 let (one, other) = (one.unwrap(), other.unwrap());
                 let off = (one - other).abs();
                 assert!(
-                    off <= ROUNDED * other.abs().max(1.0),
+                    off <= ROUNDING_TOLERANCE * other.abs().max(1.0),
                     "{numbers:?}: {one} {other}"
                 );
             }
@@ -349,7 +349,7 @@ fn rows_arrive_in_plan_order_until_stopped() {
         threads: 3,
     };
     let mut next = 7;
-    let whole = run.each(&mut |rows| {
+    let complete = run.each(&mut |rows| {
         for row in rows {
             assert_eq!(row.numbers, plan.numbers(next));
             let stroke = row.figure(0).unwrap();
@@ -358,7 +358,7 @@ fn rows_arrive_in_plan_order_until_stopped() {
         }
         Ok::<(), ()>(())
     });
-    assert_eq!((whole, next), (Ok(()), 501));
+    assert_eq!((complete, next), (Ok(()), 501));
     let mut taken = 0;
     let enough = run.each(&mut |rows| {
         taken += rows.len();
@@ -395,16 +395,16 @@ fn directions_of_study_do_not_jump_at_full_turn() {
         Ok::<(), ()>(())
     });
     assert_eq!(rows.len(), 21);
-    for (figure, name) in names.iter().enumerate() {
-        let values: Vec<f64> = rows.iter().map(|row| row.figure(figure).unwrap()).collect();
+    for (index, name) in names.iter().enumerate() {
+        let values: Vec<f64> = rows.iter().map(|row| row.figure(index).unwrap()).collect();
         let steps = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
         assert!(steps.fold(0.0, f64::max) < 1.0, "{name}: {values:?}");
     }
-    let told: Vec<f64> = rows.iter().map(|row| row.figure(0).unwrap()).collect();
+    let shown_text: Vec<f64> = rows.iter().map(|row| row.figure(0).unwrap()).collect();
     let sides = [0.0, 360.0].map(|turn| {
-        told.iter().any(|value| *value < turn) && told.iter().any(|value| *value > turn)
+        shown_text.iter().any(|value| *value < turn) && shown_text.iter().any(|value| *value > turn)
     });
-    assert!(sides.contains(&true), "{told:?}");
+    assert!(sides.contains(&true), "{shown_text:?}");
 }
 
 /// Only equality goals take the shorter way around. A direction with a bound is compared as shown.

@@ -8,7 +8,7 @@ use crate::solver::{Order, Solver};
 
 /// Returns the crank-rocker with a fixed direction v. The rocker swings past the opposite
 /// direction.
-fn beside_a_line(definitions: &str) -> (Scene, Solver) {
+fn fixed_direction_scene(definitions: &str) -> (Scene, Solver) {
     let text = presets::find("four-bar").unwrap().text;
     let text = text.replace(
         "D = [400, 0]",
@@ -21,7 +21,7 @@ fn beside_a_line(definitions: &str) -> (Scene, Solver) {
 /// Relative to a fixed line, the rocker swings as it does relative to the x axis.
 #[test]
 fn direction_difference_has_no_jump_at_half_turn() {
-    let scene = beside_a_line(
+    let scene = fixed_direction_scene(
         "rel = \"r4.angle - v.angle\"\nback = \"v.angle - r4.angle\"\ntwice = \"2 * r4.angle\"\n\
          more = \"r4.angle + r4.angle - v.angle\"\nhalf = \"r4.angle / 2\"\nfold = \"abs(r4.angle - v.angle)\"\n",
     );
@@ -35,22 +35,22 @@ fn direction_difference_has_no_jump_at_half_turn() {
     let found = figures(&scene, &["twice.swing", "more.swing", "half.swing"]);
     close(&found, &[2.0 * swing, 2.0 * swing, 0.5 * swing], 1e-12);
     // At its maximum it has the value of a state, and the values in between jump once.
-    let [least, greatest, at] = ["rel.least", "rel.greatest", "rel.greatest.at"]
+    let [minimum, maximum, at] = ["rel.least", "rel.greatest", "rel.greatest.at"]
         .map(|name| figures(&scene, &[name])[0].unwrap());
     let column = Catalogue::new(&scene.0).find("rel").unwrap();
     let mut state = scene.1.state();
     let _ = scene.1.solve(at, Order::Position, &mut state);
-    close(&[Ok(greatest)], &[column.value(&state).unwrap()], 1e-12);
-    assert!(least < -180.0 && greatest > -180.0, "{least} {greatest}");
+    close(&[Ok(maximum)], &[column.value(&state).unwrap()], 1e-12);
+    assert!(minimum < -180.0 && maximum > -180.0, "{minimum} {maximum}");
     // The absolute value, folded at half a turn, does not jump.
     let folded = figures(&scene, &["fold.greatest", "fold.least"]);
-    let least = (least + 360.0).min(-greatest);
-    close(&folded, &[180.0, least], 1e-9);
+    let minimum = (minimum + 360.0).min(-maximum);
+    close(&folded, &[180.0, minimum], 1e-9);
 }
 
 #[test]
 fn difference_to_rotating_link_turns_round() {
-    let scene = beside_a_line(
+    let scene = fixed_direction_scene(
         "off = \"r2.angle - r4.angle\"\nsum = \"r2.angle + r4.angle\"\non = \"driver.angle - r4.angle\"\n\
          lift = \"B.y * sin(r2.angle - r4.angle)\"\n",
     );
@@ -62,7 +62,7 @@ fn difference_to_rotating_link_turns_round() {
 /// Half of a jump by a full turn cannot be ignored.
 #[test]
 fn value_jumping_by_part_of_a_turn_has_no_stroke() {
-    let scene = beside_a_line(
+    let scene = fixed_direction_scene(
         "half = \"(r4.angle - v.angle) / 2\"\nturn = \"r2.angle / 2\"\ncount = \"driver.angle / 2\"\n\
          arc = \"driver.angle * C.x\"\n",
     );
@@ -88,7 +88,7 @@ fn value_jumping_by_part_of_a_turn_has_no_stroke() {
 /// one.
 #[test]
 fn pole_is_not_a_maximum() {
-    let scene = beside_a_line(
+    let scene = fixed_direction_scene(
         "gain = \"r2.omega / r4.omega\"\nodd = \"1 / (C.x - 300 mm)\"\neven = \"1 / (C.x - 300 mm)^2\"\n\
          size = \"abs(1 / (C.x - 300 mm))\"\nroot = \"1 / sqrt(abs(C.x / (300 mm) - 1))\"\n\
          slope = \"tan(r2.angle)\"\nnear = \"1 / ((C.x - 300 mm)^2 + 0.0001 mm^2)\"\n\
@@ -178,7 +178,7 @@ fn both_sides_of_a_jump_are_checked() {
 /// max(x, a) stays at a while x is below it: the time of its minimum is not unique.
 #[test]
 fn value_resting_at_extremum_has_no_time_ratio() {
-    let scene = beside_a_line("level = \"max(B.y, 50 mm)\"\nlow = \"min(B.y, 150 mm)\"\n");
+    let scene = fixed_direction_scene("level = \"max(B.y, 50 mm)\"\nlow = \"min(B.y, 150 mm)\"\n");
     assert_eq!(figures(&scene, &["level.ratio"]), [Err(NoFigure::Rests)]);
     assert!(figures(&scene, &["low.ratio"])[0].is_ok());
     let found = excursion(&scene, "level", None);
@@ -202,7 +202,8 @@ fn value_resting_at_extremum_has_no_time_ratio() {
 /// A ripple within the tolerance of a dwell does not split it.
 #[test]
 fn dwell_with_ripple_is_listed_once() {
-    let scene = beside_a_line("ripple = \"max(B.y, 50 mm) + 0.1 mm * cos(5 * r2.angle)\"\n");
+    let scene =
+        fixed_direction_scene("ripple = \"max(B.y, 50 mm) + 0.1 mm * cos(5 * r2.angle)\"\n");
     let (_, dwells) = excursion(&scene, "ripple", Some(0.5)).dwells.unwrap();
     let low = dwells.iter().filter(|dwell| dwell.about.place.value < 60.0);
     assert_eq!(low.count(), 1, "{dwells:?}");

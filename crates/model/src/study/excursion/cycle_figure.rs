@@ -14,10 +14,10 @@ use thiserror::Error;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum FigureProperty {
     Stroke,
-    Least,
-    Greatest,
-    LeastAt,
-    GreatestAt,
+    Minimum,
+    Maximum,
+    MinimumAt,
+    MaximumAt,
     Turns,
     Ratio,
     Dwell,
@@ -57,7 +57,7 @@ pub struct CycleFigure {
 
 /// The error for a name that is not a cycle figure.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
-#[error("{}", words().no_cycle_figure(name, &self.mend()))]
+#[error("{}", words().no_cycle_figure(name, &self.fix()))]
 pub struct UnknownCycleFigure {
     /// The unknown name.
     pub name: String,
@@ -68,14 +68,14 @@ pub struct UnknownCycleFigure {
 }
 
 const PROPERTIES: [(&str, FigureProperty); 13] = [
-    ("least.at", FigureProperty::LeastAt),
-    ("greatest.at", FigureProperty::GreatestAt),
+    ("least.at", FigureProperty::MinimumAt),
+    ("greatest.at", FigureProperty::MaximumAt),
     ("fastest.at", FigureProperty::FastestAt),
     ("hardest.at", FigureProperty::HardestAt),
     ("stroke", FigureProperty::Stroke),
     ("swing", FigureProperty::Stroke),
-    ("least", FigureProperty::Least),
-    ("greatest", FigureProperty::Greatest),
+    ("least", FigureProperty::Minimum),
+    ("greatest", FigureProperty::Maximum),
     ("turns", FigureProperty::Turns),
     ("ratio", FigureProperty::Ratio),
     ("dwell", FigureProperty::Dwell),
@@ -85,7 +85,7 @@ const PROPERTIES: [(&str, FigureProperty); 13] = [
 
 impl CycleFigure {
     /// The names of values that do not belong to a column.
-    pub const WHOLE: [&str; 5] = [
+    pub const MOTION_FIGURES: [&str; 5] = [
         "range",
         "range.low",
         "range.high",
@@ -105,7 +105,7 @@ impl CycleFigure {
     /// Returns an error if the name is unknown; the error holds the most similar one.
     pub fn parse(text: &str, catalogue: &Catalogue) -> Result<CycleFigure, UnknownCycleFigure> {
         let name = text.trim();
-        let (source, unit) = of_whole(name, catalogue)
+        let (source, unit) = motion_figure(name, catalogue)
             .or_else(|| at_place(name, catalogue))
             .or_else(|| of_column(name, catalogue))
             .ok_or_else(|| UnknownCycleFigure::of(name, catalogue))?;
@@ -144,17 +144,17 @@ impl CycleFigure {
     /// Returns `true` for a direction, a sum of directions, or a place in a turn: these are equal
     /// modulo full turns.
     pub(crate) fn is_round(&self) -> bool {
-        self.comes_round() || self.is_place() && self.unit == "deg"
+        self.is_periodic_value() || self.is_place() && self.unit == "deg"
     }
 
     /// Returns `true` for a direction or a sum of directions.
-    pub(super) fn comes_round(&self) -> bool {
+    pub(super) fn is_periodic_value(&self) -> bool {
         let CycleFigureSource::Of(of, property) = &self.source else {
             return false;
         };
         let is_value = matches!(
             property,
-            FigureProperty::At(_) | FigureProperty::Least | FigureProperty::Greatest
+            FigureProperty::At(_) | FigureProperty::Minimum | FigureProperty::Maximum
         );
         is_value && of.cut() == DirectionCut::ByTurns
     }
@@ -166,8 +166,8 @@ impl CycleFigure {
         };
         matches!(
             property,
-            FigureProperty::LeastAt
-                | FigureProperty::GreatestAt
+            FigureProperty::MinimumAt
+                | FigureProperty::MaximumAt
                 | FigureProperty::FastestAt
                 | FigureProperty::HardestAt
         )
@@ -184,11 +184,11 @@ impl FigureProperty {
     fn unit(self, of: &Quantity, driver: &str) -> String {
         match self {
             FigureProperty::Stroke
-            | FigureProperty::Least
-            | FigureProperty::Greatest
+            | FigureProperty::Minimum
+            | FigureProperty::Maximum
             | FigureProperty::At(_) => of.unit.clone(),
-            FigureProperty::LeastAt
-            | FigureProperty::GreatestAt
+            FigureProperty::MinimumAt
+            | FigureProperty::MaximumAt
             | FigureProperty::FastestAt
             | FigureProperty::HardestAt
             | FigureProperty::Dwell => driver.to_owned(),
@@ -200,14 +200,14 @@ impl FigureProperty {
 }
 
 /// Parses a figure of the mechanism as a whole.
-fn of_whole(name: &str, catalogue: &Catalogue) -> Option<(CycleFigureSource, String)> {
+fn motion_figure(name: &str, catalogue: &Catalogue) -> Option<(CycleFigureSource, String)> {
     let driver = catalogue.driver().unit.clone();
     let group = |name: &str| {
         let found = ["x", "angle"].map(|aspect| catalogue.find(&format!("{name}.{aspect}")));
         found
             .into_iter()
             .flatten()
-            .find_map(|figure| figure.subject())
+            .find_map(|quantity| quantity.subject())
     };
     Some(match name {
         "range" => (CycleFigureSource::Range(RangeEnd::Width), driver),
@@ -258,16 +258,16 @@ impl UnknownCycleFigure {
     fn of(name: &str, catalogue: &Catalogue) -> UnknownCycleFigure {
         let unlisted = catalogue.unlisted();
         let columns = || catalogue.all().iter().chain(&unlisted);
-        let (before, behind) = name.rsplit_once('.').unwrap_or((name, ""));
+        let (before, after) = name.rsplit_once('.').unwrap_or((name, ""));
         let knows = |column: &str| catalogue.find(column).is_some();
         let near = match parted(name) {
             // The property is known, and the column is not.
             Some((column, _)) => nearest(column, columns().map(|q| q.name.as_str()))
                 .map(|near| name.replacen(column, near, 1)),
             None if knows(before) => {
-                nearest(behind, CycleFigure::properties()).map(|word| format!("{before}.{word}"))
+                nearest(after, CycleFigure::properties()).map(|word| format!("{before}.{word}"))
             }
-            None => nearest(name, CycleFigure::WHOLE).map(str::to_owned),
+            None => nearest(name, CycleFigure::MOTION_FIGURES).map(str::to_owned),
         };
         UnknownCycleFigure {
             name: name.to_owned(),
@@ -276,7 +276,7 @@ impl UnknownCycleFigure {
         }
     }
 
-    fn mend(&self) -> String {
+    fn fix(&self) -> String {
         match &self.nearest {
             Some(near) => words().or_meant(&words().did_you_mean(near)),
             None if self.properties => {

@@ -16,7 +16,7 @@ pub struct CycleFigures {
     figures: Vec<CycleFigure>,
     /// The columns to follow, each once.
     columns: Vec<Quantity>,
-    wish: ExcursionOptions,
+    options: ExcursionOptions,
     transmission: bool,
     condition: bool,
 }
@@ -37,7 +37,7 @@ impl CycleFigures {
     pub fn new(figures: Vec<CycleFigure>, tolerance: Option<f64>) -> CycleFigures {
         let mut all = CycleFigures {
             columns: Vec::new(),
-            wish: ExcursionOptions {
+            options: ExcursionOptions {
                 tolerance,
                 ..ExcursionOptions::default()
             },
@@ -46,27 +46,27 @@ impl CycleFigures {
             figures: Vec::new(),
         };
         for figure in &figures {
-            all.ask(figure);
+            all.add_figure(figure);
         }
         all.figures = figures;
         all
     }
 
-    fn ask(&mut self, figure: &CycleFigure) {
+    fn add_figure(&mut self, figure: &CycleFigure) {
         match &figure.source {
             CycleFigureSource::Of(_, FigureProperty::At(_)) | CycleFigureSource::Range(_) => {}
             CycleFigureSource::Of(column, property) => {
                 if !self.columns.contains(column) {
                     self.columns.push(column.clone());
                 }
-                self.wish.rates |= matches!(
+                self.options.rates |= matches!(
                     property,
                     FigureProperty::Fastest
                         | FigureProperty::FastestAt
                         | FigureProperty::Hardest
                         | FigureProperty::HardestAt
                 );
-                self.wish.dwells |= matches!(property, FigureProperty::Dwell);
+                self.options.dwells |= matches!(property, FigureProperty::Dwell);
             }
             CycleFigureSource::Transmission(_) => self.transmission = true,
             CycleFigureSource::Condition(_) => self.condition = true,
@@ -74,8 +74,8 @@ impl CycleFigures {
     }
 
     /// Returns a set of other figures with the tolerance of this one.
-    pub(crate) fn again(&self, figures: Vec<CycleFigure>) -> CycleFigures {
-        CycleFigures::new(figures, self.wish.tolerance)
+    pub(crate) fn with_figures(&self, figures: Vec<CycleFigure>) -> CycleFigures {
+        CycleFigures::new(figures, self.options.tolerance)
     }
 
     /// Returns the figures, in their order.
@@ -95,28 +95,28 @@ impl CycleFigures {
         // Most sets without places have none for their first figure.
         let excursions = OnceCell::new();
         let excursions = || {
-            let wish = ExcursionOptions::default();
-            excursions.get_or_init(|| Excursion::of_all(solver, &self.columns, wish))
+            let options = ExcursionOptions::default();
+            excursions.get_or_init(|| Excursion::of_all(solver, &self.columns, options))
         };
         let places = |figure: &CycleFigure| {
             let CycleFigureSource::Of(column, property) = &figure.source else {
                 return None;
             };
             let excursion = || {
-                let place = self.columns.iter().position(|other| other == column)?;
-                let found = excursions().get(place)?.as_ref().ok()?;
+                let index = self.columns.iter().position(|other| other == column)?;
+                let found = excursions().get(index)?.as_ref().ok()?;
                 (found.revolutions == 0.0 && !found.is_level()).then_some(found)
             };
             let places = match property {
                 FigureProperty::At(at) => vec![(*at, 1.0)],
-                FigureProperty::Least => vec![(excursion()?.least.at, 1.0)],
-                FigureProperty::Greatest => vec![(excursion()?.greatest.at, 1.0)],
+                FigureProperty::Minimum => vec![(excursion()?.least.at, 1.0)],
+                FigureProperty::Maximum => vec![(excursion()?.greatest.at, 1.0)],
                 FigureProperty::Stroke => {
                     let found = excursion()?;
                     vec![(found.greatest.at, 1.0), (found.least.at, -1.0)]
                 }
-                FigureProperty::LeastAt
-                | FigureProperty::GreatestAt
+                FigureProperty::MinimumAt
+                | FigureProperty::MaximumAt
                 | FigureProperty::Turns
                 | FigureProperty::Ratio
                 | FigureProperty::Dwell
@@ -136,7 +136,7 @@ impl CycleFigures {
     /// Computes the figures for a mechanism; each is a value, or the reason for its absence.
     #[must_use]
     pub fn of(&self, solver: &Solver) -> Vec<Result<f64, NoFigure>> {
-        let excursions = Excursion::of_all(solver, &self.columns, self.wish);
+        let excursions = Excursion::of_all(solver, &self.columns, self.options);
         let transmission = match self.transmission {
             true => solver.transmission(),
             false => Vec::new(),
@@ -179,17 +179,17 @@ impl FigureProperty {
         let comes_back = |value: f64| excursion.stroke().map(|_| value);
         match self {
             FigureProperty::Stroke => excursion.stroke(),
-            FigureProperty::Least => comes_back(excursion.least.value),
-            FigureProperty::Greatest => comes_back(excursion.greatest.value),
-            FigureProperty::LeastAt => comes_back(excursion.least.at),
-            FigureProperty::GreatestAt => comes_back(excursion.greatest.at),
+            FigureProperty::Minimum => comes_back(excursion.least.value),
+            FigureProperty::Maximum => comes_back(excursion.greatest.value),
+            FigureProperty::MinimumAt => comes_back(excursion.least.at),
+            FigureProperty::MaximumAt => comes_back(excursion.greatest.at),
             FigureProperty::Turns => Ok(excursion.turnings.len() as f64),
             FigureProperty::Ratio => excursion.ratio.map(|ratio| ratio.value),
             FigureProperty::Dwell => {
                 excursion.stroke()?;
                 let dwells = excursion.dwells.iter().flat_map(|(_, dwells)| dwells);
-                let ways = dwells.map(|dwell| dwell.way);
-                ways.max_by(f64::total_cmp).ok_or(NoFigure::NeverTurns)
+                let travels = dwells.map(|dwell| dwell.travel);
+                travels.max_by(f64::total_cmp).ok_or(NoFigure::NeverTurns)
             }
             FigureProperty::Fastest => excursion.fastest.map(|place| place.value),
             FigureProperty::FastestAt => excursion.fastest.map(|place| place.at),
@@ -217,11 +217,11 @@ fn at_place(solver: &Solver, column: &Quantity, at: f64) -> Result<f64, NoFigure
     let solver = solver.only(&wanted);
     let mut state = solver.state();
     // A single place may be written a full turn away.
-    let meant = solver
+    let intended = solver
         .motion()
         .range
-        .meant(at, solver.mechanism().driver().turns());
-    match solver.solve(meant.unwrap_or(at), order, &mut state) {
+        .equivalent_in_range(at, solver.mechanism().driver().turns());
+    match solver.solve(intended.unwrap_or(at), order, &mut state) {
         Condition::NoAssembly => Err(NoFigure::OutOfReach(at)),
         Condition::Ok | Condition::ChangePoint | Condition::DeadPoint => {
             column.value(&state).ok_or(NoFigure::Gap(at))

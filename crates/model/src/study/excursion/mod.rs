@@ -42,7 +42,7 @@ use crate::expression::DirectionCut;
 use crate::quantity::Quantity;
 use crate::solver::{Range, Solver};
 use sampler::{MotionSampler, SampledFigure, SlopeSource};
-use turning::Turnings;
+use turning::ExtremaSet;
 
 /// A place and the value of a quantity there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +55,7 @@ pub struct FigurePlace {
 
 /// An extremum of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TurningPlace {
+pub struct ExtremumPlace {
     /// `true` for a maximum.
     pub is_peak: bool,
     /// The place and the value.
@@ -112,7 +112,7 @@ pub struct ExcursionOptions {
     pub rates: bool,
     /// `true` to find dwells.
     pub dwells: bool,
-    /// The tolerance of dwells, in the quantity's own unit; the default is [`USUAL_DWELL`] of the
+    /// The tolerance of dwells, in the quantity's own unit; the default is [`DEFAULT_DWELL`] of the
     /// stroke.
     pub tolerance: Option<f64>,
 }
@@ -123,7 +123,7 @@ const LEVEL: f64 = 1e-11;
 /// they depend on, but takes time to create.
 const BLOCK: usize = 64;
 /// The default tolerance of dwells, as a fraction of the stroke.
-pub const USUAL_DWELL: f64 = 0.01;
+pub const DEFAULT_DWELL: f64 = 0.01;
 
 /// The properties of a quantity over the whole motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -137,7 +137,7 @@ pub struct Excursion {
     /// the motion; 0 for an oscillation.
     pub revolutions: f64,
     /// All extrema, by the driver's coordinate; for a limited range including both ends.
-    pub turnings: Vec<TurningPlace>,
+    pub turnings: Vec<ExtremumPlace>,
     /// The ratio of the slow to the quick way between the extremes.
     pub ratio: Result<TimeRatio, NoFigure>,
     /// The tolerance of dwells, and the dwells.
@@ -170,28 +170,28 @@ impl Excursion {
     #[must_use]
     pub fn of_all(
         solver: &Solver,
-        figures: &[Quantity],
-        wish: ExcursionOptions,
+        quantities: &[Quantity],
+        options: ExcursionOptions,
     ) -> Vec<Result<Excursion, NoFigure>> {
-        let mut found = vec![Err(NoFigure::NoRate); figures.len()];
+        let mut found = vec![Err(NoFigure::NoRate); quantities.len()];
         for source in SlopeSource::ALL {
-            let is_of = |figure: &Quantity| SlopeSource::of(solver, figure) == source;
-            let own = (0..figures.len()).filter(|&i| is_of(&figures[i]));
+            let is_of = |quantity: &Quantity| SlopeSource::of(solver, quantity) == source;
+            let own = (0..quantities.len()).filter(|&i| is_of(&quantities[i]));
             let own: Vec<usize> = own.collect();
             if own.is_empty() {
                 continue;
             }
-            let of = own.iter().map(|&i| &figures[i]);
-            let degree = if wish.rates { 2 } else { 1 };
-            let mut whole = MotionSampler::new(solver, source, of, degree);
-            let sampled = whole.along_motion();
+            let of = own.iter().map(|&i| &quantities[i]);
+            let degree = if options.rates { 2 } else { 1 };
+            let mut complete = MotionSampler::new(solver, source, of, degree);
+            let sampled = complete.sample_motion();
             let count = own.len();
             for first in (0..count).step_by(BLOCK) {
                 let block = first..count.min(first + BLOCK);
-                let mut part = (block.len() < count).then(|| whole.of_columns(block.clone()));
-                let sampler = part.as_mut().unwrap_or(&mut whole);
+                let mut part = (block.len() < count).then(|| complete.of_columns(block.clone()));
+                let sampler = part.as_mut().unwrap_or(&mut complete);
                 for (column, k) in block.enumerate() {
-                    found[own[k]] = Excursion::follow(sampler, column, &sampled[k], wish);
+                    found[own[k]] = Excursion::follow(sampler, column, &sampled[k], options);
                 }
             }
         }
@@ -202,22 +202,22 @@ impl Excursion {
         sampler: &mut MotionSampler,
         column: usize,
         sampled: &SampledFigure,
-        wish: ExcursionOptions,
+        options: ExcursionOptions,
     ) -> Result<Excursion, NoFigure> {
-        let Turnings {
+        let ExtremaSet {
             places,
-            least,
-            greatest,
-        } = Turnings::find(sampler, column, sampled)?;
+            least: minimum,
+            greatest: maximum,
+        } = ExtremaSet::find(sampler, column, sampled)?;
         let range = sampler.range();
         let revolutions = sampled.revolutions(range, sampler.cut(column));
         let size = sampler
             .size(column)
-            .max(greatest.value.abs().max(least.value.abs()));
-        let is_level = greatest.value - least.value <= LEVEL * size;
+            .max(maximum.value.abs().max(minimum.value.abs()));
+        let is_level = maximum.value - minimum.value <= LEVEL * size;
         let mut excursion = Excursion {
-            least: reduced(least, range),
-            greatest: reduced(greatest, range),
+            least: reduced(minimum, range),
+            greatest: reduced(maximum, range),
             revolutions,
             turnings: if is_level { Vec::new() } else { places },
             ratio: Err(NoFigure::Stands),
@@ -228,12 +228,12 @@ impl Excursion {
         if !is_level {
             excursion.ratio = excursion.time_ratio(sampler);
         }
-        if wish.dwells && !is_level && revolutions == 0.0 {
-            let stroke = greatest.value - least.value;
-            let tolerance = wish.tolerance.unwrap_or(USUAL_DWELL * stroke);
+        if options.dwells && !is_level && revolutions == 0.0 {
+            let stroke = maximum.value - minimum.value;
+            let tolerance = options.tolerance.unwrap_or(DEFAULT_DWELL * stroke);
             excursion.dwells = Some((tolerance, excursion.dwelling(sampler, column, tolerance)));
         }
-        if wish.rates {
+        if options.rates {
             let within = |place| reduced(place, range);
             let fastest = sampler.fastest(column, sampled, is_level);
             excursion.fastest = fastest.map(within);
@@ -241,7 +241,7 @@ impl Excursion {
             excursion.hardest = hardest.map(within);
         }
         if sampler.cut(column) == DirectionCut::ByTurns && revolutions == 0.0 {
-            excursion.count_from_state(sampler.value(column, greatest.at));
+            excursion.count_from_state(sampler.value(column, maximum.at));
         }
         for turning in &mut excursion.turnings {
             turning.place = reduced(turning.place, range);
@@ -254,8 +254,8 @@ impl Excursion {
     }
 
     /// Shifts values by full turns so that the maximum equals the direction in a state.
-    fn count_from_state(&mut self, greatest: Option<f64>) {
-        let turns = (self.greatest.value - greatest.unwrap_or(0.0)) / TURN;
+    fn count_from_state(&mut self, maximum: Option<f64>) {
+        let turns = (self.greatest.value - maximum.unwrap_or(0.0)) / TURN;
         let off = TURN * turns.round();
         let turnings = self.turnings.iter_mut().map(|turning| &mut turning.place);
         let dwells = self.dwells.iter_mut().flat_map(|(_, dwells)| dwells);
@@ -273,20 +273,20 @@ const CERTAIN: f64 = 1e-6;
 
 /// Returns, for each quantity, `true` if it changes over the motion or has no value anywhere.
 #[must_use]
-pub fn changing(solver: &Solver, figures: &[Quantity]) -> Vec<bool> {
-    let mut sampler = MotionSampler::new(solver, SlopeSource::Nothing, figures.iter(), 0);
-    let sampled = sampler.at_few_places();
+pub fn changing(solver: &Solver, quantities: &[Quantity]) -> Vec<bool> {
+    let mut sampler = MotionSampler::new(solver, SlopeSource::Nothing, quantities.iter(), 0);
+    let sampled = sampler.sample_few_places();
     let sampled = sampled.iter().enumerate();
     // Directions are continued along the motion, which a few places cannot show.
     let changes = sampled.map(|(i, values)| {
-        !figures[i].is_direction() && sampler.changes(i, values, CERTAIN) == Some(true)
+        !quantities[i].is_direction() && sampler.changes(i, values, CERTAIN) == Some(true)
     });
     let mut changes: Vec<bool> = changes.collect();
     // The others need the whole motion.
-    let open: Vec<usize> = (0..figures.len()).filter(|&i| !changes[i]).collect();
-    let others = open.iter().map(|&i| &figures[i]);
+    let open: Vec<usize> = (0..quantities.len()).filter(|&i| !changes[i]).collect();
+    let others = open.iter().map(|&i| &quantities[i]);
     let mut sampler = MotionSampler::new(solver, SlopeSource::Nothing, others, 0);
-    let sampled = sampler.along_motion();
+    let sampled = sampler.sample_motion();
     for (column, (i, values)) in open.into_iter().zip(&sampled).enumerate() {
         changes[i] = sampler.changes(column, values, LEVEL) != Some(false);
     }

@@ -1,20 +1,20 @@
 //! Finds the plateaus of a quantity at its extrema.
 
 use super::sampler::{MotionSampler, SampledFigure};
-use super::turning::Turnings;
-use super::{FigurePlace, TurningPlace};
+use super::turning::ExtremaSet;
+use super::{ExtremumPlace, FigurePlace};
 use crate::solver::Range;
 
 /// The relative difference below which two values are equal. The larger one applies without slopes:
 /// forces depend on many quantities.
-const SAME: f64 = 8.0 * f64::EPSILON;
-const SAME_FORCE: f64 = 1e-12;
+const EQUALITY_TOLERANCE: f64 = 8.0 * f64::EPSILON;
+const FORCE_TOLERANCE: f64 = 1e-12;
 /// The minimum length of a plateau, relative to the sampling step; shorter ones are smooth extrema.
 const MIN_LEN: f64 = 0.1;
 /// Bisections to find the end of a plateau.
 const HALVINGS: u32 = 48;
 
-impl Turnings {
+impl ExtremaSet {
     /// Finds the plateau of every extremum, and moves the extremum to its beginning.
     pub(super) fn find_plateaus(
         &mut self,
@@ -23,8 +23,8 @@ impl Turnings {
         sampled: &SampledFigure,
     ) {
         let same = match sampler.has_slope(column) {
-            true => SAME,
-            false => SAME_FORCE,
+            true => EQUALITY_TOLERANCE,
+            false => FORCE_TOLERANCE,
         };
         let level = same * self.greatest.value.abs().max(self.least.value.abs());
         let shortest = MIN_LEN * sampled.step();
@@ -32,12 +32,12 @@ impl Turnings {
         for turning in &mut self.places {
             let place = turning.place;
             // A longer plateau extends at least half of that to one side.
-            let beside = [-0.5, 0.5].map(|part| place.at + part * shortest);
+            let nearby = [-0.5, 0.5].map(|part| place.at + part * shortest);
             let mut stays_at = |at| {
                 let value = sampler.sample(column, at, place.value).value;
                 (value - place.value).abs() <= level
             };
-            if !beside.into_iter().any(&mut stays_at) {
+            if !nearby.into_iter().any(&mut stays_at) {
                 continue;
             }
             let mut end = |forwards| stays(sampler, column, sampled, (place, forwards), level);
@@ -59,7 +59,7 @@ impl Turnings {
                 extreme.at = from;
             }
         }
-        let by_place = |a: &TurningPlace, b: &TurningPlace| a.place.at.total_cmp(&b.place.at);
+        let by_place = |a: &ExtremumPlace, b: &ExtremumPlace| a.place.at.total_cmp(&b.place.at);
         self.places.sort_by(by_place);
     }
 }
@@ -80,13 +80,13 @@ fn stays(
     };
     let is_there = |value: f64| (value - place.value).abs() <= level;
     // The samples on this side in order; if the motion repeats, over one further period.
-    let behind = |k: &usize| match forwards {
+    let after = |k: &usize| match forwards {
         true => sampled.at[*k] > place.at,
         false => sampled.at[*k] < place.at,
     };
-    let near = (0..=last).filter(behind).map(|k| (k, 0.0));
-    let way = period.unwrap_or(0.0) * if forwards { 1.0 } else { -1.0 };
-    let round = (0..=last).filter(|_| period.is_some()).map(|k| (k, way));
+    let near = (0..=last).filter(after).map(|k| (k, 0.0));
+    let travel = period.unwrap_or(0.0) * if forwards { 1.0 } else { -1.0 };
+    let round = (0..=last).filter(|_| period.is_some()).map(|k| (k, travel));
     let mut samples: Vec<(usize, f64)> = near.collect();
     match forwards {
         true => samples.extend(round),
@@ -98,8 +98,8 @@ fn stays(
         }
     }
     let mut inside = place.at;
-    for (k, way) in samples {
-        let at = sampled.at[k] + way;
+    for (k, travel) in samples {
+        let at = sampled.at[k] + travel;
         if is_there(sampled.by_degree[0][k]) {
             inside = at;
             continue;

@@ -3,11 +3,11 @@
 use super::sampler::{MotionSampler, SampledFigure, SlopeSource};
 use super::{FigurePlace, NoFigure};
 use crate::Input;
-use crate::numeric::{Unsettled, lowest, root};
+use crate::numeric::{MinimumError, lowest, root};
 use crate::solver::Range;
 
 /// The fraction of the highest sample from which on a peak is examined closely.
-const CLOSE: f64 = 0.95;
+const EXAMINED_FRACTION: f64 = 0.95;
 /// The distance at which two methods have found the same place, relative to the interval of two
 /// samples.
 const NEAR: f64 = 1e-4;
@@ -106,38 +106,40 @@ impl MotionSampler {
             .iter()
             .map(|size| if size.is_finite() { *size } else { 0.0 })
             .collect();
-        let highest = sizes.iter().fold(0.0_f64, |most, &size| most.max(size));
+        let highest = sizes
+            .iter()
+            .fold(0.0_f64, |maximum, &size| maximum.max(size));
         let first = (sampled.at[0], sizes[0]);
         let noise = LEVEL * self.rate_of_steady(sampled, rate);
         let is_nought = is_level || highest <= noise;
         let lowest_size = sizes
             .iter()
-            .fold(f64::INFINITY, |least, &size| least.min(size));
+            .fold(f64::INFINITY, |minimum, &size| minimum.min(size));
         let is_steady = is_nought || highest - lowest_size <= LEVEL * highest;
         // A near miss may have an arbitrarily narrow peak.
         if is_steady && self.near_misses().is_empty() {
             let size = if is_nought { 0.0 } else { first.1 };
             return Ok(place((first.0, size)));
         }
-        let goes_round = matches!(self.range(), Range::Full { .. });
+        let is_periodic = matches!(self.range(), Range::Full { .. });
         let mut best = first;
-        for k in (0..=last).filter(|&k| sizes[k] >= CLOSE * highest) {
+        for k in (0..=last).filter(|&k| sizes[k] >= EXAMINED_FRACTION * highest) {
             let lower = |other: Option<usize>| other.is_none_or(|i| sizes[i] <= sizes[k]);
             let is_peak = lower(k.checked_sub(1)) && lower((k < last).then_some(k + 1));
             if !is_peak {
                 continue;
             }
-            let behind = match k.checked_sub(1) {
+            let after = match k.checked_sub(1) {
                 Some(k) => sampled.at[k],
-                None if goes_round => sampled.before_first(),
+                None if is_periodic => sampled.before_first(),
                 None => sampled.at[0],
             };
             let ahead = sampled.at.get(k + 1).copied().unwrap_or(sampled.at[last]);
             let f = |at| self.size_below(column, rate, at);
             let from = (sampled.at[k], -sizes[k]);
-            let found = lowest(f, [behind, ahead], from).unwrap_or_else(Unsettled::best);
+            let found = lowest(f, [after, ahead], from).unwrap_or_else(MinimumError::best);
             let found = match rate.degree() {
-                1 => self.settled(column, [behind, ahead], found),
+                1 => self.settled(column, [after, ahead], found),
                 _ => found,
             };
             if -found.1 > best.1 {
@@ -145,7 +147,7 @@ impl MotionSampler {
             }
         }
         for at in self.near_misses() {
-            let found = self.beside_a_miss(column, at, sampled.step(), rate);
+            let found = self.largest_rate_near_miss(column, at, sampled.step(), rate);
             best = if found.1 > best.1 { found } else { best };
         }
         Ok(place(best))
@@ -157,12 +159,12 @@ impl MotionSampler {
         let slopes = sampled.by_degree[1].iter();
         let steepest = slopes
             .filter(|slope| slope.is_finite())
-            .fold(0.0_f64, |most, slope| most.max(slope.abs()));
-        let way = match self.driver().input {
+            .fold(0.0_f64, |maximum, slope| maximum.max(slope.abs()));
+        let travel = match self.driver().input {
             Input::Turn(_) => 1.0_f64.to_degrees(),
             Input::Push(_) => sampled.at[sampled.at.len() - 1] - sampled.at[0],
         };
-        (rate.second * steepest / way).abs()
+        (rate.second * steepest / travel).abs()
     }
 
     /// Returns the negative absolute value of a rate, so that its minimum is the largest rate.
@@ -178,7 +180,13 @@ impl MotionSampler {
 
     /// Finds the largest rate around a near miss; peaks are searched at every scale, however
     /// narrow.
-    fn beside_a_miss(&mut self, column: usize, at: f64, step: f64, rate: RateSum) -> (f64, f64) {
+    fn largest_rate_near_miss(
+        &mut self,
+        column: usize,
+        at: f64,
+        step: f64,
+        rate: RateSum,
+    ) -> (f64, f64) {
         let mut f = |at: f64| self.size_below(column, rate, at);
         let mut best = (at, -f(at).unwrap_or(0.0));
         for side in [-1.0, 1.0] {
@@ -189,7 +197,7 @@ impl MotionSampler {
                 };
                 let (one, other) = (off(k - 1), off(k + 1));
                 let ends = [one.min(other), one.max(other)];
-                let found = lowest(&mut f, ends, (off(k), here)).unwrap_or_else(Unsettled::best);
+                let found = lowest(&mut f, ends, (off(k), here)).unwrap_or_else(MinimumError::best);
                 best = (found.0, -found.1);
             }
         }

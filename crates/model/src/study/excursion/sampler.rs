@@ -16,7 +16,7 @@ const MAX_PLACES: usize = 36_000;
 const INSIDE: f64 = 1e-9;
 /// The distance from a possible jump of a load at which the quantity is sampled, relative to the
 /// motion.
-pub(super) const BESIDE: f64 = 1e-12;
+pub(super) const JUMP_DISTANCE: f64 = 1e-12;
 
 /// The driver motion at which rates equal slopes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,8 +36,8 @@ impl SlopeSource {
         SlopeSource::Nothing,
     ];
 
-    pub(super) fn of(solver: &Solver, figure: &Quantity) -> SlopeSource {
-        match figure.order() {
+    pub(super) fn of(solver: &Solver, quantity: &Quantity) -> SlopeSource {
+        match quantity.order() {
             Order::Position => SlopeSource::Geometry,
             Order::Velocity if solver.mechanism().driver().speed != 0.0 => SlopeSource::Steady,
             Order::Velocity | Order::Acceleration | Order::Force => SlopeSource::Nothing,
@@ -93,23 +93,23 @@ impl MotionSampler {
     pub(super) fn new<'q>(
         solver: &Solver,
         source: SlopeSource,
-        figures: impl Iterator<Item = &'q Quantity>,
+        quantities: impl Iterator<Item = &'q Quantity>,
         degree: usize,
     ) -> MotionSampler {
         let mechanism = solver.mechanism();
         let driver = mechanism.driver();
-        let turns = matches!(driver.input, Input::Turn(_));
+        let is_rotary = matches!(driver.input, Input::Turn(_));
         let speed = match source {
             SlopeSource::Geometry => 1.0,
             SlopeSource::Steady | SlopeSource::Nothing => driver.speed,
         };
-        let pace = if turns { speed.to_degrees() } else { speed };
+        let pace = if is_rotary { speed.to_degrees() } else { speed };
         let highest = match source {
             SlopeSource::Geometry => degree,
             SlopeSource::Steady => degree.min(1),
             SlopeSource::Nothing => 0,
         };
-        let columns = figures.map(|figure| SlopedFigure::new(figure, highest, pace));
+        let columns = quantities.map(|quantity| SlopedFigure::new(quantity, highest, pace));
         let columns: Vec<SlopedFigure> = columns.collect();
         let (wanted, order) = demand(columns.iter().flat_map(|column| &column.by_degree));
         let (range, marks) = match order {
@@ -175,13 +175,13 @@ impl MotionSampler {
     }
 
     /// Returns the driver's time for a distance, in s; `None` if its speed is zero or not constant.
-    pub(super) fn seconds(&self, way: f64) -> Option<f64> {
+    pub(super) fn seconds(&self, travel: f64) -> Option<f64> {
         let driver = &self.driver;
-        let way = match driver.input {
-            Input::Turn(_) => radians(way),
-            Input::Push(_) => way,
+        let travel = match driver.input {
+            Input::Turn(_) => radians(travel),
+            Input::Push(_) => travel,
         };
-        let seconds = (way / driver.speed).abs();
+        let seconds = (travel / driver.speed).abs();
         (driver.acceleration == 0.0 && seconds.is_finite()).then_some(seconds)
     }
 
@@ -203,14 +203,14 @@ impl MotionSampler {
     /// Returns the size of the values that a quantity is computed from, which scales its rounding
     /// error.
     pub(super) fn size(&self, column: usize) -> f64 {
-        let figure = &self.columns[column].by_degree[0];
-        let size = match figure.unit.as_str() {
+        let quantity = &self.columns[column].by_degree[0];
+        let size = match quantity.unit.as_str() {
             "deg" => TURN,
             unit if unit.starts_with("rad") => 1.0,
             _ => self.reach,
         };
         let speed = self.driver.speed.abs();
-        match figure.order() {
+        match quantity.order() {
             Order::Position => size,
             Order::Velocity => size * speed,
             Order::Acceleration => size * speed * speed,
@@ -248,12 +248,12 @@ impl MotionSampler {
 
     /// Returns a quantity (degree 0) or one of its slopes by the coordinate.
     pub(super) fn degree(&mut self, column: usize, degree: usize, at: f64) -> Option<f64> {
-        let figure = self.columns[column].by_degree.get(degree)?;
-        let order = figure.order();
+        let quantity = self.columns[column].by_degree.get(degree)?;
+        let order = quantity.order();
         let condition = self.solve(at, order);
-        let figure = &self.columns[column].by_degree[degree];
+        let quantity = &self.columns[column].by_degree[degree];
         let exists = condition != Condition::NoAssembly;
-        let value = exists.then(|| figure.value(&self.state))??;
+        let value = exists.then(|| quantity.value(&self.state))??;
         Some(value * self.columns[column].factors[degree])
     }
 
@@ -276,12 +276,12 @@ impl MotionSampler {
 
     /// Returns a quantity with its slope; NaN if missing. A direction is unwrapped to the value
     /// nearest to a reference value.
-    pub(super) fn sample(&mut self, column: usize, at: f64, beside: f64) -> FigureSample {
+    pub(super) fn sample(&mut self, column: usize, at: f64, nearby: f64) -> FigureSample {
         // The higher order first: its state serves both.
         let slope = self.degree(column, 1, at).unwrap_or(f64::NAN);
         let value = self.value(column, at).unwrap_or(f64::NAN);
         let value = match self.cut(column) {
-            DirectionCut::ByTurns => angle::beside(beside, value),
+            DirectionCut::ByTurns => angle::unwrap_near(nearby, value),
             DirectionCut::Nowhere | DirectionCut::Otherwise => value,
         };
         FigureSample { at, value, slope }
@@ -303,28 +303,35 @@ impl MotionSampler {
     }
 
     /// Samples every column along the whole motion.
-    pub(super) fn along_motion(&mut self) -> Vec<SampledFigure> {
+    pub(super) fn sample_motion(&mut self) -> Vec<SampledFigure> {
         self.along(&places(self.range, &self.marks))
     }
 
     /// Samples every column at a few places of the motion.
-    pub(super) fn at_few_places(&mut self) -> Vec<SampledFigure> {
-        let places = places(self.range, &self.marks);
-        let apart = (places.len() / LANES).max(1);
-        let few: Vec<f64> = places.into_iter().step_by(apart).take(LANES).collect();
+    pub(super) fn sample_few_places(&mut self) -> Vec<SampledFigure> {
+        let coordinates = places(self.range, &self.marks);
+        let distance = (coordinates.len() / LANES).max(1);
+        let few: Vec<f64> = coordinates
+            .into_iter()
+            .step_by(distance)
+            .take(LANES)
+            .collect();
         self.along(&few)
     }
 
     /// Samples every column at some places in ascending order.
-    fn along(&mut self, places: &[f64]) -> Vec<SampledFigure> {
+    fn along(&mut self, coordinates: &[f64]) -> Vec<SampledFigure> {
         let columns = self.columns.iter();
         let mut sampled: Vec<SampledFigure> = columns
             .map(|column| SampledFigure {
-                at: places.to_vec(),
-                by_degree: vec![Vec::with_capacity(places.len() + LANES); column.by_degree.len()],
+                at: coordinates.to_vec(),
+                by_degree: vec![
+                    Vec::with_capacity(coordinates.len() + LANES);
+                    column.by_degree.len()
+                ],
             })
             .collect();
-        for block in places.chunks(LANES) {
+        for block in coordinates.chunks(LANES) {
             if !self.block_in_lanes(block, &mut sampled) {
                 block.iter().for_each(|&at| self.read(at, &mut sampled));
             }
@@ -341,10 +348,10 @@ impl MotionSampler {
     fn read(&mut self, at: f64, to: &mut [SampledFigure]) {
         let condition = self.solve(at, self.order);
         for (column, to) in self.columns.iter().zip(to) {
-            let figures = column.by_degree.iter().zip(column.factors);
-            for ((figure, factor), to) in figures.zip(&mut to.by_degree) {
+            let quantities = column.by_degree.iter().zip(column.factors);
+            for ((quantity, factor), to) in quantities.zip(&mut to.by_degree) {
                 let exists = condition != Condition::NoAssembly;
-                let value = exists.then(|| figure.value(&self.state)).flatten();
+                let value = exists.then(|| quantity.value(&self.state)).flatten();
                 to.push(value.map_or(f64::NAN, |value| value * factor));
             }
         }
@@ -363,7 +370,9 @@ impl MotionSampler {
         }
         // A formula with a branch between the lanes has no value in all of them at once.
         let figures = self.columns.iter().flat_map(|column| &column.by_degree);
-        let read: Option<Vec<_>> = figures.map(|figure| figure.value(&self.lanes)).collect();
+        let read: Option<Vec<_>> = figures
+            .map(|quantity| quantity.value(&self.lanes))
+            .collect();
         let Some(read) = read else {
             return false;
         };
@@ -381,8 +390,8 @@ impl MotionSampler {
 impl SlopedFigure {
     /// Creates the rates of a quantity; `pace` is the driver's speed in units of its coordinate at
     /// which the rates are read.
-    fn new(figure: &Quantity, highest: usize, pace: f64) -> SlopedFigure {
-        let mut by_degree = vec![figure.clone()];
+    fn new(quantity: &Quantity, highest: usize, pace: f64) -> SlopedFigure {
+        let mut by_degree = vec![quantity.clone()];
         while by_degree.len() <= highest {
             let Some(rate) = by_degree.last().and_then(Quantity::rate) else {
                 break;
@@ -390,13 +399,13 @@ impl SlopedFigure {
             by_degree.push(rate);
         }
         // Rates of degrees are in radians.
-        let unit = if figure.unit == "deg" {
+        let unit = if quantity.unit == "deg" {
             1_f64.to_degrees()
         } else {
             1.0
         };
         SlopedFigure {
-            cut: figure.cut(),
+            cut: quantity.cut(),
             by_degree,
             factors: [1.0, unit / pace, unit / (pace * pace)],
         }
@@ -420,10 +429,10 @@ impl SampledFigure {
             let before = self.sample(k - 1);
             // The smaller slope: at a dead point the other one is unbounded.
             let slope = lesser(before.slope, self.sample(k).slope);
-            let way = slope * (self.at[k] - before.at);
-            let expected = before.value + if way.is_finite() { way } else { 0.0 };
+            let travel = slope * (self.at[k] - before.at);
+            let expected = before.value + if travel.is_finite() { travel } else { 0.0 };
             let value = &mut self.by_degree[0][k];
-            *value = angle::beside(expected, *value);
+            *value = angle::unwrap_near(expected, *value);
         }
     }
 
@@ -447,7 +456,7 @@ impl SampledFigure {
     }
 
     /// Returns the largest absolute value.
-    pub(super) fn most(&self) -> f64 {
+    pub(super) fn max_abs(&self) -> f64 {
         let values = self.by_degree[0].iter().map(|value| value.abs());
         values.filter(|size| size.is_finite()).fold(0.0, f64::max)
     }
@@ -483,9 +492,9 @@ fn loaded(solver: &Solver) -> (Range, Vec<f64>) {
         }
         limited @ Range::Limited { .. } => limited,
     };
-    let beside = BESIDE * (range.ends().1 - range.ends().0);
+    let nearby = JUMP_DISTANCE * (range.ends().1 - range.ends().0);
     let bends = load_bends(solver, range);
-    let sides = bends.iter().flat_map(|&at| [at - beside, at, at + beside]);
+    let sides = bends.iter().flat_map(|&at| [at - nearby, at, at + nearby]);
     (range, sides.collect())
 }
 
@@ -512,7 +521,7 @@ fn knots(mechanism: &Mechanism, range: Range) -> Vec<f64> {
 /// Returns the places to sample, in ascending order: offset from round coordinates, where symmetry
 /// puts extrema, plus the marks. The last place of a period is the first one of the next.
 fn places(range: Range, marks: &[f64]) -> Vec<f64> {
-    let mut places: Vec<f64> = match range {
+    let mut coordinates: Vec<f64> = match range {
         Range::Full { period } => {
             #[expect(
                 clippy::cast_possible_truncation,
@@ -538,7 +547,7 @@ fn places(range: Range, marks: &[f64]) -> Vec<f64> {
             first.chain(between).chain(ends).chain(marks).collect()
         }
     };
-    places.sort_by(f64::total_cmp);
-    places.dedup();
-    places
+    coordinates.sort_by(f64::total_cmp);
+    coordinates.dedup();
+    coordinates
 }

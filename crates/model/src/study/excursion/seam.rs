@@ -42,7 +42,7 @@ impl CycleFigure {
     /// period of the motion for a place in it.
     fn period(&self, range: Range) -> Option<f64> {
         match range {
-            _ if self.comes_round() => Some(TURN),
+            _ if self.is_periodic_value() => Some(TURN),
             Range::Full { period } if self.is_place() => Some(period),
             Range::Full { .. } | Range::Limited { .. } => None,
         }

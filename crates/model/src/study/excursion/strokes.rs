@@ -1,17 +1,17 @@
 //! Computes time ratios and dwells from the extrema of a quantity.
 
-use super::sampler::{BESIDE, MotionSampler};
-use super::{Excursion, FigurePlace, NoFigure, TurningPlace};
+use super::sampler::{JUMP_DISTANCE, MotionSampler};
+use super::{Excursion, ExtremumPlace, FigurePlace, NoFigure};
 use crate::numeric::root;
 use crate::quantity::Clock;
 use crate::solver::Range;
 
 /// The difference below which two extrema are equal, relative to the stroke.
-const SAME: f64 = 1e-9;
+const EQUALITY_TOLERANCE: f64 = 1e-9;
 
 /// The distance of two extremes below which the quantity jumps, relative to the motion: both sides
 /// of the jump were sampled.
-const LEAP: f64 = 4.0 * BESIDE;
+const JUMP_SPACING: f64 = 4.0 * JUMP_DISTANCE;
 
 /// The time ratio of both ways between the extremes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +20,7 @@ pub struct TimeRatio {
     pub value: f64,
     /// The driver's travel during the slow and the quick way, in degrees or in the scene's length
     /// unit. These are times in s if the driver's speed is not constant.
-    pub ways: [f64; 2],
+    pub travels: [f64; 2],
     /// `true` if `ways` are times.
     pub are_times: bool,
     /// `true` if the slow way leads from the minimum to the maximum, in the driver's direction.
@@ -31,15 +31,15 @@ pub struct TimeRatio {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DwellStretch {
     /// The extremum of the stretch, at one edge of the tolerance.
-    pub about: TurningPlace,
+    pub about: ExtremumPlace,
     /// The driver's coordinate at its beginning.
     pub from: f64,
     /// The driver's coordinate at its end.
     pub to: f64,
     /// The driver's travel on the stretch; to and fro if it includes a limit.
-    pub way: f64,
+    pub travel: f64,
     /// `true` if the stretch includes a limit, so that it counts twice.
-    pub there_and_back: bool,
+    pub counts_twice: bool,
     /// The duration in s; `None` if the driver's speed is zero or not constant.
     pub seconds: Option<f64>,
 }
@@ -47,8 +47,8 @@ pub struct DwellStretch {
 /// The kind of an extreme.
 #[derive(Clone, Copy, PartialEq)]
 enum ExtremeEnd {
-    Least,
-    Greatest,
+    Minimum,
+    Maximum,
 }
 
 impl Excursion {
@@ -85,33 +85,33 @@ impl Excursion {
         if !forwards {
             round.reverse();
         }
-        let begin = round.first().map_or((first, ExtremeEnd::Least), |&b| b);
-        round.push((begin.0 + turn, begin.1));
+        let start = round.first().map_or((first, ExtremeEnd::Minimum), |&b| b);
+        round.push((start.0 + turn, start.1));
         let is_leap = |pair: &[(f64, ExtremeEnd)]| {
-            pair[0].1 != pair[1].1 && (pair[1].0 - pair[0].0).abs() <= LEAP * period
+            pair[0].1 != pair[1].1 && (pair[1].0 - pair[0].0).abs() <= JUMP_SPACING * period
         };
         if round.windows(2).any(is_leap) {
             return Err(NoFigure::Leaps);
         }
         let moment = |at: f64| match &clock {
             Some(clock) => clock.time(at).ok_or(NoFigure::DriverTurnsBack),
-            None => Ok((at - begin.0).abs()),
+            None => Ok((at - start.0).abs()),
         };
         let (mut rising, mut falling) = (0.0, 0.0);
         for pair in round.windows(2) {
-            let way = moment(pair[1].0)? - moment(pair[0].0)?;
+            let travel = moment(pair[1].0)? - moment(pair[0].0)?;
             *(match pair[0].1 {
-                ExtremeEnd::Least => &mut rising,
-                ExtremeEnd::Greatest => &mut falling,
-            }) += way;
+                ExtremeEnd::Minimum => &mut rising,
+                ExtremeEnd::Maximum => &mut falling,
+            }) += travel;
         }
-        let ways = [rising.max(falling), rising.min(falling)];
-        let value = ways[0] / ways[1];
+        let travels = [rising.max(falling), rising.min(falling)];
+        let value = travels[0] / travels[1];
         // Without a way back there is no ratio.
         match value.is_finite() {
             true => Ok(TimeRatio {
                 value,
-                ways,
+                travels,
                 are_times: clock.is_some(),
                 rises_slowly: rising >= falling,
             }),
@@ -121,23 +121,23 @@ impl Excursion {
 
     /// Returns the coordinates of the minimum and the maximum values, in order.
     fn extremes(&self) -> Vec<(f64, ExtremeEnd)> {
-        let end = |turning: &TurningPlace| Some((turning.place.at, self.end_at(turning)?));
+        let end = |turning: &ExtremumPlace| Some((turning.place.at, self.end_at(turning)?));
         self.turnings.iter().filter_map(end).collect()
     }
 
     /// Returns `true` if the quantity has a plateau at its minimum or maximum.
     fn rests(&self) -> bool {
-        let stays = |turning: &&TurningPlace| turning.until.is_some();
+        let stays = |turning: &&ExtremumPlace| turning.until.is_some();
         let mut staying = self.turnings.iter().filter(stays);
         staying.any(|turning| self.end_at(turning).is_some())
     }
 
     /// Returns the kind of extreme at an extremum; `None` for a local one.
-    fn end_at(&self, turning: &TurningPlace) -> Option<ExtremeEnd> {
-        let near = SAME * (self.greatest.value - self.least.value);
+    fn end_at(&self, turning: &ExtremumPlace) -> Option<ExtremeEnd> {
+        let near = EQUALITY_TOLERANCE * (self.greatest.value - self.least.value);
         let ends = [
-            (self.least.value, ExtremeEnd::Least),
-            (self.greatest.value, ExtremeEnd::Greatest),
+            (self.least.value, ExtremeEnd::Minimum),
+            (self.greatest.value, ExtremeEnd::Maximum),
         ];
         let mut ends = ends.into_iter();
         let is_at = ends.find(|(extreme, _)| (turning.place.value - extreme).abs() <= near);
@@ -162,16 +162,16 @@ impl Excursion {
             Range::Full { period } => Some(period),
             Range::Limited { .. } => None,
         };
-        let mut told: Vec<DwellStretch> = Vec::new();
+        let mut text: Vec<DwellStretch> = Vec::new();
         for dwell in found {
             let is_new =
                 |longer: &DwellStretch| 2.0 * shared(&dwell, longer, period) <= width(&dwell);
-            if told.iter().all(is_new) {
-                told.push(dwell);
+            if text.iter().all(is_new) {
+                text.push(dwell);
             }
         }
-        told.sort_by(|a, b| a.about.place.at.total_cmp(&b.about.place.at));
-        told
+        text.sort_by(|a, b| a.about.place.at.total_cmp(&b.about.place.at));
+        text
     }
 
     fn dwell_about(
@@ -185,10 +185,11 @@ impl Excursion {
         let [low, high] = [false, true]
             .map(|forwards| self.stays_until(about, forwards, sampler, column, tolerance));
         let (low, high) = (low?, high?);
-        let (mut way, mut from, to) = (low + high, turning.place.at - low, turning.place.at + high);
+        let (mut travel, mut from, to) =
+            (low + high, turning.place.at - low, turning.place.at + high);
         let there_and_back = match sampler.range() {
             Range::Full { period } => {
-                way = way.min(period);
+                travel = travel.min(period);
                 from = from.max(to - period);
                 false
             }
@@ -196,15 +197,15 @@ impl Excursion {
             Range::Limited { low, high } => from <= low || to >= high,
         };
         if there_and_back {
-            way *= 2.0;
+            travel *= 2.0;
         }
         Some(DwellStretch {
             about: turning,
             from,
             to,
-            way,
-            there_and_back,
-            seconds: sampler.seconds(way),
+            travel,
+            counts_twice: there_and_back,
+            seconds: sampler.seconds(travel),
         })
     }
 
@@ -288,8 +289,8 @@ fn crossing(
     sampler: &mut MotionSampler,
     column: usize,
 ) -> Option<f64> {
-    let beside = 0.5 * (a.value + b.value);
-    let off = |at| Some(sampler.sample(column, at, beside).value - value);
+    let nearby = 0.5 * (a.value + b.value);
+    let off = |at| Some(sampler.sample(column, at, nearby).value - value);
     root(
         (a.at, a.value - value),
         (b.at, b.value - value),

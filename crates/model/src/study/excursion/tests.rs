@@ -33,12 +33,12 @@ pub(super) fn excursion(
     tolerance: Option<f64>,
 ) -> Excursion {
     let quantity = Catalogue::new(scene).find(name).unwrap();
-    let wish = ExcursionOptions {
+    let options = ExcursionOptions {
         rates: true,
         dwells: true,
         tolerance,
     };
-    Excursion::of_all(solver, &[quantity], wish)
+    Excursion::of_all(solver, &[quantity], options)
         .remove(0)
         .unwrap()
 }
@@ -128,14 +128,14 @@ fn scotch_yoke_is_harmonic() {
     let wanted = 2.0 * (1.0 - 2.0 / 50.0_f64).acos().to_degrees();
     assert_eq!(dwells.len(), 2);
     for dwell in &dwells {
-        assert!((dwell.way - wanted).abs() < 1e-9, "{dwell:?} {wanted}");
+        assert!((dwell.travel - wanted).abs() < 1e-9, "{dwell:?} {wanted}");
         let seconds = wanted.to_radians() / 10.0;
         assert!((dwell.seconds.unwrap() - seconds).abs() < 1e-12);
     }
     // A tolerance larger than the stroke contains all of it.
     let all = excursion(&scene, "Y.x", Some(200.0)).dwells.unwrap().1;
     assert!(
-        all.iter().all(|dwell| (dwell.way - 360.0).abs() < 1e-9),
+        all.iter().all(|dwell| (dwell.travel - 360.0).abs() < 1e-9),
         "{all:?}"
     );
 }
@@ -155,8 +155,8 @@ fn crank_rocker_swing_matches_law_of_cosines() {
     let swing = angle(a + b, c, d) - angle(b - a, c, d);
     // The crank is in line with the coupler: from A, C is at b + a or, on the other side, at b - a.
     let (outer, inner) = (angle(c, b + a, d), angle(c, b - a, d) + 180.0);
-    let way = inner - outer;
-    let ratio = (way / (360.0 - way)).max((360.0 - way) / way);
+    let travel = inner - outer;
+    let ratio = (travel / (360.0 - travel)).max((360.0 - travel) / travel);
     let found = figures(&scene, &["r4.angle.swing", "r4.angle.ratio"]);
     close(&found, &[swing, ratio], 1e-12);
     let none = figures(
@@ -175,13 +175,13 @@ fn crank_rocker_swing_matches_law_of_cosines() {
         let t4 = cy.atan2(cx - d);
         (a / c) * 15.0 * ((t2 - t3).sin() / (t4 - t3).sin())
     };
-    let most = (0..36_000)
+    let maximum = (0..36_000)
         .map(|k| rate(f64::from(k) / 100.0).abs())
         .fold(0.0, f64::max);
     let found = figures(&scene, &["r4.angle.fastest"])[0].unwrap();
     assert!(
-        found >= most - 1e-12 && found - most < 1e-6,
-        "{found} {most}"
+        found >= maximum - 1e-12 && found - maximum < 1e-6,
+        "{found} {maximum}"
     );
 }
 
@@ -289,11 +289,11 @@ fn coupled_group_stroke_matches_dense_samples() {
         let _ = solver.solve(f64::from(k) / 20.0, column.order(), &mut state);
         values.push(column.value(&state).unwrap());
     }
-    let most = values.iter().copied().fold(f64::MIN, f64::max);
-    let least = values.iter().copied().fold(f64::MAX, f64::min);
+    let maximum = values.iter().copied().fold(f64::MIN, f64::max);
+    let minimum = values.iter().copied().fold(f64::MAX, f64::min);
     let found = excursion(&scene, &column.name, None);
     let stroke = found.stroke().unwrap();
-    assert!(stroke >= most - least - 1e-9 && stroke - (most - least) < 1e-4 * stroke);
+    assert!(stroke >= maximum - minimum - 1e-9 && stroke - (maximum - minimum) < 1e-4 * stroke);
     let condition = figures(&scene, &["condition"])[0].unwrap();
     assert!(0.0 < condition && condition < 1.0);
 }
@@ -317,8 +317,8 @@ fn extrema_close_together_are_found() {
     let found: Vec<f64> = turns.iter().map(|turn| turn.place.at).collect();
     assert_eq!(found.len(), wanted.len(), "{found:?} {wanted:?}");
     for (found, wanted) in found.iter().zip(&wanted) {
-        let apart = (found - wanted).rem_euclid(360.0);
-        assert!(apart.min(360.0 - apart) < 1e-6, "{found} {wanted}");
+        let distance = (found - wanted).rem_euclid(360.0);
+        assert!(distance.min(360.0 - distance) < 1e-6, "{found} {wanted}");
     }
 }
 
@@ -338,8 +338,8 @@ fn ratio_of_accelerated_driver_is_in_time() {
     let (up, down) = (time(360.0) - time(180.0), time(540.0) - time(360.0));
     close(&figures(&scene, &["Y.x.ratio"]), &[up / down], 1e-12);
     // f'' w^2 + f' a with f = 50 cos q.
-    let most = (50.0_f64 * 100.0).hypot(50.0 * 4.0);
-    close(&figures(&scene, &["Y.x.hardest"]), &[most], 1e-12);
+    let maximum = (50.0_f64 * 100.0).hypot(50.0 * 4.0);
+    close(&figures(&scene, &["Y.x.hardest"]), &[maximum], 1e-12);
 }
 
 #[test]
@@ -356,7 +356,7 @@ fn transmission_value_suggestions_and_units_are_correct() {
     let found = figures(&scene, &["transmission", "transmission.C"]);
     close(&found, &[90.0 - off, 90.0 - off], 1e-9);
     let catalogue = Catalogue::new(&scene.0);
-    for (name, told) in [
+    for (name, text) in [
         ("C.x.strok", "`C.x.stroke`"),
         ("C.z.stroke", "`C.x.stroke`"),
         ("rnage", "`range`"),
@@ -366,7 +366,7 @@ fn transmission_value_suggestions_and_units_are_correct() {
         let fault = CycleFigure::parse(name, &catalogue)
             .unwrap_err()
             .to_string();
-        assert!(fault.contains(told), "{fault}");
+        assert!(fault.contains(text), "{fault}");
     }
     let units = [
         "C.x.stroke",
@@ -447,8 +447,9 @@ fn changing_values_equal_those_of_whole_motion() {
         let catalogue = Catalogue::new(&scene);
         let all = [catalogue.figures(), catalogue.unlisted()].concat();
         let mut sampler = MotionSampler::new(&solver, SlopeSource::Nothing, all.iter(), 0);
-        let whole = sampler.along_motion();
-        for ((column, values), changes) in whole.iter().enumerate().zip(changing(&solver, &all)) {
+        let complete = sampler.sample_motion();
+        for ((column, values), changes) in complete.iter().enumerate().zip(changing(&solver, &all))
+        {
             let expected = sampler.changes(column, values, LEVEL) != Some(false);
             assert_eq!(changes, expected, "{} {}", preset.name, all[column].name);
             seen[usize::from(changes)] += 1;

@@ -1,16 +1,16 @@
 //! Finds the extrema of a quantity.
 
 use super::sampler::{FigureSample, MotionSampler, SampledFigure};
-use super::{FigurePlace, NoFigure, TurningPlace, first_period};
-use crate::numeric::{Unsettled, lowest, root, turns};
+use super::{ExtremumPlace, FigurePlace, NoFigure, first_period};
+use crate::numeric::{MinimumError, lowest, root, turns};
 use crate::solver::Range;
 
 /// The reversal below which an extremum is a rounding error, relative to the stroke; the larger one
 /// applies without slopes.
-const UNDONE: f64 = 1e-9;
-const UNDONE_BY_VALUES: f64 = 1e-6;
+const MIN_REVERSAL: f64 = 1e-9;
+const MIN_REVERSAL_BY_VALUES: f64 = 1e-6;
 /// The distance from a place without a slope at which a slope is sampled, relative to the stretch.
-const ASIDE: f64 = 1e-6;
+const SIDE_DISTANCE: f64 = 1e-6;
 /// Bisections to find a jump of a slope.
 const BISECTIONS: u32 = 60;
 /// Bisections of a stretch between two samples.
@@ -21,19 +21,19 @@ const HALVINGS: u32 = 10;
 const ONE_WAY: f64 = 3.0;
 
 /// All extrema of a quantity.
-pub(super) struct Turnings {
+pub(super) struct ExtremaSet {
     /// The extrema by coordinate, over one period or including both ends of the range.
-    pub(super) places: Vec<TurningPlace>,
+    pub(super) places: Vec<ExtremumPlace>,
     pub(super) least: FigurePlace,
     pub(super) greatest: FigurePlace,
 }
 
-impl Turnings {
+impl ExtremaSet {
     pub(super) fn find(
         sampler: &mut MotionSampler,
         column: usize,
         sampled: &SampledFigure,
-    ) -> Result<Turnings, NoFigure> {
+    ) -> Result<ExtremaSet, NoFigure> {
         if let Some(at) = sampled.gap() {
             return Err(match sampler.is_pole(column, at, sampled) {
                 true => NoFigure::Unbounded(at),
@@ -58,24 +58,24 @@ impl Turnings {
         let samples = (0..sampled.at.len()).map(|k| sampled.sample(k).place());
         let seen: Vec<FigurePlace> = samples.chain(candidates.iter().copied()).collect();
         let by_value = |a: &&FigurePlace, b: &&FigurePlace| a.value.total_cmp(&b.value);
-        let (least, greatest) = (seen.iter().min_by(by_value), seen.iter().max_by(by_value));
-        let (Some(&least), Some(&greatest)) = (least, greatest) else {
+        let (minimum, maximum) = (seen.iter().min_by(by_value), seen.iter().max_by(by_value));
+        let (Some(&minimum), Some(&maximum)) = (minimum, maximum) else {
             return Err(NoFigure::Stands);
         };
         let undone = match sampler.has_slope(column) {
-            true => UNDONE,
-            false => UNDONE_BY_VALUES,
+            true => MIN_REVERSAL,
+            false => MIN_REVERSAL_BY_VALUES,
         };
-        let finest = undone * (greatest.value - least.value);
-        let goes_round = sampled.revolutions(sampler.range(), sampler.cut(column)) == 0.0;
-        let mut turnings = Turnings {
+        let finest = undone * (maximum.value - minimum.value);
+        let is_periodic = sampled.revolutions(sampler.range(), sampler.cut(column)) == 0.0;
+        let mut turnings = ExtremaSet {
             places: match sampler.range() {
-                Range::Full { .. } if goes_round => around(&candidates, finest),
+                Range::Full { .. } if is_periodic => around(&candidates, finest),
                 Range::Full { .. } => candidates.windows(3).filter_map(middle).collect(),
                 Range::Limited { .. } => between_ends(sampled, &candidates, finest),
             },
-            least,
-            greatest,
+            least: minimum,
+            greatest: maximum,
         };
         turnings.find_plateaus(sampler, column, sampled);
         Ok(turnings)
@@ -101,13 +101,13 @@ fn by_slope(
     let noise = f64::EPSILON * sampler.size(column);
     for k in 1..sampled.at.len() {
         let ends = [sampled.sample(k - 1), sampled.sample(k)];
-        look_between(sampler, column, ends, noise, HALVINGS, &mut found);
+        find_extrema_between(sampler, column, ends, noise, HALVINGS, &mut found);
     }
     found
 }
 
 /// Finds the extrema between two samples.
-fn look_between(
+fn find_extrema_between(
     sampler: &mut MotionSampler,
     column: usize,
     [mut a, mut b]: [FigureSample; 2],
@@ -117,7 +117,7 @@ fn look_between(
 ) {
     // At a kink of a formula, or at a pole of a rate, the slope does not exist; it exists next to
     // it.
-    let aside = ASIDE * (b.at - a.at);
+    let aside = SIDE_DISTANCE * (b.at - a.at);
     for (end, by) in [(&mut a, aside), (&mut b, -aside)] {
         if !end.slope.is_finite() {
             found.push(end.place());
@@ -137,12 +137,12 @@ fn look_between(
         found.push(FigurePlace { at, value });
         return;
     }
-    if halvings == 0 || goes_one_way([a, b], noise) {
+    if halvings == 0 || is_monotonic([a, b], noise) {
         return;
     }
     let middle = sampler.sample(column, 0.5 * (a.at + b.at), a.value);
-    look_between(sampler, column, [a, middle], noise, halvings - 1, found);
-    look_between(sampler, column, [middle, b], noise, halvings - 1, found);
+    find_extrema_between(sampler, column, [a, middle], noise, halvings - 1, found);
+    find_extrema_between(sampler, column, [middle, b], noise, halvings - 1, found);
 }
 
 /// Finds the place where a slope changes sign by a jump, to full precision.
@@ -160,10 +160,10 @@ fn jump(sampler: &mut MotionSampler, column: usize, [a, b]: [FigureSample; 2]) -
 }
 
 /// Returns `true` if the cubic through two samples is monotonic, with a margin.
-fn goes_one_way([a, b]: [FigureSample; 2], noise: f64) -> bool {
-    let way = b.at - a.at;
+fn is_monotonic([a, b]: [FigureSample; 2], noise: f64) -> bool {
+    let travel = b.at - a.at;
     let change = b.value - a.value;
-    let slopes = (a.slope + b.slope) * way;
+    let slopes = (a.slope + b.slope) * travel;
     // Both are as small as rounding errors.
     let is_level = change.abs() + slopes.abs() <= 16.0 * noise;
     is_level || (change * slopes > 0.0 && slopes / change <= ONE_WAY)
@@ -177,10 +177,12 @@ fn by_values(
 ) -> Vec<FigurePlace> {
     let (at, values) = (&sampled.at, &sampled.by_degree[0]);
     let last = at.len() - 1;
-    let size = values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-    let goes_round = matches!(sampler.range(), Range::Full { .. })
-        && (values[last] - values[0]).abs() <= UNDONE_BY_VALUES * size;
-    let all = turns(values, UNDONE_BY_VALUES * size, goes_round);
+    let size = values
+        .iter()
+        .fold(0.0_f64, |maximum, v| maximum.max(v.abs()));
+    let is_periodic = matches!(sampler.range(), Range::Full { .. })
+        && (values[last] - values[0]).abs() <= MIN_REVERSAL_BY_VALUES * size;
+    let all = turns(values, MIN_REVERSAL_BY_VALUES * size, is_periodic);
     let inner = all.into_iter().filter(|turn| !turn.is_end);
     let mut found: Vec<FigurePlace> = inner
         .map(|turn| {
@@ -190,12 +192,12 @@ fn by_values(
                 0 => sampled.before_first(),
                 _ => at[k - 1],
             };
-            let behind = at.get(k + 1).copied().unwrap_or(at[last]);
+            let after = at.get(k + 1).copied().unwrap_or(at[last]);
             let sense = if turn.is_peak { -1.0 } else { 1.0 };
-            let beside = values[k];
-            let f = |at| Some(sense * sampler.sample(column, at, beside).value);
+            let nearby = values[k];
+            let f = |at| Some(sense * sampler.sample(column, at, nearby).value);
             let first = (at[k], sense * values[k]);
-            let found = lowest(f, [before, behind], first).unwrap_or_else(Unsettled::best);
+            let found = lowest(f, [before, after], first).unwrap_or_else(MinimumError::best);
             FigurePlace {
                 at: found.0,
                 value: sense * found.1,
@@ -207,15 +209,15 @@ fn by_values(
 }
 
 /// Selects the extrema among the candidates of one period.
-fn around(candidates: &[FigurePlace], finest: f64) -> Vec<TurningPlace> {
+fn around(candidates: &[FigurePlace], finest: f64) -> Vec<ExtremumPlace> {
     let Some(first) = candidates.first() else {
         return Vec::new();
     };
     let round = candidates.iter().chain([first]);
     let values: Vec<f64> = round.map(|place| place.value).collect();
-    let mut found: Vec<TurningPlace> = turns(&values, finest, true)
+    let mut found: Vec<ExtremumPlace> = turns(&values, finest, true)
         .into_iter()
-        .map(|turn| TurningPlace {
+        .map(|turn| ExtremumPlace {
             is_peak: turn.is_peak,
             place: candidates[turn.sample],
             until: None,
@@ -227,12 +229,12 @@ fn around(candidates: &[FigurePlace], finest: f64) -> Vec<TurningPlace> {
 }
 
 /// Returns the extremum at the second of three candidates, for a quantity that makes full turns.
-fn middle(three: &[FigurePlace]) -> Option<TurningPlace> {
-    let [before, place, behind] = *three else {
+fn middle(three: &[FigurePlace]) -> Option<ExtremumPlace> {
+    let [before, place, after] = *three else {
         return None;
     };
-    let (rise, fall) = (place.value - before.value, place.value - behind.value);
-    (rise * fall > 0.0).then_some(TurningPlace {
+    let (rise, fall) = (place.value - before.value, place.value - after.value);
+    (rise * fall > 0.0).then_some(ExtremumPlace {
         is_peak: rise > 0.0,
         place,
         until: None,
@@ -246,7 +248,7 @@ fn between_ends(
     sampled: &SampledFigure,
     candidates: &[FigurePlace],
     finest: f64,
-) -> Vec<TurningPlace> {
+) -> Vec<ExtremumPlace> {
     let last = sampled.at.len() - 1;
     let [low, high] = [0, last].map(|k| sampled.sample(k).place());
     let inner = candidates.iter().copied();
@@ -257,17 +259,17 @@ fn between_ends(
         let sample = turn.sample;
         0 < sample && sample < all.len() - 1
     });
-    let kept: Vec<TurningPlace> = kept
-        .map(|turn| TurningPlace {
+    let kept: Vec<ExtremumPlace> = kept
+        .map(|turn| ExtremumPlace {
             is_peak: turn.is_peak,
             place: all[turn.sample],
             until: None,
             is_limit: false,
         })
         .collect();
-    let next_to = |place: FigurePlace, other: Option<&TurningPlace>, end: FigurePlace| {
+    let next_to = |place: FigurePlace, other: Option<&ExtremumPlace>, end: FigurePlace| {
         let other = other.map_or(end.value, |turn| turn.place.value);
-        TurningPlace {
+        ExtremumPlace {
             is_peak: place.value > other,
             place,
             until: None,

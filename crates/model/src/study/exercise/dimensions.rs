@@ -35,7 +35,7 @@ enum DimensionRule {
 
 /// The variation of the dimensions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum DrawnApart {
+pub(super) enum DimensionSpread {
     /// Each independently, by up to this percentage.
     Each(u32),
     /// All by the same factor.
@@ -45,7 +45,7 @@ pub(super) enum DrawnApart {
 /// The factors that scale a whole scene; round numbers stay round.
 const FACTORS: [f64; 8] = [0.4, 0.5, 0.8, 1.2, 1.25, 1.5, 2.0, 2.5];
 /// The range of the whole's size, in percent.
-const WHOLE: [u32; 2] = [60, 160];
+const SIZE_RANGE: [u32; 2] = [60, 160];
 
 impl Dimensions {
     /// Finds the dimensions of a scene: lengths of links, points on links and on the ground,
@@ -134,12 +134,12 @@ impl Dimensions {
     /// Draws random dimensions; returns the new text of each value.
     pub(super) fn changed(
         &self,
-        chance: &mut SeededRng,
-        spread: DrawnApart,
+        rng: &mut SeededRng,
+        spread: DimensionSpread,
     ) -> Option<Vec<(Value, String)>> {
         let texts = match spread {
-            DrawnApart::Each(percent) => self.apart(chance, percent)?,
-            DrawnApart::Together => self.together(chance)?,
+            DimensionSpread::Each(percent) => self.draw_dimensions(rng, percent)?,
+            DimensionSpread::Together => self.together(rng)?,
         };
         let values = self.list.iter().map(|dimension| dimension.value.clone());
         let put = |(value, text): (Value, String)| {
@@ -150,19 +150,19 @@ impl Dimensions {
         Some(values.zip(texts).map(put).collect())
     }
 
-    fn together(&self, chance: &mut SeededRng) -> Option<Vec<String>> {
-        let factor = *chance.one_of(&FACTORS)?;
+    fn together(&self, rng: &mut SeededRng) -> Option<Vec<String>> {
+        let factor = *rng.one_of(&FACTORS)?;
         let list = self.list.iter();
         Some(list.map(|d| exactly(d.value.number * factor)).collect())
     }
 
-    fn apart(&self, chance: &mut SeededRng, percent: u32) -> Option<Vec<String>> {
-        let [low, high] = WHOLE;
-        let whole = f64::from(chance.between(low, high)) / 100.0;
+    fn draw_dimensions(&self, rng: &mut SeededRng, percent: u32) -> Option<Vec<String>> {
+        let [low, high] = SIZE_RANGE;
+        let complete = f64::from(rng.between(low, high)) / 100.0;
         let mut sizes = Vec::with_capacity(self.sizes.len());
         for size in &self.sizes {
-            let own = chance.between(100_u32.saturating_sub(percent), 100 + percent);
-            let size: f64 = agreeable(size * whole * f64::from(own) / 100.0)?
+            let own = rng.between(100_u32.saturating_sub(percent), 100 + percent);
+            let size: f64 = agreeable(size * complete * f64::from(own) / 100.0)?
                 .parse()
                 .ok()?;
             sizes.push(size);
@@ -174,7 +174,7 @@ impl Dimensions {
                 DimensionRule::Halves(size, halves) => {
                     Some(exactly(sizes.get(size)? * halves / 2.0))
                 }
-                DimensionRule::Whole => agreeable(number * whole),
+                DimensionRule::Whole => agreeable(number * complete),
                 DimensionRule::With(size) => {
                     agreeable(number * sizes.get(size)? / self.sizes.get(size)?)
                 }
@@ -197,7 +197,7 @@ impl LengthParameters {
             .map(|value| (value.name.as_str(), value))
             .collect();
         // All names that a value depends on, directly or indirectly.
-        let behind = |of: &mut dyn Iterator<Item = &Value>| {
+        let after = |of: &mut dyn Iterator<Item = &Value>| {
             let mut met: HashSet<String> = HashSet::new();
             let mut names: Vec<String> = of.flat_map(Value::follows_from).collect();
             while let Some(name) = names.pop() {
@@ -212,8 +212,8 @@ impl LengthParameters {
             let measure = value.measure;
             matches!(measure, Measure::Angle | Measure::Time | Measure::Factor) || measure.is_rate()
         };
-        let of_parts = behind(&mut values.iter().filter(|value| is_of_a_part(value)));
-        let of_others = behind(&mut values.iter().filter(is_else));
+        let of_parts = after(&mut values.iter().filter(|value| is_of_a_part(value)));
+        let of_others = after(&mut values.iter().filter(is_else));
         LengthParameters {
             names: of_parts.difference(&of_others).cloned().collect(),
         }
@@ -244,8 +244,8 @@ fn is_dimension(value: &Value) -> bool {
 fn is_on(value: &Value, scene: &Scene) -> bool {
     let mut links = scene.mechanism.link_ids();
     links.any(|link| {
-        let behind = value.name.strip_prefix(scene.link_name(link));
-        behind.is_some_and(|behind| behind.starts_with(' ') && behind != " length")
+        let after = value.name.strip_prefix(scene.link_name(link));
+        after.is_some_and(|after| after.starts_with(' ') && after != " length")
     })
 }
 
@@ -254,12 +254,12 @@ mod tests {
     use super::*;
     use crate::scene::presets;
 
-    fn changed(name: &str, spread: DrawnApart) -> Vec<(String, String)> {
+    fn changed(name: &str, spread: DimensionSpread) -> Vec<(String, String)> {
         let preset = presets::find(name).unwrap();
         let scene = Scene::parse(preset.text, preset.name).unwrap();
         let dimensions = Dimensions::of(&scene);
-        let mut chance = SeededRng::new(5);
-        let changed = dimensions.changed(&mut chance, spread).unwrap();
+        let mut rng = SeededRng::new(5);
+        let changed = dimensions.changed(&mut rng, spread).unwrap();
         changed.into_iter().map(|(v, t)| (v.name, t)).collect()
     }
 
@@ -274,7 +274,7 @@ mod tests {
 
     #[test]
     fn every_nonzero_length_is_a_dimension() {
-        let list = changed("four-bar", DrawnApart::Each(30));
+        let list = changed("four-bar", DimensionSpread::Each(30));
         let names: Vec<&str> = list.iter().map(|(name, _)| name.as_str()).collect();
         let all = [
             "D x",
@@ -290,7 +290,7 @@ mod tests {
 
     #[test]
     fn equal_lengths_stay_equal() {
-        let list = changed("triple-parallelogram", DrawnApart::Each(30));
+        let list = changed("triple-parallelogram", DimensionSpread::Each(30));
         assert_eq!(number(&list, "r2 length"), number(&list, "r5 length"));
         assert_eq!(number(&list, "D x"), number(&list, "r3 length"));
         assert_eq!(number(&list, "H x"), number(&list, "r3 K x"));
@@ -307,8 +307,8 @@ mod tests {
         let scene = Scene::parse(text, "test").unwrap();
         let dimensions = Dimensions::of(&scene);
         for seed in 0..20 {
-            let mut chance = SeededRng::new(seed);
-            let list = dimensions.changed(&mut chance, DrawnApart::Each(25));
+            let mut rng = SeededRng::new(seed);
+            let list = dimensions.changed(&mut rng, DimensionSpread::Each(25));
             let list: Vec<(String, String)> = list
                 .unwrap()
                 .into_iter()
@@ -333,17 +333,17 @@ mod tests {
         let dimensions = Dimensions::of(&scene);
         for seed in 0..10 {
             let changed = dimensions
-                .changed(&mut SeededRng::new(seed), DrawnApart::Each(25))
+                .changed(&mut SeededRng::new(seed), DimensionSpread::Each(25))
                 .unwrap();
             let names: Vec<&str> = changed
                 .iter()
                 .map(|(value, _)| value.name.as_str())
                 .collect();
             assert_eq!(names, ["frame", "crank", "r4 length"]);
-            let drawn = scene.again(&scene.with_values(&changed)).unwrap();
-            let worth = |name: &str| drawn.value_named(name).unwrap().number;
-            assert!(worth("crank") != 100.0 || worth("frame") != 400.0);
-            assert_eq!(worth("r3 length"), 3.0 * worth("crank"));
+            let drawn = scene.reparse(&scene.with_values(&changed)).unwrap();
+            let score = |name: &str| drawn.value_named(name).unwrap().number;
+            assert!(score("crank") != 100.0 || score("frame") != 400.0);
+            assert_eq!(score("r3 length"), 3.0 * score("crank"));
             assert!(
                 drawn.text().contains("crank = \"")
                     && drawn.text().contains(" mm\"\nrod = \"3 * crank\"")
@@ -353,7 +353,7 @@ mod tests {
 
     #[test]
     fn load_knots_are_no_dimensions() {
-        let list = changed("press-ram", DrawnApart::Together);
+        let list = changed("press-ram", DimensionSpread::Together);
         assert!(
             list.iter().all(|(name, _)| !name.contains("knot")),
             "{list:?}"

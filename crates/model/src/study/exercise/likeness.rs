@@ -15,7 +15,7 @@ pub(super) struct MotionKind {
     period: Option<f64>,
     dead_points: usize,
     change_points: usize,
-    misses_nearly: bool,
+    has_near_miss: bool,
 }
 
 impl MotionKind {
@@ -31,7 +31,7 @@ impl MotionKind {
             },
             dead_points: motion.dead_points.len(),
             change_points: motion.change_points.len(),
-            misses_nearly: !motion.near_misses.is_empty(),
+            has_near_miss: !motion.near_misses.is_empty(),
         }
     }
 }
@@ -64,20 +64,23 @@ pub(super) fn places(mechanism: &Mechanism, solver: &Solver) -> Vec<f64> {
         Input::Push(_) => {
             let part = |n| low + (high - low) * f64::from(n) / f64::from(PUSHED);
             let two_digits = |at: f64| figure(format!("{at:.1e}").parse().ok()?).parse().ok();
-            let mut places: Vec<f64> = (0..=PUSHED)
+            let mut coordinates: Vec<f64> = (0..=PUSHED)
                 .filter_map(|n| two_digits(part(n)))
                 .filter(inside)
                 .collect();
-            places.dedup();
-            places
+            coordinates.dedup();
+            coordinates
         }
     }
 }
 
 /// Returns for each place the smallest margin of a group from singularities; 0 if the state is not
 /// regular. The margin of a coupled group is relative to its largest one.
-pub(super) fn margins(solver: &Solver, places: &[f64], work: &mut Workspace) -> Vec<f64> {
-    let all: Vec<_> = places.iter().map(|&at| solver.margins(at, work)).collect();
+pub(super) fn margins(solver: &Solver, coordinates: &[f64], workspace: &mut Workspace) -> Vec<f64> {
+    let all: Vec<_> = coordinates
+        .iter()
+        .map(|&at| solver.margins(at, workspace))
+        .collect();
     let groups = &solver.plan().groups;
     let mut peaks: Vec<f64> = groups
         .iter()
@@ -91,7 +94,7 @@ pub(super) fn margins(solver: &Solver, places: &[f64], work: &mut Workspace) -> 
             *peak = peak.max(*margin);
         }
     }
-    let least = |margins: &Option<Vec<f64>>| {
+    let minimum = |margins: &Option<Vec<f64>>| {
         let margins = margins.as_ref()?;
         let parts = margins
             .iter()
@@ -99,7 +102,7 @@ pub(super) fn margins(solver: &Solver, places: &[f64], work: &mut Workspace) -> 
             .map(|(margin, peak)| margin / peak);
         Some(parts.fold(1.0, f64::min))
     };
-    all.iter().map(|m| least(m).unwrap_or(0.0)).collect()
+    all.iter().map(|m| minimum(m).unwrap_or(0.0)).collect()
 }
 
 /// Rates from `ZERO` to `SMALL`, relative to the largest one, are too small for an exercise;
@@ -109,17 +112,21 @@ const ZERO: f64 = 1e-12;
 
 /// Returns `true` if all rates exist at a place, and none is nearly but not exactly zero. Such a
 /// rate would consist of rounding errors, or occur near a dead point of a rocker.
-pub(super) fn is_lively(solver: &Solver, at: f64, work: &mut Workspace) -> bool {
-    let condition = solver.solve(at, Order::Acceleration, work);
+pub(super) fn is_lively(solver: &Solver, at: f64, workspace: &mut Workspace) -> bool {
+    let condition = solver.solve(at, Order::Acceleration, workspace);
     if condition != crate::solver::Condition::Ok {
         return false;
     }
     let mechanism = solver.mechanism();
     let links = || mechanism.link_ids();
-    let slides = || mechanism.slide_ids().filter_map(|slide| work.travel(slide));
+    let slides = || {
+        mechanism
+            .slide_ids()
+            .filter_map(|slide| workspace.travel(slide))
+    };
     [
-        links().filter_map(|link| work.omega(link)).collect(),
-        links().filter_map(|link| work.alpha(link)).collect(),
+        links().filter_map(|link| workspace.omega(link)).collect(),
+        links().filter_map(|link| workspace.alpha(link)).collect(),
         slides().filter_map(|travel| travel.rate).collect(),
         slides().filter_map(|travel| travel.accel).collect(),
     ]
@@ -127,7 +134,7 @@ pub(super) fn is_lively(solver: &Solver, at: f64, work: &mut Workspace) -> bool 
     .all(|rates: &Vec<f64>| {
         let largest = rates
             .iter()
-            .fold(0.0_f64, |most, rate| most.max(rate.abs()));
+            .fold(0.0_f64, |maximum, rate| maximum.max(rate.abs()));
         rates.iter().all(|rate| {
             let part = rate.abs() / largest.max(f64::MIN_POSITIVE);
             !(ZERO..SMALL).contains(&part)

@@ -14,23 +14,23 @@ use crate::scene::{Measure, Scene, Value, ValueOwner};
 use crate::solver::{Condition, Order, Solver};
 use agreeable::agreeable;
 
-use dimensions::{Dimensions, DrawnApart};
+use dimensions::{DimensionSpread, Dimensions};
 use likeness::{MotionKind, is_lively, margins, places};
 
 /// The number of attempts and the variation of dimensions. If lengths have relations that random
 /// changes break, the whole scene is scaled.
-const TRIES: [(usize, DrawnApart); 3] = [
-    (60, DrawnApart::Each(25)),
-    (30, DrawnApart::Each(12)),
-    (12, DrawnApart::Together),
+const TRIES: [(usize, DimensionSpread); 3] = [
+    (60, DimensionSpread::Each(25)),
+    (30, DimensionSpread::Each(12)),
+    (12, DimensionSpread::Together),
 ];
 /// Minimum margin of all groups from singularities over the motion: 18 degrees of a dyad, as the
 /// square of a sine.
-const WORST: f64 = 0.1;
+const MIN_MOTION_MARGIN: f64 = 0.1;
 /// Minimum margin at the position of the exercise: 30 degrees.
-const ASKED: f64 = 0.25;
+const MIN_POSITION_MARGIN: f64 = 0.25;
 /// The factor on the original's own margins if they are smaller.
-const LESS: f64 = 0.8;
+const MARGIN_FACTOR: f64 = 0.8;
 /// Number of positions to try for one mechanism.
 const PLACES: usize = 6;
 /// The range of speeds, in percent of the scene's speed.
@@ -45,7 +45,7 @@ pub struct ExerciseMaker<'a> {
     kind: MotionKind,
     /// The required smallest margins over the motion and at the position of the exercise.
     worst: f64,
-    asked: f64,
+    required: f64,
 }
 
 /// The texts of an exercise.
@@ -85,8 +85,8 @@ impl<'a> ExerciseMaker<'a> {
             dimensions: Dimensions::of(scene),
             kind: MotionKind::of(solver),
             // The requirements are no stricter than the original allows.
-            worst: WORST.min(LESS * worst),
-            asked: ASKED.min(LESS * best),
+            worst: MIN_MOTION_MARGIN.min(MARGIN_FACTOR * worst),
+            required: MIN_POSITION_MARGIN.min(MARGIN_FACTOR * best),
         }
     }
 
@@ -103,17 +103,17 @@ impl<'a> ExerciseMaker<'a> {
         if !self.has_dimensions() {
             return None;
         }
-        let mut chance = SeededRng::new(seed);
-        let told = self
+        let mut rng = SeededRng::new(seed);
+        let shown_text = self
             .scene
-            .retold(&titles.name, &titles.source, &titles.note);
+            .with_header(&titles.name, &titles.source, &titles.note);
         // Values are replaced in the text in which they were found: first the numbers, then the
         // titles.
-        let template = self.scene.again(&told)?;
+        let template = self.scene.reparse(&shown_text)?;
         let of_template = template.values();
         for (tries, spread) in TRIES {
             for _ in 0..tries {
-                let Some(changes) = self.drawn(&mut chance, spread) else {
+                let Some(changes) = self.drawn(&mut rng, spread) else {
                     continue;
                 };
                 let in_template = changes.into_iter().filter_map(|(value, text)| {
@@ -121,7 +121,7 @@ impl<'a> ExerciseMaker<'a> {
                     Some((own.clone(), text))
                 });
                 let changes: Vec<_> = in_template.collect();
-                if let Some(made) = self.tried(&template, &changes, &mut chance) {
+                if let Some(made) = self.tried(&template, &changes, &mut rng) {
                     return Some(made);
                 }
             }
@@ -130,10 +130,10 @@ impl<'a> ExerciseMaker<'a> {
     }
 
     /// Draws dimensions and the driver's speed.
-    fn drawn(&self, chance: &mut SeededRng, spread: DrawnApart) -> Option<Vec<(Value, String)>> {
-        let mut changes = self.dimensions.changed(chance, spread)?;
+    fn drawn(&self, rng: &mut SeededRng, spread: DimensionSpread) -> Option<Vec<(Value, String)>> {
+        let mut changes = self.dimensions.changed(rng, spread)?;
         let [low, high] = SPEEDS;
-        let factor = f64::from(chance.between(low, high)) / 100.0;
+        let factor = f64::from(rng.between(low, high)) / 100.0;
         for value in self.scene.values() {
             let power = match value.measure {
                 Measure::TurnSpeed | Measure::PushSpeed => 1,
@@ -155,27 +155,30 @@ impl<'a> ExerciseMaker<'a> {
         &self,
         template: &Scene,
         changes: &[(Value, String)],
-        chance: &mut SeededRng,
+        rng: &mut SeededRng,
     ) -> Option<Exercise> {
-        let scene = template.again(&template.with_values(changes))?;
+        let scene = template.reparse(&template.with_values(changes))?;
         let at = self.scene.mechanism.driver().start;
-        let solver = self.solver.carried_over(at, &scene.mechanism).ok()?;
+        let solver = self
+            .solver
+            .with_dimensions_in_assembly(at, &scene.mechanism)
+            .ok()?;
         if MotionKind::of(&solver) != self.kind {
             return None;
         }
-        let mut work = solver.state();
-        let places = places(&scene.mechanism, &solver);
-        let margins = margins(&solver, &places, &mut work);
+        let mut workspace = solver.state();
+        let coordinates = places(&scene.mechanism, &solver);
+        let margins = margins(&solver, &coordinates, &mut workspace);
         if !margins.iter().all(|margin| *margin >= self.worst) {
             return None;
         }
-        let far = places.iter().zip(&margins);
+        let far = coordinates.iter().zip(&margins);
         let far: Vec<f64> = far
-            .filter_map(|(at, margin)| (*margin >= self.asked).then_some(*at))
+            .filter_map(|(at, margin)| (*margin >= self.required).then_some(*at))
             .collect();
         let at = (0..PLACES).find_map(|_| {
-            let at = *chance.one_of(&far)?;
-            is_lively(&solver, at, &mut work).then_some(at)
+            let at = *rng.one_of(&far)?;
+            is_lively(&solver, at, &mut workspace).then_some(at)
         })?;
         opened(&scene, &solver, at)
     }
@@ -191,8 +194,8 @@ fn opened(scene: &Scene, solver: &Solver, at: f64) -> Option<Exercise> {
     let mut coordinate = values.iter();
     let coordinate =
         coordinate.find(|value| value.owner == ValueOwner::Driver && value.measure == key)?;
-    let moved = scene.again(&scene.with_value(coordinate, &crate::scene::figure(at)))?;
-    let scene = moved.again(&moved.with_start_of(solver, at)?)?;
+    let moved = scene.reparse(&scene.with_value(coordinate, &crate::scene::figure(at)))?;
+    let scene = moved.reparse(&moved.with_start_of(solver, at)?)?;
     let solver = Solver::new(&scene.mechanism).ok()?;
     let start = scene.mechanism.driver().start;
     let mut state = solver.state();

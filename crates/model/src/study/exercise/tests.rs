@@ -41,21 +41,21 @@ fn thousand(name: &str) {
         assert!(assembles_everywhere(&made.solver), "{name}, seed {seed}");
         let at = made.scene.mechanism.driver().start;
         assert_eq!(at % 5.0, 0.0, "{name}, seed {seed}");
-        let mut work = made.solver.state();
-        let margins = made.solver.margins(at, &mut work).unwrap();
-        let least = margins.iter().copied().fold(1.0, f64::min);
+        let mut workspace = made.solver.state();
+        let margins = made.solver.margins(at, &mut workspace).unwrap();
+        let minimum = margins.iter().copied().fold(1.0, f64::min);
         // 30 degrees from a dead point; the press itself attains less.
         assert!(
-            least >= maker.asked && least > 0.2,
-            "{name}, seed {seed}: {least}"
+            minimum >= maker.required && minimum > 0.2,
+            "{name}, seed {seed}: {minimum}"
         );
         // Over the whole motion, by the extreme transmission angles, as accurately as samples every 5 degrees show
         // them.
         if seed % 10 == 0 {
             for of in made.solver.transmission() {
                 let worst = of.deviation().to_radians().cos();
-                let least = 0.9 * maker.worst;
-                assert!(worst * worst > least, "{name}, seed {seed}: {worst}");
+                let minimum = 0.9 * maker.worst;
+                assert!(worst * worst > minimum, "{name}, seed {seed}: {worst}");
             }
         }
         texts.insert(made.scene.text().to_owned());

@@ -6,7 +6,7 @@
 use crate::Vec2;
 use crate::quantity::{Aspect, Quantity, Subject};
 use crate::solver::Order;
-use crate::study::{LoopSum, SoughtKind, SoughtVector, VectorPart};
+use crate::study::{LoopSum, UnknownKind, UnknownVector, VectorPart};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
@@ -17,7 +17,7 @@ pub type ChainValues = Vec<[f64; 3]>;
 #[derive(Clone, Debug)]
 pub struct SolutionChain {
     /// The kind of each variable; the first is the driver's coordinate.
-    pub kinds: Vec<SoughtKind>,
+    pub kinds: Vec<UnknownKind>,
     /// The exact values of the variables.
     pub exact: ChainValues,
     /// The groups, in the order of solution.
@@ -51,7 +51,7 @@ pub struct ChainSlot {
 /// Maximum number of Newton steps; from the exact values a few suffice.
 const STEPS: usize = 30;
 /// The step below which the iteration ends, in rad or relative to the longest vector.
-const ARRIVED: f64 = 1e-13;
+const STEP_TOLERANCE: f64 = 1e-13;
 /// The relative size below which a singular value counts as zero.
 const SINGULAR: f64 = 1e-12;
 
@@ -59,16 +59,16 @@ impl SolutionChain {
     /// Returns the slots of all unknowns, in the order of solution.
     #[must_use]
     pub fn slots(&self) -> Vec<ChainSlot> {
-        let sought = || self.groups.iter().flat_map(|group| &group.sought);
-        let of = |order| sought().map(move |&variable| ChainSlot { order, variable });
+        let unknowns = || self.groups.iter().flat_map(|group| &group.sought);
+        let of = |order| unknowns().map(move |&variable| ChainSlot { order, variable });
         (0..3).flat_map(of).collect()
     }
 
     /// Returns the slot that a value determines, and the offset of its angle from the variable, in
     /// rad; `None` if it determines none.
     #[must_use]
-    pub fn slot_of(&self, figure: &Quantity) -> Option<(ChainSlot, f64)> {
-        let (subject, aspect) = (figure.subject()?, figure.aspect()?);
+    pub fn slot_of(&self, quantity: &Quantity) -> Option<(ChainSlot, f64)> {
+        let (subject, aspect) = (quantity.subject()?, quantity.aspect()?);
         let (part, orders) = match subject {
             Subject::Link(link) => (*self.links.get(link.index())?, Aspect::TURNING),
             Subject::Slide(slide) => (self.slides.get(slide.index())?[0], Aspect::STRETCHING),
@@ -137,10 +137,10 @@ impl SolutionChain {
 
     /// Returns the indices of the variables that a quantity depends on.
     #[must_use]
-    pub fn variables_of(&self, figure: &Quantity) -> Vec<usize> {
+    pub fn variables_of(&self, quantity: &Quantity) -> Vec<usize> {
         let parts = std::cell::RefCell::new(Vec::new());
         // The values are irrelevant: only the parts of the quantity are collected.
-        let _ = figure.made_of(|subject, aspect| {
+        let _ = quantity.made_of(|subject, aspect| {
             parts.borrow_mut().extend(self.parts_of(subject, aspect));
             Some(1.0)
         });
@@ -158,23 +158,23 @@ impl SolutionChain {
 
     /// Returns the variables that determine a part of a quantity.
     fn parts_of(&self, subject: Subject, aspect: Aspect) -> Vec<usize> {
-        let sought = |part: Option<VectorPart>| match part {
+        let unknowns = |part: Option<VectorPart>| match part {
             Some(VectorPart::Sought(variable, _)) => vec![variable],
             _ => Vec::new(),
         };
-        let way = |point: crate::PointId| match self.points.get(point.index()) {
-            Some(Some(way)) => variables(way),
+        let travel = |point: crate::PointId| match self.points.get(point.index()) {
+            Some(Some(travel)) => variables(travel),
             _ => Vec::new(),
         };
         match subject {
             Subject::Driver => vec![0],
-            Subject::Link(link) => sought(self.links.get(link.index()).copied()),
+            Subject::Link(link) => unknowns(self.links.get(link.index()).copied()),
             Subject::Slide(slide) => {
                 let part = usize::from(Aspect::TURNING.contains(&aspect));
-                sought(self.slides.get(slide.index()).map(|parts| parts[part]))
+                unknowns(self.slides.get(slide.index()).map(|parts| parts[part]))
             }
-            Subject::Point(point) => way(point),
-            Subject::Between(tail, head) => [way(tail), way(head)].concat(),
+            Subject::Point(point) => travel(point),
+            Subject::Between(tail, head) => [travel(tail), travel(head)].concat(),
             _ => Vec::new(),
         }
     }
@@ -190,8 +190,8 @@ impl SolutionChain {
 
     /// Computes a quantity from these values; `None` if it is not a motion quantity.
     #[must_use]
-    pub fn figure(&self, figure: &Quantity, values: &[[f64; 3]]) -> Option<f64> {
-        figure.made_of(|subject, aspect| self.value(subject, aspect, values))
+    pub fn figure(&self, quantity: &Quantity, values: &[[f64; 3]]) -> Option<f64> {
+        quantity.made_of(|subject, aspect| self.value(subject, aspect, values))
     }
 
     fn solve(
@@ -222,12 +222,12 @@ impl SolutionChain {
             for (&variable, change) in open.iter().zip(&step) {
                 values.get_mut(variable)?[0] += change;
                 let scale = match self.kinds.get(variable)? {
-                    SoughtKind::Angle => 1.0,
-                    SoughtKind::Length => longest,
+                    UnknownKind::Angle => 1.0,
+                    UnknownKind::Length => longest,
                 };
                 largest = largest.max(change.abs() / scale);
             }
-            if largest <= ARRIVED {
+            if largest <= STEP_TOLERANCE {
                 break;
             }
         }
@@ -257,8 +257,8 @@ impl SolutionChain {
         let is_turning = Aspect::TURNING.contains(&aspect);
         match subject {
             Subject::Driver => match self.kinds.first()? {
-                SoughtKind::Angle if order == 0 => Some(values.first()?[0].to_degrees()),
-                SoughtKind::Angle | SoughtKind::Length => Some(values.first()?[order]),
+                UnknownKind::Angle if order == 0 => Some(values.first()?[0].to_degrees()),
+                UnknownKind::Angle | UnknownKind::Length => Some(values.first()?[order]),
             },
             Subject::Link(link) => turned(*self.links.get(link.index())?, 0.0),
             Subject::Slide(slide) => {
@@ -328,8 +328,8 @@ fn step(group: &ChainGroup, order: usize, open: &[usize], values: &[[f64; 3]]) -
         return None;
     }
     let parts = matrix.try_svd(true, true, f64::EPSILON, 1000)?;
-    let least = SINGULAR * parts.singular_values.max();
-    let solved = parts.solve(&left, least).ok()?;
+    let minimum = SINGULAR * parts.singular_values.max();
+    let solved = parts.solve(&left, minimum).ok()?;
     let solved: Vec<f64> = solved.iter().copied().collect();
     all_finite(&solved).then_some(solved)
 }
@@ -353,7 +353,7 @@ fn part_of(part: VectorPart, order: usize, values: &[[f64; 3]]) -> Option<f64> {
 }
 
 /// Returns the length and the direction of a vector.
-fn heading(vector: &SoughtVector, values: &[[f64; 3]]) -> Option<(f64, Vec2)> {
+fn heading(vector: &UnknownVector, values: &[[f64; 3]]) -> Option<(f64, Vec2)> {
     let (sin, cos) = part_of(vector.angle, 0, values)?.sin_cos();
     Some((part_of(vector.length, 0, values)?, Vec2::new(cos, sin)))
 }

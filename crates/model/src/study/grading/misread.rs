@@ -36,7 +36,7 @@ const STEPS: usize = 30;
 /// Maximum number of halvings of a step.
 const HALVINGS: i32 = 8;
 /// The step below which the iteration ends, relative to the value.
-const ARRIVED: f64 = 1e-12;
+const STEP_TOLERANCE: f64 = 1e-12;
 /// The relative change for the first slope.
 const FIRST_STEP: f64 = 1e-4;
 
@@ -50,7 +50,7 @@ impl AnswerKey {
         verdicts: &mut [FigureVerdict],
         sheet: SheetScene<'_>,
     ) -> Option<MisreadValue> {
-        let lost: Vec<(usize, WrittenFigure)> = (0..self.asked.min(verdicts.len()))
+        let lost: Vec<(usize, WrittenFigure)> = (0..self.required.min(verdicts.len()))
             .filter(|&number| is_lost(verdicts[number]))
             .filter_map(|number| Some((number, answers.get(number)?.figure()?)))
             .filter(|(number, written)| {
@@ -70,27 +70,27 @@ impl AnswerKey {
             is_first || lost.len() == 2
         });
         // Choose the value that explains most of the others, and the first one of equals.
-        let most = lost.len() - 1;
-        let fewest = MIN_EXPLAINED.min(most);
+        let maximum = lost.len() - 1;
+        let fewest = MIN_EXPLAINED.min(maximum);
         let mut best: Option<(MisreadValue, Vec<usize>)> = None;
         let pairs = firsts.flat_map(|&first| sheet.given().into_iter().map(move |v| (first, v)));
         for ((first, written), value) in pairs {
             let Some((number, by)) = self.reading((first, written), &lost, &value, sheet) else {
                 continue;
             };
-            let least = best.as_ref().map_or(fewest, |(_, by)| by.len() + 1);
-            if by.len() >= least {
-                let figure = first;
+            let minimum = best.as_ref().map_or(fewest, |(_, by)| by.len() + 1);
+            if by.len() >= minimum {
+                let index = first;
                 best = Some((
                     MisreadValue {
                         value,
                         number,
-                        figure,
+                        figure: index,
                     },
                     by,
                 ));
             }
-            if best.as_ref().is_some_and(|(_, by)| by.len() == most) {
+            if best.as_ref().is_some_and(|(_, by)| by.len() == maximum) {
                 break;
             }
         }
@@ -104,14 +104,18 @@ impl AnswerKey {
     /// Finds the number for a given value at which a quantity equals the written one.
     fn read_as(
         &self,
-        (figure, written): (usize, WrittenFigure),
+        (index, written): (usize, WrittenFigure),
         value: &Value,
         sheet: SheetScene<'_>,
     ) -> Option<f64> {
-        let asked = self.figures.get(figure)?;
+        let requested = self.figures.get(index)?;
         let off = |number: f64| {
-            let found = sheet.with(value, number, |state| asked.quantity.value(state))??;
-            Some(-Truth::of(asked).with(found).apart(written.value))
+            let found = sheet.with(value, number, |state| requested.quantity.value(state))??;
+            Some(
+                -Truth::of(requested)
+                    .with(found)
+                    .difference_from(written.value),
+            )
         };
         let mut last = (value.number, off(value.number)?);
         let next = value.number * (1.0 + FIRST_STEP);
@@ -122,7 +126,7 @@ impl AnswerKey {
             if !next.is_finite() {
                 return None;
             }
-            if (next - here.0).abs() <= ARRIVED * value.number.abs() {
+            if (next - here.0).abs() <= STEP_TOLERANCE * value.number.abs() {
                 return Some(next);
             }
             // A long step may end where the loops do not close.
@@ -144,28 +148,31 @@ impl AnswerKey {
         let found = self.read_as((first, written), value, sheet)?;
         let figures = |number| {
             sheet.with(value, number, |state| {
-                let values = self.figures.iter().map(|asked| asked.quantity.value(state));
+                let values = self
+                    .figures
+                    .iter()
+                    .map(|requested| requested.quantity.value(state));
                 values.collect::<Vec<_>>()
             })
         };
-        let beside = (figures(found)?, figures(found * (1.0 + FIRST_STEP))?);
-        let moved = |figure: usize| {
-            let there = Truth::of(&self.figures[figure]).with(beside.0[figure]?);
-            Some(there.apart(beside.1[figure]?).abs())
+        let nearby = (figures(found)?, figures(found * (1.0 + FIRST_STEP))?);
+        let moved = |index: usize| {
+            let there = Truth::of(&self.figures[index]).with(nearby.0[index]?);
+            Some(there.difference_from(nearby.1[index]?).abs())
         };
         // The change of the value by the digits that the first answer lacks, because they may have
         // been cut off.
         let last = written.unit_of(MIN_COUNT, i32::MAX);
         let parts = last / moved(first).filter(|by| *by > 0.0)?;
-        let is_explained = |there: &[Option<f64>], figure: usize, own: WrittenFigure| {
-            let truth = Truth::of(&self.figures[figure]);
-            let followed = truth.with(there[figure]?);
-            let apart = followed.apart(own.value).abs();
-            let carried = (parts * moved(figure)?).min(followed.carried());
-            let is_nearer = apart <= 0.5 * truth.apart(own.value).abs();
+        let is_explained = |there: &[Option<f64>], index: usize, own: WrittenFigure| {
+            let truth = Truth::of(&self.figures[index]);
+            let followed = truth.with(there[index]?);
+            let distance = followed.difference_from(own.value).abs();
+            let carried = (parts * moved(index)?).min(followed.carried());
+            let is_nearer = distance <= 0.5 * truth.difference_from(own.value).abs();
             // A number that is written everywhere is not a consequence of earlier answers.
             let is_copied = own.value == written.value;
-            Some(is_nearer && !is_copied && apart <= own.unit_of(MIN_COUNT, MAX_COUNT) + carried)
+            Some(is_nearer && !is_copied && distance <= own.unit_of(MIN_COUNT, MAX_COUNT) + carried)
         };
         let explained = |number: f64, there: &[Option<f64>]| {
             let others = lost.iter().filter(|(number, _)| *number != first);
@@ -178,7 +185,7 @@ impl AnswerKey {
         };
         // A round number is preferred, unless the exact one explains more.
         let round = roundest(found, (parts * FIRST_STEP * found).abs());
-        let exact = explained(found, &beside.0);
+        let exact = explained(found, &nearby.0);
         let round = match round == found {
             true => None,
             false => figures(round).map(|there| explained(round, &there)),
@@ -246,8 +253,11 @@ impl SheetScene<'_> {
             return solved(self.solver, self.at, read);
         }
         let changed = self.scene.with_value(value, &value.with_number(number));
-        let scene = self.scene.again(&changed)?;
-        let solver = self.solver.carried_over(self.at, &scene.mechanism).ok()?;
+        let scene = self.scene.reparse(&changed)?;
+        let solver = self
+            .solver
+            .with_dimensions_in_assembly(self.at, &scene.mechanism)
+            .ok()?;
         solved(&solver, self.at, read)
     }
 }

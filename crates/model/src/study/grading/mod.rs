@@ -17,12 +17,12 @@ pub use verdict::{FigureVerdict, RoundedEarly};
 pub use written::WrittenFigure;
 
 use crate::quantity::{Quantity, known_unit, unit_factor};
-use points::{FacedVector, VectorSlot};
+use points::{AnsweredVector, VectorSlot};
 use verdict::{MIN_COUNT, Truth};
 
 /// A required value.
 #[derive(Clone, Debug, PartialEq)]
-pub struct AskedFigure {
+pub struct RequiredValue {
     /// The quantity.
     pub quantity: Quantity,
     /// The exact value.
@@ -38,9 +38,9 @@ pub struct AskedFigure {
 pub struct AnswerKey {
     /// The required values, positions first, then velocities, then accelerations; then further
     /// values to judge.
-    pub figures: Vec<AskedFigure>,
+    pub figures: Vec<RequiredValue>,
     /// The number of required values.
-    pub asked: usize,
+    pub required: usize,
     /// The dependencies between the values, if known.
     pub chain: Option<SolutionChain>,
     /// The chain's variables in other assemblies.
@@ -79,20 +79,20 @@ impl GivenAnswer {
 
 /// One interpretation of an answer, and its verdict.
 #[derive(Clone, Copy)]
-struct JudgedReading {
+struct GradedReading {
     written: WrittenFigure,
     verdict: FigureVerdict,
 }
 
 /// The answers graded so far, as values of variables and of points' vectors.
 #[derive(Default)]
-struct Faced {
-    slots: Vec<FacedSlot>,
-    vectors: Vec<FacedVector>,
+struct GradedSoFar {
+    slots: Vec<GradedVariable>,
+    vectors: Vec<AnsweredVector>,
 }
 
 /// A graded answer as the value of a variable.
-struct FacedSlot {
+struct GradedVariable {
     /// The index of the answer.
     figure: usize,
     slot: ChainSlot,
@@ -107,22 +107,22 @@ struct FacedSlot {
 impl AnswerKey {
     /// Returns `true` if the value of a column is required.
     #[must_use]
-    pub fn asks(&self, column: &str) -> bool {
-        let mut asked = self.figures.iter().take(self.asked);
-        asked.any(|figure| figure.quantity.name == column)
+    pub fn requires(&self, column: &str) -> bool {
+        let mut requested = self.figures.iter().take(self.required);
+        requested.any(|figure| figure.quantity.name == column)
     }
 
     /// Grades every answer; missing answers count as empty.
     #[must_use]
     pub fn graded(&self, answers: &[GivenAnswer]) -> Vec<FigureVerdict> {
         let mut verdicts: Vec<FigureVerdict> = Vec::with_capacity(self.figures.len());
-        let mut faced = Faced::default();
+        let mut faced = GradedSoFar::default();
         for (number, figure) in self.figures.iter().enumerate() {
             let answer = answers.get(number).copied().unwrap_or(GivenAnswer::Empty);
             let judged = match answer {
                 GivenAnswer::Empty => Err(FigureVerdict::Empty),
                 GivenAnswer::Unreadable => Err(FigureVerdict::Unreadable),
-                GivenAnswer::Figure(written) => Ok(self.judged(figure, written, &faced)),
+                GivenAnswer::Figure(written) => Ok(self.grade_answer(figure, written, &faced)),
                 GivenAnswer::Converted { figure: own, face } => {
                     Ok(self.of_two_units(figure, (own, face), &faced))
                 }
@@ -138,12 +138,18 @@ impl AnswerKey {
 
     /// Grades an answer in its most favourable interpretation: the right one, or the one closest to
     /// that.
-    fn judged(&self, figure: &AskedFigure, written: WrittenFigure, faced: &Faced) -> JudgedReading {
-        let judge = |written| JudgedReading {
+    fn grade_answer(
+        &self,
+        figure: &RequiredValue,
+        written: WrittenFigure,
+        faced: &GradedSoFar,
+    ) -> GradedReading {
+        let judge = |written| GradedReading {
             written,
             verdict: self.verdict(figure, written, faced),
         };
-        let apart = |one: &JudgedReading| Truth::of(figure).apart(one.written.value).abs();
+        let distance =
+            |one: &GradedReading| Truth::of(figure).difference_from(one.written.value).abs();
         let mut best = judge(written);
         for other in written.readings().skip(1) {
             if best.verdict == FigureVerdict::Right {
@@ -151,7 +157,7 @@ impl AnswerKey {
             }
             let other = judge(other);
             let (rank, own) = (other.verdict.rank(), best.verdict.rank());
-            if rank < own || rank == own && apart(&other) < apart(&best) {
+            if rank < own || rank == own && distance(&other) < distance(&best) {
                 best = other;
             }
         }
@@ -162,18 +168,18 @@ impl AnswerKey {
     /// [`FigureVerdict::OtherUnit`].
     fn of_two_units(
         &self,
-        figure: &AskedFigure,
+        figure: &RequiredValue,
         (own, face): (WrittenFigure, WrittenFigure),
-        faced: &Faced,
-    ) -> JudgedReading {
-        let reading = self.judged(figure, own, faced);
+        faced: &GradedSoFar,
+    ) -> GradedReading {
+        let reading = self.grade_answer(figure, own, faced);
         let unit = known_unit(&figure.quantity.unit);
-        let meant = face.readings().find(|face| {
+        let intended = face.readings().find(|face| {
             let truth = Truth::of(figure);
             truth.is_right(*face) || truth.is_near(face.value)
         });
-        match (unit, meant) {
-            (Some(unit), Some(written)) if !reading.verdict.is_worth_a_point() => JudgedReading {
+        match (unit, intended) {
+            (Some(unit), Some(written)) if !reading.verdict.earns_point() => GradedReading {
                 written,
                 verdict: FigureVerdict::OtherUnit(unit),
             },
@@ -185,31 +191,31 @@ impl AnswerKey {
     fn faced(
         &self,
         number: usize,
-        figure: &AskedFigure,
-        JudgedReading { written, verdict }: JudgedReading,
-    ) -> Option<FacedSlot> {
+        figure: &RequiredValue,
+        GradedReading { written, verdict }: GradedReading,
+    ) -> Option<GradedVariable> {
         let (slot, more) = self.chain.as_ref()?.slot_of(&figure.quantity)?;
-        let meant = meant(figure, written, verdict)?;
-        let mut value = meant.value;
-        let mut half = 0.5 * meant.unit_of(MIN_COUNT, i32::MAX);
+        let intended = in_required_unit(figure, written, verdict)?;
+        let mut value = intended.value;
+        let mut half = 0.5 * intended.unit_of(MIN_COUNT, i32::MAX);
         if figure.quantity.is_direction() {
             (value, half) = (value.to_radians() - more, half.to_radians());
         }
-        Some(FacedSlot {
+        Some(GradedVariable {
             figure: number,
             slot,
             value,
             half,
             number: written.value,
-            is_sound: is_sound(verdict),
+            is_sound: is_valid(verdict),
         })
     }
 
     fn verdict(
         &self,
-        figure: &AskedFigure,
+        figure: &RequiredValue,
         written: WrittenFigure,
-        faced: &Faced,
+        faced: &GradedSoFar,
     ) -> FigureVerdict {
         let truth = Truth::of(figure);
         if truth.is_out_of_reach(written) {
@@ -245,7 +251,7 @@ impl AnswerKey {
         FigureVerdict::Wrong
     }
 
-    fn is_of_other_assembly(&self, figure: &AskedFigure, written: WrittenFigure) -> bool {
+    fn is_of_other_assembly(&self, figure: &RequiredValue, written: WrittenFigure) -> bool {
         let Some(chain) = &self.chain else {
             return false;
         };
@@ -262,24 +268,24 @@ impl AnswerKey {
 /// Returns the vector part of a point that an answer determines.
 fn faced_vector(
     number: usize,
-    figure: &AskedFigure,
-    JudgedReading { written, verdict }: JudgedReading,
-) -> Option<FacedVector> {
+    figure: &RequiredValue,
+    GradedReading { written, verdict }: GradedReading,
+) -> Option<AnsweredVector> {
     let slot = VectorSlot::of(&figure.quantity)?;
-    let meant = meant(figure, written, verdict)?;
-    Some(FacedVector {
+    let intended = in_required_unit(figure, written, verdict)?;
+    Some(AnsweredVector {
         figure: number,
         slot,
-        value: meant.value,
-        half: 0.5 * meant.unit_of(MIN_COUNT, i32::MAX),
+        value: intended.value,
+        half: 0.5 * intended.unit_of(MIN_COUNT, i32::MAX),
         number: written.value,
-        is_sound: is_sound(verdict),
+        is_sound: is_valid(verdict),
     })
 }
 
 /// Returns an answer in the required unit, if its verdict is another unit.
-fn meant(
-    figure: &AskedFigure,
+fn in_required_unit(
+    figure: &RequiredValue,
     written: WrittenFigure,
     verdict: FigureVerdict,
 ) -> Option<WrittenFigure> {
@@ -291,6 +297,6 @@ fn meant(
     }
 }
 
-fn is_sound(verdict: FigureVerdict) -> bool {
+fn is_valid(verdict: FigureVerdict) -> bool {
     matches!(verdict, FigureVerdict::Right | FigureVerdict::Rounded(_))
 }

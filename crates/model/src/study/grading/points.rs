@@ -1,7 +1,7 @@
 //! Explains the motion of a point by the answers for other points of its link.
 
 use super::verdict::{FigureVerdict, MAX_COUNT, MIN_COUNT, RoundedEarly, Truth};
-use super::{AnswerKey, AskedFigure, WrittenFigure};
+use super::{AnswerKey, RequiredValue, WrittenFigure};
 use crate::quantity::{Aspect, Quantity, Subject};
 use crate::{PointId, Vec2};
 
@@ -19,7 +19,7 @@ pub(super) struct VectorSlot {
 
 /// An answered magnitude or direction.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct FacedVector {
+pub(super) struct AnsweredVector {
     pub(super) figure: usize,
     pub(super) slot: VectorSlot,
     pub(super) value: f64,
@@ -31,7 +31,7 @@ pub(super) struct FacedVector {
 }
 
 /// Maximum number of wrong answers for which unwritten digits are considered.
-const FEW_WRONG: usize = 2;
+const MAX_WRONG_ANSWERS: usize = 2;
 /// The suffixes of names, with the order, and `true` for directions.
 const ENDS: [(&str, usize, bool); 4] = [
     (".v", 1, false),
@@ -43,12 +43,12 @@ const ENDS: [(&str, usize, bool); 4] = [
 impl VectorSlot {
     /// Returns the slot of a quantity; `None` if it is not the magnitude or direction of a point's
     /// velocity or acceleration.
-    pub(super) fn of(figure: &Quantity) -> Option<VectorSlot> {
-        let Some(Subject::Point(point)) = figure.subject() else {
+    pub(super) fn of(quantity: &Quantity) -> Option<VectorSlot> {
+        let Some(Subject::Point(point)) = quantity.subject() else {
             return None;
         };
         let mut ends = ENDS.iter();
-        let found = ends.find(|(end, ..)| figure.name.ends_with(end));
+        let found = ends.find(|(end, ..)| quantity.name.ends_with(end));
         found.map(|&(_, order, is_direction)| VectorSlot {
             point,
             order,
@@ -65,30 +65,30 @@ impl VectorSlot {
 }
 
 /// An answer that replaces the exact value, changed by the number.
-type UsedFace<'a> = (&'a FacedVector, f64);
+type UsedFace<'a> = (&'a AnsweredVector, f64);
 
 impl AnswerKey {
     /// Explains a value by the answers for other points of the link: by the proportion of their
     /// distances, or by the link's rotation.
     pub(super) fn follows_from_points(
         &self,
-        figure: &AskedFigure,
+        figure: &RequiredValue,
         written: WrittenFigure,
-        faced: &[FacedVector],
+        faced: &[AnsweredVector],
     ) -> Option<FigureVerdict> {
         let slot = VectorSlot::of(&figure.quantity)?;
-        let of_order = |face: &&FacedVector| face.slot.order == slot.order;
-        let faced: Vec<&FacedVector> = faced.iter().filter(of_order).collect();
+        let of_order = |face: &&AnsweredVector| face.slot.order == slot.order;
+        let faced: Vec<&AnsweredVector> = faced.iter().filter(of_order).collect();
         let bodies = self.bodies.iter();
         let bodies = bodies.filter_map(|body| Some((body, place_on(body, slot.point)?)));
-        for (body, place) in bodies {
+        for (body, position) in bodies {
             for (number, &(first, from)) in body.iter().enumerate() {
                 let others = body[number + 1..].iter();
                 for &(second, to) in others {
                     if [first, second].contains(&slot.point) || from == to {
                         continue;
                     }
-                    let ratio = over(place - from, to - from);
+                    let ratio = over(position - from, to - from);
                     let made = |[first, second]: [Vec2; 2]| first + times(ratio, second - first);
                     let of = [first, second];
                     let explained = self.explained_by((slot, of), figure, written, (&faced, &made));
@@ -96,11 +96,11 @@ impl AnswerKey {
                         return explained;
                     }
                 }
-                let Some(apart) = self.exact_difference(slot, first) else {
+                let Some(distance) = self.exact_difference(slot, first) else {
                     continue;
                 };
                 if first != slot.point {
-                    let made = |[first, _]: [Vec2; 2]| first + apart;
+                    let made = |[first, _]: [Vec2; 2]| first + distance;
                     let of = [first; 2];
                     let explained = self.explained_by((slot, of), figure, written, (&faced, &made));
                     if explained.is_some() {
@@ -130,9 +130,9 @@ impl AnswerKey {
     fn explained_by(
         &self,
         (slot, of): (VectorSlot, [PointId; 2]),
-        figure: &AskedFigure,
+        figure: &RequiredValue,
         written: WrittenFigure,
-        (faced, made): (&[&FacedVector], &dyn Fn([Vec2; 2]) -> Vec2),
+        (faced, made): (&[&AnsweredVector], &dyn Fn([Vec2; 2]) -> Vec2),
     ) -> Option<FigureVerdict> {
         let used: Vec<UsedFace<'_>> = faced
             .iter()
@@ -145,26 +145,26 @@ impl AnswerKey {
             slot.part_of(made(vectors))
         };
         let followed = truth.with(with(&used));
-        let apart = followed.apart(written.value).abs();
-        if !(apart <= 0.5 * truth.apart(written.value).abs()) {
+        let distance = followed.difference_from(written.value).abs();
+        if !(distance <= 0.5 * truth.difference_from(written.value).abs()) {
             return None;
         }
         let unit = written.unit_of(MIN_COUNT, MAX_COUNT);
         let carried = |number: usize| {
             let mut more = used.clone();
             more[number].1 = more[number].0.half;
-            followed.apart(with(&more)).abs()
+            followed.difference_from(with(&more)).abs()
         };
         // With many wrong answers a close value may be a coincidence.
         let wrong = used.iter().filter(|(face, _)| !face.is_sound).count();
-        let carried: f64 = match wrong <= FEW_WRONG {
+        let carried: f64 = match wrong <= MAX_WRONG_ANSWERS {
             true => (0..used.len()).map(carried).sum(),
             false => 0.0,
         };
-        if !(apart <= unit + carried.min(followed.carried())) {
+        if !(distance <= unit + carried.min(followed.carried())) {
             return None;
         }
-        let effect = |face: &FacedVector| truth.apart(with(&[(face, 0.0)])).abs();
+        let effect = |face: &AnsweredVector| truth.difference_from(with(&[(face, 0.0)])).abs();
         let largest = |is_sound: bool| {
             let faces = used.iter().filter(|(face, _)| face.is_sound == is_sound);
             let faces = faces.map(|(face, _)| (effect(face), *face));
@@ -185,7 +185,12 @@ impl AnswerKey {
     }
 
     /// Returns `true` if both exact values are equal, and the answer has enough digits to show it.
-    fn is_shared(&self, face: &FacedVector, figure: &AskedFigure, written: WrittenFigure) -> bool {
+    fn is_shared(
+        &self,
+        face: &AnsweredVector,
+        figure: &RequiredValue,
+        written: WrittenFigure,
+    ) -> bool {
         let exact = self.figures.get(face.figure).map(|other| other.exact);
         let is_same = exact.is_some_and(|exact| Truth::of(figure).is_near(exact));
         is_same && written.digits >= MIN_COUNT
@@ -217,7 +222,7 @@ impl AnswerKey {
 fn place_on(body: &LinkPoints, point: PointId) -> Option<Vec2> {
     let mut points = body.iter();
     let found = points.find(|(own, _)| *own == point);
-    found.map(|(_, place)| *place)
+    found.map(|(_, position)| *position)
 }
 
 /// Returns the quotient of two vectors as complex numbers: the rotation and scaling from `other` to

@@ -1,6 +1,6 @@
 //! Compares one answer with the exact value.
 
-use super::{AskedFigure, WrittenFigure};
+use super::{RequiredValue, WrittenFigure};
 use crate::angle::TURN;
 use crate::quantity::other_units;
 
@@ -45,7 +45,7 @@ pub enum RoundedEarly {
 impl FigureVerdict {
     /// Returns `true` if the answer earns a point: right, rounded early, or consequential.
     #[must_use]
-    pub fn is_worth_a_point(self) -> bool {
+    pub fn earns_point(self) -> bool {
         matches!(
             self,
             FigureVerdict::Right | FigureVerdict::Rounded(_) | FigureVerdict::Followed(_)
@@ -73,7 +73,7 @@ const NEAR: f64 = 1e-3;
 const NOUGHT: f64 = 1e-9;
 /// The relative limit of half the last digit for answers with too few digits; the limit for
 /// directions in degrees; and the largest direction accepted, in degrees.
-const COARSEST: f64 = 0.05;
+const MAX_HALF_DIGIT: f64 = 0.05;
 const DEGREE: f64 = 1.0;
 const MAX_DISTANCE: f64 = 1e4;
 /// Maximum relative effect of unwritten digits.
@@ -91,7 +91,7 @@ pub(super) struct Truth {
 }
 
 impl Truth {
-    pub(super) fn of(figure: &AskedFigure) -> Truth {
+    pub(super) fn of(figure: &RequiredValue) -> Truth {
         Truth {
             exact: figure.exact,
             bound: figure.bound.unwrap_or(0.0),
@@ -106,12 +106,12 @@ impl Truth {
     }
 
     /// Returns the difference of a value from the exact one; for directions within half a turn.
-    pub(super) fn apart(&self, value: f64) -> f64 {
-        let apart = value - self.exact;
+    pub(super) fn difference_from(&self, value: f64) -> f64 {
+        let distance = value - self.exact;
         if self.is_direction {
-            (apart + TURN / 2.0).rem_euclid(TURN) - TURN / 2.0
+            (distance + TURN / 2.0).rem_euclid(TURN) - TURN / 2.0
         } else {
-            apart
+            distance
         }
     }
 
@@ -119,7 +119,7 @@ impl Truth {
     fn size(&self) -> f64 {
         match self.is_direction {
             true => 1_f64.to_degrees(),
-            false if self.is_nought() => self.scale,
+            false if self.is_zero() => self.scale,
             false => self.exact.abs(),
         }
     }
@@ -129,7 +129,7 @@ impl Truth {
         CARRIED * self.size()
     }
 
-    fn is_nought(&self) -> bool {
+    fn is_zero(&self) -> bool {
         !self.is_direction && self.exact.abs() <= (NOUGHT * self.scale).max(self.bound)
     }
 
@@ -141,8 +141,8 @@ impl Truth {
     /// Returns `true` if the answer is the exact value rounded to its own digits, at least three,
     /// or within the bound.
     pub(super) fn is_right(&self, written: WrittenFigure) -> bool {
-        let apart = self.apart(written.value).abs();
-        if self.is_nought() && written.value == 0.0 {
+        let distance = self.difference_from(written.value).abs();
+        if self.is_zero() && written.value == 0.0 {
             return true;
         }
         let is_bare = written.digits == 0 && !self.is_direction;
@@ -151,7 +151,7 @@ impl Truth {
         } else {
             0.5 * self.last_of(written)
         };
-        apart <= (half + FUZZ * half).max(self.bound)
+        distance <= (half + FUZZ * half).max(self.bound)
     }
 
     /// Returns one unit of the last significant digit. A small direction is not more accurate than
@@ -168,39 +168,40 @@ impl Truth {
     }
 
     pub(super) fn is_near(&self, value: f64) -> bool {
-        self.apart(value).abs() <= NEAR * self.size()
+        self.difference_from(value).abs() <= NEAR * self.size()
     }
 
     /// Returns the cause of early rounding visible in the answer itself: digits cut off, or too few
     /// digits.
     pub(super) fn rounded(&self, written: WrittenFigure) -> Option<RoundedEarly> {
-        let apart = self.apart(written.value);
+        let distance = self.difference_from(written.value);
         let own = 0.5 * written.unit_of(0, i32::MAX) * (1.0 + FUZZ);
         let coarsest = match self.is_direction {
             true => 0.5 * DEGREE,
-            false => COARSEST * self.size(),
+            false => MAX_HALF_DIGIT * self.size(),
         };
         let is_coarse = (1..MIN_COUNT).contains(&written.digits) && own <= coarsest * (1.0 + FUZZ);
-        if is_coarse && apart.abs() <= own {
+        if is_coarse && distance.abs() <= own {
             return Some(RoundedEarly::Coarse);
         }
         // Truncation moves a value towards 0.
-        let is_smaller = apart * written.value < 0.0;
-        (is_smaller && apart.abs() < self.last_of(written)).then_some(RoundedEarly::Cut)
+        let is_smaller = distance * written.value < 0.0;
+        (is_smaller && distance.abs() < self.last_of(written)).then_some(RoundedEarly::Cut)
     }
 
     /// Returns the probable mistake if no earlier answer explains the value.
     pub(super) fn mistaken(&self, written: WrittenFigure, unit: &str) -> Option<FigureVerdict> {
         let value = written.value;
         let half = 0.5 * written.unit_of(MIN_COUNT, i32::MAX) * (1.0 + FUZZ);
-        let most = match self.is_direction {
+        let maximum = match self.is_direction {
             true => 0.5 * DEGREE,
             false => f64::INFINITY,
         };
         // Sign and unit of a zero are meaningless.
-        let is_telling = !self.is_nought() && value != 0.0;
+        let is_telling = !self.is_zero() && value != 0.0;
         let is_exact = |factor: f64| {
-            is_telling && self.apart(value * factor).abs() <= (half * factor.abs()).min(most)
+            is_telling
+                && self.difference_from(value * factor).abs() <= (half * factor.abs()).min(maximum)
         };
         let units = other_units(unit);
         let exact_unit = units.iter().find(|(_, factor)| is_exact(*factor));

@@ -34,7 +34,7 @@ impl WrittenFigure {
             return None;
         }
         let text = text.replace('\u{2212}', "-");
-        let (number, unit) = text.split_at(unit_begins(&text));
+        let (number, unit) = text.split_at(unit_start(&text));
         let compact: String = number
             .chars()
             .filter(|c| !c.is_whitespace() && *c != '\'')
@@ -54,8 +54,8 @@ impl WrittenFigure {
         }
         let decimals = mantissa.split_once('.').map(|(_, decimals)| decimals);
         let places = i32::try_from(decimals.map_or(0, str::len)).ok()?;
-        let bare: String = mantissa.chars().filter(char::is_ascii_digit).collect();
-        let significant = bare.trim_start_matches('0');
+        let plain: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+        let significant = plain.trim_start_matches('0');
         let digits = i32::try_from(significant.len()).ok()?;
         // A zero has no size, so a positive exponent does not change its accuracy.
         let power = if digits == 0 { power.min(0) } else { power };
@@ -78,8 +78,8 @@ impl WrittenFigure {
     /// Returns one unit of the last digit, with the number of digits limited to the range from
     /// `fewest` to `most`.
     #[must_use]
-    pub fn unit_of(&self, fewest: i32, most: i32) -> f64 {
-        self.last * ten_to(self.digits - self.digits.clamp(fewest, most))
+    pub fn unit_of(&self, fewest: i32, maximum: i32) -> f64 {
+        self.last * ten_to(self.digits - self.digits.clamp(fewest, maximum))
     }
 
     /// Returns the number multiplied by a factor, as in a unit conversion.
@@ -126,7 +126,7 @@ impl WrittenFigure {
 }
 
 /// Returns the position of the unit's first letter; the `e` of an exponent is not a letter.
-fn unit_begins(text: &str) -> usize {
+fn unit_start(text: &str) -> usize {
     let is_exponent = |at: usize| {
         let before = text[..at].trim_start_matches(['-', '+']);
         let after = text[at + 1..].trim_start_matches(['-', '+']);

@@ -16,7 +16,7 @@ use std::f64::consts::{PI, TAU};
 
 /// The kind of an unknown in a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SoughtKind {
+pub enum UnknownKind {
     /// An angle, in rad.
     Angle,
     /// A length along a guide, in the scene's unit.
@@ -34,7 +34,7 @@ pub enum VectorPart {
 
 /// A vector of a loop with at least one unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SoughtVector {
+pub struct UnknownVector {
     /// 1, or -1 if the loop traverses the vector backwards.
     pub sign: f64,
     /// The length.
@@ -49,7 +49,7 @@ pub struct LoopSum {
     /// The sum of the known vectors.
     pub known: Vec2,
     /// The other vectors.
-    pub sought: Vec<SoughtVector>,
+    pub sought: Vec<UnknownVector>,
 }
 
 /// The equations of one or more loops: each sum is zero, in x and in y.
@@ -58,7 +58,7 @@ pub struct LoopSystem {
     /// The loops.
     pub loops: Vec<LoopSum>,
     /// The kinds of the unknowns.
-    pub kinds: Vec<SoughtKind>,
+    pub kinds: Vec<UnknownKind>,
     /// The longest length; errors of lengths are relative to it.
     pub longest: f64,
 }
@@ -76,7 +76,7 @@ impl VectorPart {
     fn at(self, values: &[f64]) -> f64 {
         match self {
             VectorPart::Known(value) => value,
-            VectorPart::Sought(place, more) => values.get(place).map_or(f64::NAN, |v| v + more),
+            VectorPart::Sought(index, more) => values.get(index).map_or(f64::NAN, |v| v + more),
         }
     }
 }
@@ -92,7 +92,7 @@ impl LoopSystem {
     #[must_use]
     pub fn residuals(&self, values: &[f64]) -> Vec<f64> {
         let left = |of: &LoopSum| {
-            let along = |v: &SoughtVector| direction(v, values) * (v.sign * v.length.at(values));
+            let along = |v: &UnknownVector| direction(v, values) * (v.sign * v.length.at(values));
             let sum = of.sought.iter().map(along).fold(of.known, |sum, v| sum + v);
             [sum.x, sum.y]
         };
@@ -108,9 +108,9 @@ impl LoopSystem {
             for v in &of.sought {
                 let u = direction(v, values) * v.sign;
                 let mut add = |part: VectorPart, by: Vec2| {
-                    if let VectorPart::Sought(place, _) = part {
-                        matrix[2 * row * n + place] += by.x;
-                        matrix[(2 * row + 1) * n + place] += by.y;
+                    if let VectorPart::Sought(index, _) = part {
+                        matrix[2 * row * n + index] += by.x;
+                        matrix[(2 * row + 1) * n + index] += by.y;
                     }
                 };
                 add(v.length, u);
@@ -121,10 +121,10 @@ impl LoopSystem {
     }
 
     /// Returns the absolute difference of an unknown: in rad, or relative to the longest length.
-    fn part(&self, place: usize, difference: f64) -> f64 {
-        match self.kinds.get(place) {
-            Some(SoughtKind::Length) => difference.abs() / self.longest,
-            Some(SoughtKind::Angle) | None => difference.abs(),
+    fn part(&self, index: usize, difference: f64) -> f64 {
+        match self.kinds.get(index) {
+            Some(UnknownKind::Length) => difference.abs() / self.longest,
+            Some(UnknownKind::Angle) | None => difference.abs(),
         }
     }
 
@@ -132,22 +132,22 @@ impl LoopSystem {
     #[must_use]
     pub fn largest(&self, differences: &[f64]) -> f64 {
         let parts = differences.iter().enumerate();
-        parts.fold(0.0, |most, (i, &d)| nan_or_max(most, self.part(i, d)))
+        parts.fold(0.0, |maximum, (i, &d)| nan_or_max(maximum, self.part(i, d)))
     }
 
     /// Returns the error of values against the right ones, with angles compared modulo a turn.
     #[must_use]
     pub fn error(&self, values: &[f64], right: &[f64]) -> f64 {
-        let apart = |(i, (v, r)): (usize, (&f64, &f64))| match self.kinds.get(i) {
-            Some(SoughtKind::Angle) => half_turn(v - r),
-            Some(SoughtKind::Length) | None => v - r,
+        let distance = |(i, (v, r)): (usize, (&f64, &f64))| match self.kinds.get(i) {
+            Some(UnknownKind::Angle) => half_turn(v - r),
+            Some(UnknownKind::Length) | None => v - r,
         };
         let pairs = values.iter().zip(right).enumerate();
-        self.largest(&pairs.map(apart).collect::<Vec<_>>())
+        self.largest(&pairs.map(distance).collect::<Vec<_>>())
     }
 }
 
-fn direction(of: &SoughtVector, values: &[f64]) -> Vec2 {
+fn direction(of: &UnknownVector, values: &[f64]) -> Vec2 {
     let (sin, cos) = of.angle.at(values).sin_cos();
     Vec2::new(cos, sin)
 }

@@ -1,13 +1,13 @@
 //! The Newton-Raphson method with full steps.
 
-use super::{LoopSystem, SoughtKind};
+use super::{LoopSystem, UnknownKind};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
 /// The step below which the method has converged: in rad, and relative to the longest length.
-const ARRIVED: f64 = 1e-12;
+const STEP_TOLERANCE: f64 = 1e-12;
 /// The maximum error of values that count as the right ones.
-const SAME: f64 = 1e-6;
+const EQUALITY_TOLERANCE: f64 = 1e-6;
 /// Maximum number of steps; four or five are usual.
 const MAX_STEPS: usize = 30;
 /// The ratio of the smallest to the largest singular value below which a matrix is singular: three
@@ -47,7 +47,7 @@ pub enum NewtonOutcome {
     /// The matrix of this iteration is singular.
     Singular(usize),
     /// The steps do not become small.
-    Unsettled,
+    MinimumError,
 }
 
 /// All iterations, beginning with the guess.
@@ -68,7 +68,7 @@ impl LoopSystem {
         let mut iterations = Vec::new();
         let outcome = loop {
             let mut here = self.iteration(&values, right);
-            let next = if self.has_run_away(guess, &values) {
+            let next = if self.has_diverged(guess, &values) {
                 Err(NewtonOutcome::Diverged)
             } else {
                 self.step(&here)
@@ -81,10 +81,10 @@ impl LoopSystem {
                     break outcome;
                 }
             };
-            let is_last = self.largest(&step) <= ARRIVED;
+            let is_last = self.largest(&step) <= STEP_TOLERANCE;
             if is_last {
                 let outcome = match here.error {
-                    Some(error) if error <= SAME => NewtonOutcome::Found,
+                    Some(error) if error <= EQUALITY_TOLERANCE => NewtonOutcome::Found,
                     _ => NewtonOutcome::OtherAssembly,
                 };
                 iterations.push(here);
@@ -92,7 +92,7 @@ impl LoopSystem {
             }
             if iterations.len() == MAX_STEPS {
                 iterations.push(here);
-                break NewtonOutcome::Unsettled;
+                break NewtonOutcome::MinimumError;
             }
             values.iter_mut().zip(&step).for_each(|(v, d)| *v += d);
             here.step = Some(step);
@@ -133,9 +133,9 @@ impl LoopSystem {
         // The columns of angles have the dimension of a length, those of lengths have none; scaling
         // makes them comparable.
         let mut scaled = matrix.clone();
-        for (place, kind) in self.kinds.iter().enumerate() {
-            if *kind == SoughtKind::Angle {
-                scaled.column_mut(place).scale_mut(self.longest.recip());
+        for (index, kind) in self.kinds.iter().enumerate() {
+            if *kind == UnknownKind::Angle {
+                scaled.column_mut(index).scale_mut(self.longest.recip());
             }
         }
         let sizes = scaled.singular_values();
@@ -148,11 +148,11 @@ impl LoopSystem {
         step.iter().all(|d| d.is_finite()).then_some(step)
     }
 
-    fn has_run_away(&self, guess: &[f64], values: &[f64]) -> bool {
+    fn has_diverged(&self, guess: &[f64], values: &[f64]) -> bool {
         let mut all = self.kinds.iter().zip(guess.iter().zip(values));
         all.any(|(kind, (guess, value))| match kind {
-            SoughtKind::Angle => !((value - guess).abs() <= FAR_TURNS * TAU),
-            SoughtKind::Length => !(value.abs() <= guess.abs().max(FAR_LENGTHS * self.longest)),
+            UnknownKind::Angle => !((value - guess).abs() <= FAR_TURNS * TAU),
+            UnknownKind::Length => !(value.abs() <= guess.abs().max(FAR_LENGTHS * self.longest)),
         })
     }
 }

@@ -2,10 +2,10 @@ use super::*;
 
 /// The lecture's four-bar at 60 deg: r1 + r2 + r3 + r4 = 0, r3 and r4 known by length.
 fn four_bar() -> LoopSystem {
-    let sought = |length, place| SoughtVector {
+    let sought = |length, index| UnknownVector {
         sign: 1.0,
         length: VectorPart::Known(length),
-        angle: VectorPart::Sought(place, 0.0),
+        angle: VectorPart::Sought(index, 0.0),
     };
     let known = Vec2::new(-350.0, 100.0 * 60_f64.to_radians().sin());
     LoopSystem {
@@ -13,7 +13,7 @@ fn four_bar() -> LoopSystem {
             known,
             sought: vec![sought(300.0, 0), sought(250.0, 1)],
         }],
-        kinds: vec![SoughtKind::Angle; 2],
+        kinds: vec![UnknownKind::Angle; 2],
         longest: 400.0,
     }
 }
@@ -109,7 +109,7 @@ fn newton_does_not_converge_without_root() {
         assert!(
             matches!(
                 trace.outcome,
-                NewtonOutcome::Unsettled | NewtonOutcome::Diverged
+                NewtonOutcome::MinimumError | NewtonOutcome::Diverged
             ),
             "{:?}",
             trace.outcome
@@ -123,30 +123,30 @@ fn jacobian_matches_differences_of_residuals() {
         loops: vec![LoopSum {
             known: Vec2::new(3.0, -1.0),
             sought: vec![
-                SoughtVector {
+                UnknownVector {
                     sign: -1.0,
                     length: VectorPart::Sought(0, 0.0),
                     angle: VectorPart::Sought(1, 0.4),
                 },
-                SoughtVector {
+                UnknownVector {
                     sign: 1.0,
                     length: VectorPart::Known(2.0),
                     angle: VectorPart::Sought(1, -1.0),
                 },
             ],
         }],
-        kinds: vec![SoughtKind::Length, SoughtKind::Angle],
+        kinds: vec![UnknownKind::Length, UnknownKind::Angle],
         longest: 3.0,
     };
     let at = [1.7, 0.9];
     let jacobian = system.jacobian(&at);
-    for place in 0..2 {
+    for index in 0..2 {
         let (mut up, mut down) = (at, at);
-        (up[place], down[place]) = (up[place] + 1e-5, down[place] - 1e-5);
+        (up[index], down[index]) = (up[index] + 1e-5, down[index] - 1e-5);
         let (up, down) = (system.residuals(&up), system.residuals(&down));
         for row in 0..2 {
             let slope = (up[row] - down[row]) / 2e-5;
-            assert!((slope - jacobian[row * 2 + place]).abs() < 1e-9);
+            assert!((slope - jacobian[row * 2 + index]).abs() < 1e-9);
         }
     }
 }

@@ -13,7 +13,7 @@ const PLACES: u32 = 720;
 /// Finds the driver's coordinates at which springs have kinks or jumps.
 pub(super) struct SpringBends<'a> {
     solver: &'a Solver,
-    places: Vec<f64>,
+    coordinates: Vec<f64>,
 }
 
 impl SpringBends<'_> {
@@ -26,7 +26,7 @@ impl SpringBends<'_> {
         };
         SpringBends {
             solver,
-            places: (0..=PLACES).map(place).collect(),
+            coordinates: (0..=PLACES).map(place).collect(),
         }
     }
 
@@ -94,7 +94,7 @@ impl SpringBends<'_> {
     fn zeros(&self, demand: &Demand, f: impl Fn(&Workspace) -> Option<f64>) -> Vec<f64> {
         let solver = self.solver.only(demand);
         let mut state = solver.state();
-        roots(self.places.iter().copied(), f64::EPSILON, |at| {
+        roots(self.coordinates.iter().copied(), f64::EPSILON, |at| {
             let condition = solver.solve(at, Order::Position, &mut state);
             (condition != Condition::NoAssembly).then(|| f(&state))?
         })

@@ -1,6 +1,6 @@
 //! The results of a cycle.
 
-use super::course::Course;
+use super::course::CyclePath;
 use super::periodic::{Means, Periodic, periodic};
 use super::pieces::{Pieces, Sampler, SmoothPiece};
 use super::{CHANNELS, DriverUnits, Effort, MOMENT, TORQUES};
@@ -35,33 +35,33 @@ pub struct DriveEffort {
     /// The root mean square of the torque.
     pub rms: Option<f64>,
     /// The driver's work while its power is positive, in J per cycle.
-    pub put_in: Option<f64>,
+    pub supplied: Option<f64>,
     /// The returned work while its power is negative, in J per cycle, as a positive number.
-    pub given_back: Option<f64>,
+    pub returned: Option<f64>,
 }
 
 impl DriveEffort {
     /// Returns the torque with the largest absolute value: the worst instant.
     #[must_use]
     pub fn worst(&self) -> Option<Peak> {
-        let (largest, least) = (self.largest?, self.least?);
-        Some(if largest.value >= -least.value {
+        let (largest, minimum) = (self.largest?, self.least?);
+        Some(if largest.value >= -minimum.value {
             largest
         } else {
-            least
+            minimum
         })
     }
 
     /// Returns the net work of a cycle in J: the input minus the returned work.
     #[must_use]
     pub fn work(&self) -> Option<f64> {
-        Some(self.put_in? - self.given_back?)
+        Some(self.supplied? - self.returned?)
     }
 
     /// Returns `true` if this part consists of the rounding errors of the others.
     #[must_use]
-    pub fn is_nothing_beside(&self, others: &[DriveEffort]) -> bool {
-        let energy = |e: &DriveEffort| Some(e.put_in? + e.given_back?);
+    pub fn is_rounding_of(&self, others: &[DriveEffort]) -> bool {
+        let energy = |e: &DriveEffort| Some(e.supplied? + e.returned?);
         let all = others.iter().filter_map(energy).fold(0.0, f64::max);
         energy(self).is_some_and(|own| own <= ROUNDING * all)
     }
@@ -107,7 +107,7 @@ pub enum Rule {
 #[derive(Clone, Debug)]
 pub struct Cycle {
     /// The driver's travel.
-    pub course: Course,
+    pub course: CyclePath,
     /// The absolute value of the driver's speed, in rad/s or m/s.
     pub speed: f64,
     /// The total driving torque.
@@ -131,23 +131,23 @@ pub struct Cycle {
 }
 
 /// The distance of peaks from which on they are different places, relative to the travel.
-const APART: f64 = 1e-4;
+const MIN_PEAK_DISTANCE: f64 = 1e-4;
 /// The rounding error of a cancellation, relative to the terms.
 const ROUNDING: f64 = 1e-12;
 /// The difference of the torques at the ends of two pieces below which they are continuous,
 /// relative to the largest torque.
-const JUMP: f64 = 1e-6;
+const CONTINUITY_TOLERANCE: f64 = 1e-6;
 /// A distance inside a piece, relative to its length.
 const INSIDE: f64 = 1e-9;
 /// The error above which means are not trusted.
-const CONVERGED: f64 = 1e-10;
+const MAX_MEAN_ERROR: f64 = 1e-10;
 
 impl Cycle {
     /// Analyses a cycle. `effort` solves at a coordinate; its second argument is `true` on the way
     /// back. `marks` are the travels at which a load has a kink or jumps; 0 if the end does not
     /// continue at the beginning.
     pub fn new(
-        course: Course,
+        course: CyclePath,
         marks: &[f64],
         measure: DriverUnits,
         effort: &mut dyn FnMut(f64, bool) -> Option<Effort>,
@@ -159,11 +159,14 @@ impl Cycle {
             effort,
         };
         let pieces = Pieces::cut(&mut sampler, &sorted(marks, &course));
-        let smooth = course.goes_round && marks.is_empty() && !pieces.has_gap;
+        let smooth = course.is_periodic && marks.is_empty() && !pieces.has_gap;
         let means = smooth
-            .then(|| periodic(&mut sampler, |i| pieces.size(i), CONVERGED))
+            .then(|| periodic(&mut sampler, |i| pieces.size(i), MAX_MEAN_ERROR))
             .flatten();
-        let error = pieces.error.iter().fold(0.0, |most: f64, e| most.max(*e));
+        let error = pieces
+            .error
+            .iter()
+            .fold(0.0, |maximum: f64, e| maximum.max(*e));
         let mut cycle = Cycle {
             course,
             speed: measure.speed.abs(),
@@ -188,15 +191,15 @@ impl Cycle {
     /// Returns `true` if the means are accurate to 10 digits.
     #[must_use]
     pub fn has_converged(&self) -> bool {
-        !self.pieces.has_gap && self.error <= CONVERGED
+        !self.pieces.has_gap && self.error <= MAX_MEAN_ERROR
     }
 
     /// Returns the torque, its parts, and the force and moment on the ground after this travel,
     /// from the sums; `None` if they do not exist.
     #[must_use]
-    pub fn at(&self, way: f64) -> Option<Effort> {
-        let mut channels = self.pieces.at(way)?;
-        let weight = self.course.place(way).weight;
+    pub fn at(&self, travel: f64) -> Option<Effort> {
+        let mut channels = self.pieces.at(travel)?;
+        let weight = self.course.place(travel).weight;
         channels[..TORQUES].iter_mut().for_each(|c| *c /= weight);
         let [torque, load, gravity, inertia, x, y, moment] = channels;
         let effort = Effort {
@@ -216,18 +219,18 @@ impl Cycle {
     /// Returns the driver's work in J from the beginning to this travel; `None` if the torque is
     /// not known everywhere.
     #[must_use]
-    pub fn work(&self, way: f64) -> Option<f64> {
+    pub fn work(&self, travel: f64) -> Option<f64> {
         if self.pieces.has_gap {
             return None;
         }
-        if way <= 0.0 {
+        if travel <= 0.0 {
             return Some(0.0);
         }
         let mut work = 0.0;
         for piece in &self.pieces.list {
             let integral = piece.sums[0].integral();
-            if way <= piece.to {
-                return Some((work + integral.at(piece.t(way)) * piece.half()) * self.joule);
+            if travel <= piece.to {
+                return Some((work + integral.at(piece.t(travel)) * piece.half()) * self.joule);
             }
             work += integral.at(1.0) * piece.half();
         }
@@ -237,8 +240,8 @@ impl Cycle {
     /// Returns 1 if the driver's coordinate increases with the travel, or -1: the sign of the
     /// speed, for the power of a torque.
     #[must_use]
-    pub fn sense(&self, way: f64) -> f64 {
-        self.course.place(way).weight.signum()
+    pub fn sense(&self, travel: f64) -> f64 {
+        self.course.place(travel).weight.signum()
     }
 
     /// Returns the torque over the driver's coordinate in at least `points` points: pairs of
@@ -259,18 +262,19 @@ impl Cycle {
             let point = |k: u32| {
                 let t = 2.0 * f64::from(k) / f64::from(steps) - 1.0;
                 // At the reversal, the weight of the piece's own side.
-                let way = piece.way(t);
+                let travel = piece.way(t);
                 let weight = self
                     .course
-                    .place(way.clamp(piece.way(-1.0 + INSIDE), piece.way(1.0 - INSIDE)))
+                    .place(travel.clamp(piece.way(-1.0 + INSIDE), piece.way(1.0 - INSIDE)))
                     .weight;
-                [self.course.place(way).at, piece.sums[0].at(t) / weight]
+                [self.course.place(travel).at, piece.sums[0].at(t) / weight]
             };
             let first = point(0);
-            let turns = !self.course.goes_round && piece.from == once;
-            let jumps =
-                end.is_none_or(|end: f64| (end - first[1]).abs() > JUMP * self.pieces.scale[0]);
-            if jumps || turns {
+            let is_rotary = !self.course.is_periodic && piece.from == once;
+            let jumps = end.is_none_or(|end: f64| {
+                (end - first[1]).abs() > CONTINUITY_TOLERANCE * self.pieces.scale[0]
+            });
+            if jumps || is_rotary {
                 parts.push(Vec::new());
             }
             if let Some(part) = parts.last_mut() {
@@ -288,8 +292,8 @@ impl Cycle {
 
     /// Returns the driver's coordinate after this travel.
     #[must_use]
-    pub fn coordinate(&self, way: f64) -> f64 {
-        self.course.place(way).at
+    pub fn coordinate(&self, travel: f64) -> f64 {
+        self.course.place(travel).at
     }
 
     fn read(&mut self, means: Option<Periodic>) {
@@ -298,11 +302,11 @@ impl Cycle {
         let [all, load, gravity, inertia]: [DriveEffort; TORQUES] = std::array::from_fn(effect);
         self.all = all;
         self.parts = [load, gravity, inertia];
-        if self.course.goes_round {
+        if self.course.is_periodic {
             self.fluctuation = self.fluctuate(means.mean[0]);
         }
-        if !self.course.ends_dead {
-            self.shaking = self.shake(&means);
+        if !self.course.ends_at_dead_point {
+            self.shaking = self.shaking_forces(&means);
         }
     }
 
@@ -341,13 +345,13 @@ impl Cycle {
             for &t in turns.iter().chain(&[-1.0, 1.0]) {
                 let value = sum.at(t);
                 let [high, low, high_power, low_power] = &mut largest;
-                self.raise(high, sense * value, piece, t);
-                self.raise(low, -sense * value, piece, t);
-                self.raise(high_power, value, piece, t);
-                self.raise(low_power, -value, piece, t);
+                self.raise_peak(high, sense * value, piece, t);
+                self.raise_peak(low, -sense * value, piece, t);
+                self.raise_peak(high_power, value, piece, t);
+                self.raise_peak(low_power, -value, piece, t);
             }
         }
-        let regular = !self.course.ends_dead;
+        let regular = !self.course.ends_at_dead_point;
         let [high, low, high_power, low_power] = largest.map(|peak| peak.filter(|_| regular));
         let times = |peak: Option<Peak>, factor: f64| {
             peak.map(|peak| Peak {
@@ -355,7 +359,7 @@ impl Cycle {
                 ..peak
             })
         };
-        let mean = if self.course.goes_round {
+        let mean = if self.course.is_periodic {
             means.mean[channel] * if self.course.falls { -1.0 } else { 1.0 }
         } else {
             signed / self.course.length()
@@ -367,18 +371,18 @@ impl Cycle {
             least_power: times(low_power, -self.speed),
             mean: Some(mean),
             rms: regular.then(|| means.root(channel)),
-            put_in: Some(put_in * self.joule),
-            given_back: Some(given_back * self.joule),
+            supplied: Some(put_in * self.joule),
+            returned: Some(given_back * self.joule),
         }
     }
 
     /// Replaces a peak if the value is larger.
-    fn raise(&self, peak: &mut Option<Peak>, value: f64, piece: &SmoothPiece, t: f64) {
+    fn raise_peak(&self, peak: &mut Option<Peak>, value: f64, piece: &SmoothPiece, t: f64) {
         let place = self.course.place(piece.way(t));
         // Of equal values at several places, or in both directions, the first one is kept.
-        let apart = APART * self.course.length();
+        let distance = MIN_PEAK_DISTANCE * self.course.length();
         let margin = |peak: Peak| {
-            let is_elsewhere = (place.at - peak.at).abs() > apart;
+            let is_elsewhere = (place.at - peak.at).abs() > distance;
             if (place.back && !peak.back) || is_elsewhere {
                 ROUNDING * peak.value.abs()
             } else {
@@ -397,7 +401,7 @@ impl Cycle {
     /// Computes the extrema of the work of the torque minus its mean, which are at the places where
     /// both are equal.
     fn fluctuate(&self, mean: f64) -> Option<Fluctuation> {
-        let (mut least, mut most) = ((0.0, 0.0), (0.0, 0.0));
+        let (mut minimum, mut maximum) = ((0.0, 0.0), (0.0, 0.0));
         let mut before = 0.0;
         for piece in &self.pieces.list {
             let excess = piece.sums[0].less(mean);
@@ -405,23 +409,23 @@ impl Cycle {
             let integral = excess.integral();
             for &t in zeros.iter().chain(&[1.0]) {
                 let work = before + integral.at(t) * piece.half();
-                if work < least.0 {
-                    least = (work, piece.way(t));
+                if work < minimum.0 {
+                    minimum = (work, piece.way(t));
                 }
-                if work > most.0 {
-                    most = (work, piece.way(t));
+                if work > maximum.0 {
+                    maximum = (work, piece.way(t));
                 }
             }
             before += integral.at(1.0) * piece.half();
         }
         Some(Fluctuation {
-            energy: (most.0 - least.0) * self.joule,
-            slowest: self.coordinate(most.1),
-            fastest: self.coordinate(least.1),
+            energy: (maximum.0 - minimum.0) * self.joule,
+            slowest: self.coordinate(maximum.1),
+            fastest: self.coordinate(minimum.1),
         })
     }
 
-    fn shake(&self, means: &Means) -> CycleShaking {
+    fn shaking_forces(&self, means: &Means) -> CycleShaking {
         let (mut force, mut vector, mut moment): (Option<Peak>, _, Option<Peak>) =
             (None, None, None);
         for piece in &self.pieces.list {
@@ -432,7 +436,7 @@ impl Cycle {
             for &t in turns.iter().chain(&[-1.0, 1.0]) {
                 let here = Vec2::new(x.at(t), y.at(t));
                 let before = force;
-                self.raise(&mut force, here.norm(), piece, t);
+                self.raise_peak(&mut force, here.norm(), piece, t);
                 if force != before {
                     vector = Some(here);
                 }
@@ -445,7 +449,7 @@ impl Cycle {
                     ..peak
                 });
                 let before = larger;
-                self.raise(&mut larger, value.abs(), piece, t);
+                self.raise_peak(&mut larger, value.abs(), piece, t);
                 if larger != before {
                     moment = larger.map(|peak| Peak { value, ..peak });
                 }
@@ -468,21 +472,21 @@ impl Cycle {
 
 /// Returns the marks in order, without the ends of the travel and without those that differ only by
 /// rounding errors.
-fn sorted(marks: &[f64], course: &Course) -> Vec<f64> {
+fn sorted(marks: &[f64], course: &CyclePath) -> Vec<f64> {
     let length = course.length();
     let mut marks = marks.to_vec();
-    if !course.goes_round {
+    if !course.is_periodic {
         marks.push(0.5 * length);
     }
     marks.sort_by(f64::total_cmp);
-    let apart = SAME * length;
-    marks.dedup_by(|later, earlier| *later - *earlier <= apart);
-    marks.retain(|way| (apart..=length - apart).contains(way));
+    let distance = EQUALITY_TOLERANCE * length;
+    marks.dedup_by(|later, earlier| *later - *earlier <= distance);
+    marks.retain(|travel| (distance..=length - distance).contains(travel));
     marks
 }
 
 /// The distance below which marks are equal, relative to the travel.
-const SAME: f64 = 1e-14;
+const EQUALITY_TOLERANCE: f64 = 1e-14;
 
 /// Checks that the moment is the last channel.
 const _: () = assert!(MOMENT + 1 == CHANNELS);

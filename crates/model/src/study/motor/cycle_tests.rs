@@ -27,7 +27,7 @@ fn torque(torque: f64) -> Option<Effort> {
 }
 
 fn round(marks: &[f64], f: impl Fn(f64) -> f64) -> Cycle {
-    let course = Course::new(TURN, 1, false, &[]);
+    let course = CyclePath::new(TURN, 1, false, &[]);
     Cycle::new(course, marks, degrees(2.0), &mut |at, _| torque(f(at)))
 }
 
@@ -45,15 +45,15 @@ fn cosine_torque_matches_textbook_formulas() {
     near(all.rms.unwrap(), (9.0_f64 + 12.5).sqrt());
     // The torque is positive until cos u = -3/5.
     let u = (-0.6_f64).acos();
-    near(all.put_in.unwrap(), 2.0 * (3.0 * u + 5.0 * u.sin()));
+    near(all.supplied.unwrap(), 2.0 * (3.0 * u + 5.0 * u.sin()));
     near(
-        all.given_back.unwrap(),
+        all.returned.unwrap(),
         2.0 * (3.0 * u + 5.0 * u.sin()) - 6.0 * PI,
     );
-    let (most, least) = (all.largest.unwrap(), all.least.unwrap());
-    near(most.value, 8.0);
-    near(least.value, -2.0);
-    assert!((most.at - shift).abs() < 1e-9 && (least.at - shift - 180.0).abs() < 1e-9);
+    let (maximum, minimum) = (all.largest.unwrap(), all.least.unwrap());
+    near(maximum.value, 8.0);
+    near(minimum.value, -2.0);
+    assert!((maximum.at - shift).abs() < 1e-9 && (minimum.at - shift - 180.0).abs() < 1e-9);
     near(all.largest_power.unwrap().value, 16.0);
     let fluctuation = cycle.fluctuation.unwrap();
     near(fluctuation.energy, 10.0);
@@ -65,14 +65,14 @@ fn cosine_torque_matches_textbook_formulas() {
 
 #[test]
 fn backward_driver_does_work_of_opposite_torque() {
-    let course = Course::new(TURN, 1, true, &[]);
+    let course = CyclePath::new(TURN, 1, true, &[]);
     let f = |at: f64| torque(-3.0 + 5.0 * (at * DEGREE).cos());
     let cycle = Cycle::new(course, &[], degrees(-2.0), &mut |at, _| f(at));
     near(cycle.all.mean.unwrap(), -3.0);
     near(cycle.all.largest.unwrap().value, 2.0);
     near(cycle.all.least.unwrap().value, -8.0);
     near(
-        cycle.all.put_in.unwrap() - cycle.all.given_back.unwrap(),
+        cycle.all.supplied.unwrap() - cycle.all.returned.unwrap(),
         6.0 * PI,
     );
     near(cycle.all.largest_power.unwrap().value, 16.0);
@@ -88,7 +88,7 @@ fn both_rules_integrate_narrow_peak() {
     let cycle = round(&[], f);
     assert!(matches!(cycle.rule, Rule::Periodic(_)), "{:?}", cycle.rule);
     near(cycle.all.mean.unwrap(), exact);
-    near(cycle.all.put_in.unwrap(), TAU * exact);
+    near(cycle.all.supplied.unwrap(), TAU * exact);
     near(cycle.all.largest.unwrap().value, 1e4);
     // With a mark anywhere, only the pieces are left.
     let cut = round(&[100.0], f);
@@ -109,7 +109,7 @@ fn integration_splits_at_bends_and_jumps() {
     near(jumps.all.rms.unwrap(), 6.0_f64.sqrt().recip());
     near(jumps.all.largest.unwrap().value, 1.0);
     assert_eq!(jumps.all.largest.unwrap().at, 180.0);
-    near(jumps.all.put_in.unwrap(), PI / 2.0);
+    near(jumps.all.supplied.unwrap(), PI / 2.0);
     // The integral of (x / pi - 1/4) from 0 to pi has its minimum at pi / 4, and grows from there on.
     near(jumps.fluctuation.unwrap().energy, PI * (0.75 * 0.75) / 2.0);
     for cycle in [bent, jumps] {
@@ -139,18 +139,18 @@ fn cycle_there_and_back_returns_spring_work_only() {
         low: 0.0,
         high: 3.0,
     };
-    let course = Course::new(range, 1, false, &[]);
+    let course = CyclePath::new(range, 1, false, &[]);
     let mut spring = |at: f64, back: bool| torque(2.0 * at - 1.0 + if back { -0.5 } else { 0.5 });
     let cycle = Cycle::new(course, &[], DriverUnits::default(), &mut spring);
     // Forwards 2 q - 1/2: -1/16 up to 1/4 and then 121/16. Backwards 2 q - 3/2: 9/16 and -81/16.
-    near(cycle.all.put_in.unwrap(), 121.0 / 16.0 + 9.0 / 16.0);
-    near(cycle.all.given_back.unwrap(), 1.0 / 16.0 + 81.0 / 16.0);
+    near(cycle.all.supplied.unwrap(), 121.0 / 16.0 + 9.0 / 16.0);
+    near(cycle.all.returned.unwrap(), 1.0 / 16.0 + 81.0 / 16.0);
     near(cycle.all.mean.unwrap(), 2.0);
-    let (most, least) = (cycle.all.largest.unwrap(), cycle.all.least.unwrap());
-    near(most.value, 5.5);
-    near(least.value, -1.5);
+    let (maximum, minimum) = (cycle.all.largest.unwrap(), cycle.all.least.unwrap());
+    near(maximum.value, 5.5);
+    near(minimum.value, -1.5);
     assert_eq!(
-        (most.at, most.back, least.at, least.back),
+        (maximum.at, maximum.back, minimum.at, minimum.back),
         (3.0, false, 0.0, true)
     );
     assert!(cycle.fluctuation.is_none());
@@ -162,12 +162,12 @@ fn dead_points_have_work_but_no_peaks() {
         low: -1.0,
         high: 1.0,
     };
-    let course = Course::new(range, 1, false, &[-1.0, 1.0]);
+    let course = CyclePath::new(range, 1, false, &[-1.0, 1.0]);
     let cycle = Cycle::new(course, &[], DriverUnits::default(), &mut |at, _| {
         torque(1.0 / (1.0 - at * at).sqrt())
     });
-    near(cycle.all.put_in.unwrap(), PI);
-    near(cycle.all.given_back.unwrap(), PI);
+    near(cycle.all.supplied.unwrap(), PI);
+    near(cycle.all.returned.unwrap(), PI);
     near(cycle.all.mean.unwrap(), PI / 2.0);
     assert_eq!((cycle.all.largest, cycle.all.rms), (None, None));
     assert!(cycle.has_converged());
@@ -175,7 +175,7 @@ fn dead_points_have_work_but_no_peaks() {
 
 #[test]
 fn shaking_force_and_moment_match_closed_formulas() {
-    let course = Course::new(TURN, 1, false, &[]);
+    let course = CyclePath::new(TURN, 1, false, &[]);
     let cycle = Cycle::new(course, &[], degrees(1.0), &mut |at, _| {
         let (s, c) = (at * DEGREE).sin_cos();
         Some(Effort {
@@ -195,7 +195,7 @@ fn shaking_force_and_moment_match_closed_formulas() {
 
 #[test]
 fn cycle_with_missing_states_has_no_results() {
-    let course = Course::new(TURN, 1, false, &[]);
+    let course = CyclePath::new(TURN, 1, false, &[]);
     let cycle = Cycle::new(course, &[], degrees(1.0), &mut |at, _| {
         (at < 90.0).then_some(Effort::default())
     });
@@ -222,7 +222,7 @@ fn cycle_can_be_evaluated_anywhere() {
     };
     let cycle = round(&[180.0, 0.0], f);
     for k in 0..360 {
-        let way = f64::from(k) + 0.5;
-        near(cycle.at(way).unwrap().torque, f(way));
+        let travel = f64::from(k) + 0.5;
+        near(cycle.at(travel).unwrap().torque, f(travel));
     }
 }

@@ -1,6 +1,6 @@
 //! The driving torque of a mechanism over a cycle.
 
-use super::course::Course;
+use super::course::CyclePath;
 use super::cycle::{Cycle, CycleShaking, DriveEffort};
 use super::flywheel::MotorFit;
 use super::source::{CycleSource, Step};
@@ -16,7 +16,7 @@ pub enum DutyError {
     /// The scene has no loads, springs or masses.
     NothingActs,
     /// Forces of the cycle are not shown; this is the first state concerned.
-    Withheld(Hidden),
+    WithheldReason(Hidden),
 }
 
 /// The driving torque of a mechanism over a cycle, with its singularities.
@@ -30,7 +30,7 @@ pub struct Duty {
     pub change_points: Vec<f64>,
     /// `true` if accelerations grow without bound towards a dead point: a driver of constant speed
     /// cannot reach it, and the work of inertia forces has no integral.
-    pub runs_dead: bool,
+    pub reaches_dead_point: bool,
     /// `true` if the loads repeat only after too many turns: the cycle is that of the motion alone.
     pub is_cut_short: bool,
     /// The loads, by number from 1, whose factor over the driver's coordinate is not periodic
@@ -63,8 +63,8 @@ impl Duty {
         let repeats = marks::repeats(mechanism, motion.range);
         let falls = driver.speed < 0.0;
         let course = match between {
-            Some((low, high)) => Course::between(low, high, falls, &motion.dead_points),
-            None => Course::new(
+            Some((low, high)) => CyclePath::between(low, high, falls, &motion.dead_points),
+            None => CyclePath::new(
                 motion.range,
                 repeats.unwrap_or(1),
                 falls,
@@ -83,7 +83,7 @@ impl Duty {
             arm,
             reach,
         };
-        let runs_dead = course.ends_dead && has_inertia(mechanism) && driver.speed != 0.0;
+        let runs_dead = course.ends_at_dead_point && has_inertia(mechanism) && driver.speed != 0.0;
         let source = CycleSource::new(mechanism, solver);
         let (mut states, mut has_no_ground) = (source.states(), false);
         let mut withheld = None;
@@ -97,7 +97,7 @@ impl Duty {
             step.effort(runs_dead)
         });
         if let Some(hidden) = withheld {
-            return Err(DutyError::Withheld(hidden));
+            return Err(DutyError::WithheldReason(hidden));
         }
         if runs_dead {
             (cycle.all, cycle.parts[2]) = (DriveEffort::default(), DriveEffort::default());
@@ -111,7 +111,7 @@ impl Duty {
             cycle,
             dead_points: dead_points.copied().collect(),
             change_points: motion.change_points.clone(),
-            runs_dead,
+            reaches_dead_point: runs_dead,
             is_cut_short: repeats.is_none(),
             is_steady: driver.acceleration == 0.0,
             unit,
@@ -137,25 +137,25 @@ impl Duty {
     /// Returns the driver's work in J from the beginning to this travel; `None` if the work of
     /// inertia forces has no integral.
     #[must_use]
-    pub fn work(&self, way: f64) -> Option<f64> {
-        self.cycle.work(way).filter(|_| !self.runs_dead)
+    pub fn work(&self, travel: f64) -> Option<f64> {
+        self.cycle.work(travel).filter(|_| !self.reaches_dead_point)
     }
 
     /// Returns the torque over the driver's coordinate in at least `points` points: pairs of
     /// coordinate and torque, split at jumps.
     #[must_use]
     pub fn curve(&self, points: u32) -> Vec<Vec<[f64; 2]>> {
-        if !self.runs_dead {
+        if !self.reaches_dead_point {
             return self.cycle.curve(points);
         }
         // The sums have no inertia here, so the states are solved instead.
         let once = 0.5 * self.cycle.course.length();
         let mut parts = vec![Vec::new()];
-        for (way, step) in self.steps(2 * points) {
+        for (travel, step) in self.steps(2 * points) {
             if let (Some(torque), Some(part)) = (step.torque, parts.last_mut()) {
                 part.push([step.at, torque]);
             }
-            if step.torque.is_none() || way == once {
+            if step.torque.is_none() || travel == once {
                 parts.push(Vec::new());
             }
         }
@@ -174,7 +174,7 @@ impl Duty {
     #[must_use]
     pub fn turns(&self) -> f64 {
         let course = &self.cycle.course;
-        if course.goes_round {
+        if course.is_periodic {
             course.length() / angle::TURN
         } else {
             1.0
@@ -185,8 +185,8 @@ impl Duty {
     #[must_use]
     pub fn seconds(&self) -> Option<f64> {
         let cycle = &self.cycle;
-        let way = cycle.course.length() * cycle.joule();
-        let seconds = way / cycle.speed;
+        let travel = cycle.course.length() * cycle.joule();
+        let seconds = travel / cycle.speed;
         seconds.is_finite().then_some(seconds)
     }
 }
@@ -207,9 +207,9 @@ pub fn is_within(range: Range, low: f64, high: f64) -> bool {
     match range {
         Range::Full { .. } => low < high,
         Range::Limited {
-            low: least,
-            high: most,
-        } => least <= low && low < high && high <= most,
+            low: minimum,
+            high: maximum,
+        } => minimum <= low && low < high && high <= maximum,
     }
 }
 

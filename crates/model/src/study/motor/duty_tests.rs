@@ -21,9 +21,9 @@ fn duty(text: &str) -> Duty {
     Duty::new(&scene.mechanism, &solver, None).unwrap()
 }
 
-fn near(value: f64, exact: f64, most: f64) {
+fn near(value: f64, exact: f64, maximum: f64) {
     let error = (value - exact).abs();
-    assert!(error <= most, "{value} for {exact}: {error:e}");
+    assert!(error <= maximum, "{value} for {exact}: {error:e}");
 }
 
 /// An in-line slider-crank: crank r and rod l in m, w in rad/s; the piston's mass in kg.
@@ -100,7 +100,7 @@ fn piston_inertia_torque_matches_textbook() {
     let fastest = (0..720_000).map(|k| piston(f64::from(k) * PI / 360_000.0)[0].abs());
     let fastest = fastest.fold(0.0, f64::max) * W;
     near(
-        cycle.all.put_in.unwrap(),
+        cycle.all.supplied.unwrap(),
         M * fastest * fastest,
         1e-8 * size,
     );
@@ -189,7 +189,7 @@ fn gravity_and_inertia_do_no_net_work_per_cycle() {
         let cycle = &duty.cycle;
         assert!(cycle.has_converged(), "{name}: {:e}", cycle.error);
         let [load, gravity, inertia] = cycle.parts;
-        let size = cycle.all.put_in.unwrap() + inertia.put_in.unwrap();
+        let size = cycle.all.supplied.unwrap() + inertia.supplied.unwrap();
         near(gravity.work().unwrap(), 0.0, 1e-12 * size);
         near(inertia.work().unwrap(), 0.0, 1e-11 * size);
         let [all, load] = [cycle.all, load].map(|effect| effect.work().unwrap());
@@ -214,16 +214,16 @@ fn peaks_match_dense_solver_samples() {
         let samples: Vec<f64> = (0..7200)
             .map(|k| torque(length * f64::from(k) / 7200.0))
             .collect();
-        let most = samples.iter().fold(f64::MIN, |a, &b| a.max(b));
-        let least = samples.iter().fold(f64::MAX, |a, &b| a.min(b));
-        let size = most.max(-least);
+        let maximum = samples.iter().fold(f64::MIN, |a, &b| a.max(b));
+        let minimum = samples.iter().fold(f64::MAX, |a, &b| a.min(b));
+        let size = maximum.max(-minimum);
         let (largest, lowest) = (all.largest.unwrap(), all.least.unwrap());
         assert!(
-            largest.value >= most - 1e-11 * size && largest.value - most < 3e-2 * size,
+            largest.value >= maximum - 1e-11 * size && largest.value - maximum < 3e-2 * size,
             "{name}"
         );
         assert!(
-            lowest.value <= least + 1e-11 * size && least - lowest.value < 3e-2 * size,
+            lowest.value <= minimum + 1e-11 * size && minimum - lowest.value < 3e-2 * size,
             "{name}"
         );
         // The torque jumps where a press begins or ends: only one side has the value.
@@ -261,7 +261,7 @@ fn results_do_not_depend_on_length_unit() {
     }
     let two = duty(&metres).cycle.all;
     near(one.rms.unwrap(), two.rms.unwrap(), 1e-12);
-    near(one.put_in.unwrap(), two.put_in.unwrap(), 1e-12);
+    near(one.supplied.unwrap(), two.supplied.unwrap(), 1e-12);
     near(
         one.largest.unwrap().value,
         two.largest.unwrap().value,
@@ -277,12 +277,12 @@ fn excavator_boom_duty_handles_dead_points() {
     let cycle = &duty.cycle;
     assert_eq!(duty.dead_points.len(), 2);
     // Accelerations are unbounded there: only load and gravity have results, the whole has none.
-    assert!(duty.runs_dead && cycle.all == DriveEffort::default());
+    assert!(duty.reaches_dead_point && cycle.all == DriveEffort::default());
     let [load, gravity, inertia] = cycle.parts;
     assert_eq!(inertia, DriveEffort::default());
     assert_eq!((load.largest, load.rms), (None, None));
     for part in [load, gravity] {
-        near(part.work().unwrap(), 0.0, 1e-9 * part.put_in.unwrap());
+        near(part.work().unwrap(), 0.0, 1e-9 * part.supplied.unwrap());
     }
     // Every state has all parts, including inertia, except at the dead points.
     let steps: Vec<Step> = duty.steps(100).map(|(_, step)| step).collect();
@@ -330,10 +330,10 @@ fn excavator_boom_duty_handles_dead_points() {
     let is_rising = heights.windows(2).all(|pair| pair[0] < pair[1]);
     assert!(is_rising, "the load is lifted all the way");
     let lift = 18e3 * (heights[1000] - heights[0]);
-    near(part.cycle.parts[0].put_in.unwrap(), lift, 1e-9 * lift);
-    near(part.cycle.parts[0].given_back.unwrap(), lift, 1e-9 * lift);
+    near(part.cycle.parts[0].supplied.unwrap(), lift, 1e-9 * lift);
+    near(part.cycle.parts[0].returned.unwrap(), lift, 1e-9 * lift);
     assert!(part.cycle.all.worst().is_some() && part.cycle.has_converged());
-    assert!(part.dead_points.is_empty() && !part.runs_dead);
+    assert!(part.dead_points.is_empty() && !part.reaches_dead_point);
     assert!(
         is_within(solver.motion().range, 1.8, 2.8) && !is_within(solver.motion().range, 0.0, 2.0)
     );
@@ -342,10 +342,10 @@ fn excavator_boom_duty_handles_dead_points() {
 #[test]
 fn change_points_are_listed_and_crossed() {
     let text = presets::find("parallelogram").unwrap().text;
-    let (bare, bare_solver) = of(text);
+    let (plain, bare_solver) = of(text);
     assert!(
         matches!(
-            Duty::new(&bare.mechanism, &bare_solver, None),
+            Duty::new(&plain.mechanism, &bare_solver, None),
             Err(DutyError::NothingActs)
         ),
         "nothing acts"
@@ -377,8 +377,8 @@ fn motor_fit_compares_rms_and_worst_torque() {
     assert_eq!((enough.is_enough(), enough.geared), (Some(true), None));
     let weak = duty.fit(&motor(0.5 * rms, 0.25 * worst, 60.0));
     assert_eq!(weak.is_enough(), Some(false));
-    near(weak.rated.unwrap().lacks(), 0.5 * rms, 1e-12);
-    near(weak.peak.unwrap().lacks(), 0.75 * worst, 1e-12);
+    near(weak.rated.unwrap().deficit(), 0.5 * rms, 1e-12);
+    near(weak.peak.unwrap().deficit(), 0.75 * worst, 1e-12);
     assert!(weak.speed.unwrap().is_enough());
     let geared = weak.geared.unwrap();
     assert_eq!((geared.ratio, geared.is_enough), (4.0, true));

@@ -33,9 +33,9 @@ pub const MAX_FLUCTUATION: f64 = 2.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotorDemand {
     /// The requirement of the cycle.
-    pub asked: f64,
+    pub required: f64,
     /// The capacity of the motor.
-    pub has: f64,
+    pub capacity: f64,
 }
 
 /// The comparison of a motor with a cycle; `None` for values that one of both lacks.
@@ -67,13 +67,13 @@ impl MotorDemand {
     /// Returns `true` if the capacity suffices.
     #[must_use]
     pub fn is_enough(&self) -> bool {
-        self.asked <= self.has
+        self.required <= self.capacity
     }
 
     /// Returns the deficit; negative for a surplus.
     #[must_use]
-    pub fn lacks(&self) -> f64 {
-        self.asked - self.has
+    pub fn deficit(&self) -> f64 {
+        self.required - self.capacity
     }
 }
 
@@ -87,9 +87,12 @@ impl MotorFit {
         peak: Option<f64>,
         speed: Option<f64>,
     ) -> MotorFit {
-        let both = |asked: Option<f64>, has: Option<f64>| {
-            let (asked, has) = (asked?, has?);
-            Some(MotorDemand { asked, has })
+        let both = |requested: Option<f64>, has: Option<f64>| {
+            let (requested, has) = (requested?, has?);
+            Some(MotorDemand {
+                required: requested,
+                capacity: has,
+            })
         };
         let fit = MotorFit {
             rated: both(cycle.all.rms, rated),
@@ -107,7 +110,7 @@ impl MotorFit {
     /// Returns the motor with a gear, if the motor is faster and a torque is known.
     fn geared(&self, ratio: f64) -> Option<Geared> {
         let torques = [self.rated, self.peak].into_iter().flatten();
-        let enough = torques.map(|a| a.asked <= a.has * ratio);
+        let enough = torques.map(|a| a.required <= a.capacity * ratio);
         let is_enough = enough.reduce(|a, b| a && b)?;
         let is_faster = ratio > 1.0 && ratio.is_finite();
         is_faster.then_some(Geared { ratio, is_enough })
@@ -121,6 +124,8 @@ impl MotorFit {
             return None;
         }
         let known = [self.rated, self.peak, self.speed].into_iter().flatten();
-        known.map(|asked| asked.is_enough()).reduce(|a, b| a && b)
+        known
+            .map(|requested| requested.is_enough())
+            .reduce(|a, b| a && b)
     }
 }

@@ -10,11 +10,11 @@ use crate::{Input, Mechanism, SlideId};
 
 /// The slope below which the slide does not move, relative to the stroke per radian, or per range
 /// of a driven slide.
-const STILL: f64 = 1e-12;
+const ZERO_SLOPE: f64 = 1e-12;
 
 /// A slide passing a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Passing {
+pub struct SlidePassing {
     /// The driver's coordinate.
     pub at: f64,
     /// The position along the guide.
@@ -44,7 +44,7 @@ pub(super) struct SlideFinder {
     pub(super) range: Range,
     /// The driver's speed and acceleration in the units of its derivatives.
     rates: [f64; 2],
-    turns: bool,
+    is_rotary: bool,
     /// The scene's length unit in m.
     metres: f64,
 }
@@ -63,14 +63,14 @@ impl SlideFinder {
             solver,
             slide,
             rates: [driver.speed, driver.acceleration],
-            turns: matches!(driver.input, Input::Turn(_)),
+            is_rotary: matches!(driver.input, Input::Turn(_)),
             metres: mechanism.metres(),
         }
     }
 
     /// Returns the position and, if they exist, its first and second derivative by the driver's
     /// coordinate in radians or in the scene's length unit.
-    pub(super) fn look(&mut self, at: f64) -> Option<(f64, Option<[f64; 2]>)> {
+    pub(super) fn slide_at(&mut self, at: f64) -> Option<(f64, Option<[f64; 2]>)> {
         match self.solver.solve(at, Order::Acceleration, &mut self.state) {
             Condition::NoAssembly => None,
             Condition::Ok | Condition::ChangePoint | Condition::DeadPoint => {
@@ -87,9 +87,13 @@ impl SlideFinder {
     }
 
     /// Returns the driver's time for a travel, in s; `None` if its speed is zero.
-    pub(super) fn seconds(&self, way: f64) -> Option<f64> {
-        let way = if self.turns { radians(way) } else { way };
-        let seconds = way / self.rates[0].abs();
+    pub(super) fn seconds(&self, travel: f64) -> Option<f64> {
+        let travel = if self.is_rotary {
+            radians(travel)
+        } else {
+            travel
+        };
+        let seconds = travel / self.rates[0].abs();
         seconds.is_finite().then_some(seconds)
     }
 
@@ -126,24 +130,24 @@ impl SlideFinder {
     }
 
     /// Returns the state of the slide at a coordinate, with the driver's speed or its opposite.
-    pub(super) fn passing(&mut self, at: f64, back: bool, stroke: f64) -> Option<Passing> {
-        let (position, rates) = self.look(at)?;
+    pub(super) fn passing(&mut self, at: f64, back: bool, stroke: f64) -> Option<SlidePassing> {
+        let (position, rates) = self.slide_at(at)?;
         let [slope, second] = rates?;
         let span = match self.range {
-            Range::Limited { low, high } if !self.turns => high - low,
+            Range::Limited { low, high } if !self.is_rotary => high - low,
             Range::Limited { .. } | Range::Full { .. } => 1.0,
         };
         // A dead centre is accurate to the last digit of the coordinate; its slope counts as 0.
-        let still = STILL * (stroke / span).max(second.abs() * span);
+        let still = ZERO_SLOPE * (stroke / span).max(second.abs() * span);
         let first = if slope.abs() <= still { 0.0 } else { slope };
         let [speed, acceleration] = self.rates;
         let speed = if back { -speed } else { speed };
-        Some(Passing {
+        Some(SlidePassing {
             at: self.wrapped(at),
             position,
             velocity: first * speed + 0.0,
             acceleration: second * speed * speed + first * acceleration,
-            leverage: match self.turns {
+            leverage: match self.is_rotary {
                 true => 1.0 / (first * self.metres).abs(),
                 false => 1.0 / first.abs(),
             },

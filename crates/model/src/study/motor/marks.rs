@@ -2,7 +2,7 @@
 //! which all loads repeat.
 
 use super::bends::SpringBends;
-use super::course::Course;
+use super::course::CyclePath;
 use super::ram::{Ram, RamEnd};
 use crate::angle::TURN;
 use crate::solver::{Range, Solver};
@@ -118,10 +118,10 @@ pub(super) fn bends(mechanism: &Mechanism, solver: &Solver) -> Vec<Mark> {
         Range::Full { period } => period,
         Range::Limited { .. } => 0.0,
     };
-    let turns = matches!(mechanism.driver().input, Input::Turn(_));
+    let is_rotary = matches!(mechanism.driver().input, Input::Turn(_));
     for profile in profiles(mechanism) {
         let every = match turns_of(profile) {
-            Some(whole) if turns => TURN * whole as f64,
+            Some(integer) if is_rotary => TURN * integer as f64,
             Some(_) | None => 0.0,
         };
         let knots = profile.knots().iter();
@@ -155,22 +155,22 @@ pub(super) fn bends(mechanism: &Mechanism, solver: &Solver) -> Vec<Mark> {
 }
 
 /// Returns the travels in a cycle at which a load has a kink or jumps, in no particular order.
-pub(super) fn marks(mechanism: &Mechanism, solver: &Solver, course: &Course) -> Vec<f64> {
-    let mut ways = Vec::new();
+pub(super) fn marks(mechanism: &Mechanism, solver: &Solver, course: &CyclePath) -> Vec<f64> {
+    let mut travels = Vec::new();
     for Mark { at, every } in bends(mechanism, solver) {
-        course.ways(at, every, &mut ways);
+        course.ways(at, every, &mut travels);
     }
-    if begins_anew(mechanism) {
-        ways.push(0.0);
+    if restarts(mechanism) {
+        travels.push(0.0);
     }
-    ways
+    travels
 }
 
 /// Returns `true` if a load over the driver's coordinate is not periodic: it restarts with the
 /// cycle, where it may jump.
-fn begins_anew(mechanism: &Mechanism) -> bool {
-    let turns = matches!(mechanism.driver().input, Input::Turn(_));
-    let comes_again = |profile: &Profile| turns && turns_of(profile).is_some();
+fn restarts(mechanism: &Mechanism) -> bool {
+    let is_rotary = matches!(mechanism.driver().input, Input::Turn(_));
+    let comes_again = |profile: &Profile| is_rotary && turns_of(profile).is_some();
     profiles(mechanism).any(|profile| !comes_again(profile) && !profile.is_one())
 }
 
@@ -180,7 +180,7 @@ pub(in crate::study) fn bends_within(solver: &Solver, range: Range) -> Vec<f64> 
     let mechanism = solver.mechanism();
     let (low, high) = range.ends();
     let bends = bends(mechanism, solver).into_iter();
-    let start = begins_anew(mechanism).then_some(low);
+    let start = restarts(mechanism).then_some(low);
     bends
         .flat_map(|mark| mark.between(low, high))
         .chain(start)

@@ -33,14 +33,14 @@ mod ram;
 mod source;
 mod timed;
 
-pub use course::Course;
+pub use course::CyclePath;
 pub use cycle::{Cycle, CycleShaking, DriveEffort, Fluctuation, Peak, Rule};
 pub use duty::{Duty, DutyError, is_within};
 pub use flywheel::{
     Geared, MAX_FLUCTUATION, MotorDemand, MotorFit, SMALL_FLUCTUATION, fluctuation_with,
     flywheel_for,
 };
-pub use guide::Passing;
+pub use guide::SlidePassing;
 pub(in crate::study) use marks::bends_within as load_bends;
 pub use marks::repeats;
 pub use ram::{Dwell, NoRam, Ram, RamEnd, rams};

@@ -27,22 +27,22 @@ pub(super) struct Periodic {
 const FIRST: usize = 32;
 const MAX_COUNT: usize = 8192;
 /// The difference below which two rules are equal in double precision.
-const AGREE: f64 = 1e-14;
+const RULE_TOLERANCE: f64 = 1e-14;
 /// The offset of the first place, in steps: change points are at round angles.
-const BESIDE: f64 = 0.37;
+const PLACE_OFFSET: f64 = 0.37;
 
 /// Computes the means over the travel. Returns `None` if a place has no values, or if the rules do
 /// not agree to `most` relative to the channels' `size`.
 pub(super) fn periodic(
     sampler: &mut Sampler,
     size: impl Fn(usize) -> f64,
-    most: f64,
+    maximum: f64,
 ) -> Option<Periodic> {
     let length = sampler.course.length();
     let step = length / FIRST as f64;
     let mut sums = Means::default();
     for k in 0..FIRST {
-        sums.add(sampler.channels((k as f64 + BESIDE) * step)?);
+        sums.add(sampler.channels((k as f64 + PLACE_OFFSET) * step)?);
     }
     let mut places = FIRST;
     let mut means = sums.over(places);
@@ -50,7 +50,7 @@ pub(super) fn periodic(
     while places < MAX_COUNT {
         // Half-way between the existing places.
         let step = length / places as f64;
-        let first = BESIDE * length / FIRST as f64 + 0.5 * step;
+        let first = PLACE_OFFSET * length / FIRST as f64 + 0.5 * step;
         for k in 0..places {
             sums.add(sampler.channels((first + k as f64 * step) % length)?);
         }
@@ -59,7 +59,7 @@ pub(super) fn periodic(
         let error = means.differs(&finer, &size);
         means = finer;
         // Rounding errors do not decrease further.
-        if error <= AGREE || (error <= most && error >= 0.5 * last) {
+        if error <= RULE_TOLERANCE || (error <= maximum && error >= 0.5 * last) {
             return Some(Periodic {
                 means,
                 error,

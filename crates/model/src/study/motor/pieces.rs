@@ -4,7 +4,7 @@
 //! polynomials represents the solution on every piece. All other results - integrals, zeros, peaks -
 //! are computed from the sums.
 
-use super::course::{Course, CoursePlace};
+use super::course::{CyclePath, PathPosition};
 use super::{CHANNELS, DriverUnits, Effort};
 use crate::numeric::chebyshev::{Basis, ChebyshevSum, TERMS};
 
@@ -35,10 +35,10 @@ pub(super) struct Pieces {
 const PARTS: f64 = 8.0;
 /// The size of the last coefficients, relative to the channel, below which a sum is as accurate as
 /// its function.
-const FINE: f64 = 1e-13;
-/// A sum with last coefficients below `FAIR` suffices if the piece is so short that the error of
+const MAX_LAST_TERM: f64 = 1e-13;
+/// A sum with last coefficients below `SUFFICIENT_COEFFICIENT` suffices if the piece is so short that the error of
 /// the integral is below `SHORT`.
-const FAIR: f64 = 1e-9;
+const SUFFICIENT_COEFFICIENT: f64 = 1e-9;
 const SHORT: f64 = 1e-13;
 /// Minimum scale of a channel relative to all others.
 const MIN_VALUE: f64 = 1e-2;
@@ -58,7 +58,7 @@ const MAX_PIECES: usize = 1000;
 
 /// Solves at places of the cycle.
 pub(super) struct Sampler<'a> {
-    pub(super) course: Course,
+    pub(super) course: CyclePath,
     pub(super) basis: Basis,
     pub(super) measure: DriverUnits,
     pub(super) effort: &'a mut dyn FnMut(f64, bool) -> Option<Effort>,
@@ -67,8 +67,8 @@ pub(super) struct Sampler<'a> {
 impl Sampler<'_> {
     /// Returns the integrands at this travel: torques times the derivative of the coordinate, and
     /// the force on the ground. Returns `None` if one is not finite.
-    pub(super) fn channels(&mut self, way: f64) -> Option<[f64; CHANNELS]> {
-        let CoursePlace { at, back, weight } = self.course.place(way);
+    pub(super) fn channels(&mut self, travel: f64) -> Option<[f64; CHANNELS]> {
+        let PathPosition { at, back, weight } = self.course.place(travel);
         let mut channels = (self.effort)(at, back)?.channels();
         channels[..super::TORQUES]
             .iter_mut()
@@ -79,8 +79,8 @@ impl Sampler<'_> {
     fn piece(&mut self, from: f64, to: f64) -> Option<SmoothPiece> {
         let mut values = [[0.0; TERMS]; CHANNELS];
         for j in 0..TERMS {
-            let way = from + (to - from) * 0.5 * (1.0 + self.basis.places[j]);
-            for (values, value) in values.iter_mut().zip(self.channels(way)?) {
+            let travel = from + (to - from) * 0.5 * (1.0 + self.basis.places[j]);
+            for (values, value) in values.iter_mut().zip(self.channels(travel)?) {
                 values[j] = value;
             }
         }
@@ -123,8 +123,12 @@ impl Pieces {
             let spent = halvings >= MAX_HALVINGS
                 || pieces.list.len() + waiting.len() >= MAX_PIECES
                 || !(from < middle && middle < to);
-            let allowance = if sampler.course.ends_dead { DEAD } else { 1.0 };
-            let is_good = |piece: SmoothPiece| pieces.is_good(&piece, length, flat, allowance);
+            let allowance = if sampler.course.ends_at_dead_point {
+                DEAD
+            } else {
+                1.0
+            };
+            let is_good = |piece: SmoothPiece| pieces.is_resolved(&piece, length, flat, allowance);
             let good = piece.is_some_and(is_good);
             match piece {
                 Some(piece) if good || spent => pieces.keep(piece, length),
@@ -190,14 +194,14 @@ impl Pieces {
         piece: &'a SmoothPiece,
     ) -> impl Iterator<Item = (usize, &'a ChebyshevSum)> {
         let sums = piece.sums.iter().enumerate();
-        sums.filter(|(channel, sum)| sum.tail() > FINE * self.size(*channel))
+        sums.filter(|(channel, sum)| sum.tail() > MAX_LAST_TERM * self.size(*channel))
     }
 
-    fn is_good(&self, piece: &SmoothPiece, length: f64, flat: u32, allowance: f64) -> bool {
+    fn is_resolved(&self, piece: &SmoothPiece, length: f64, flat: u32, allowance: f64) -> bool {
         let share = (piece.to - piece.from) / length;
         self.rough(piece).all(|(channel, sum)| {
             let (tail, size) = (sum.tail(), allowance * self.size(channel));
-            let is_short = tail <= FAIR * size && tail * share <= SHORT * size;
+            let is_short = tail <= SUFFICIENT_COEFFICIENT * size && tail * share <= SHORT * size;
             is_short || (flat >= FLAT_HALVINGS && sum.is_flat())
         })
     }
@@ -214,10 +218,10 @@ impl Pieces {
     }
 
     /// Returns the channels after this travel, from the sums.
-    pub(super) fn at(&self, way: f64) -> Option<[f64; CHANNELS]> {
-        let behind = self.list.partition_point(|piece| piece.to < way);
-        let piece = self.list.get(behind).filter(|piece| piece.from <= way)?;
-        Some(piece.sums.map(|sum| sum.at(piece.t(way))))
+    pub(super) fn at(&self, travel: f64) -> Option<[f64; CHANNELS]> {
+        let after = self.list.partition_point(|piece| piece.to < travel);
+        let piece = self.list.get(after).filter(|piece| piece.from <= travel)?;
+        Some(piece.sums.map(|sum| sum.at(piece.t(travel))))
     }
 }
 
@@ -227,8 +231,8 @@ impl SmoothPiece {
         self.from + (self.to - self.from) * 0.5 * (1.0 + t)
     }
 
-    pub(super) fn t(&self, way: f64) -> f64 {
-        2.0 * (way - self.from) / (self.to - self.from) - 1.0
+    pub(super) fn t(&self, travel: f64) -> f64 {
+        2.0 * (travel - self.from) / (self.to - self.from) - 1.0
     }
 
     /// Returns the factor from an integral over t to one over the travel.

@@ -2,14 +2,14 @@
 //!
 //! Between two dead centres the motion is monotonic, so each height has one driver coordinate.
 
-use super::guide::{MonotoneStretch, Passing, SlideFinder};
+use super::guide::{MonotoneStretch, SlideFinder, SlidePassing};
 use crate::numeric::root;
 use crate::solver::{DeadCentre, Range, Solver};
 use crate::{Body, Mechanism, SlideId, StrokeEnd};
 use thiserror::Error;
 
 /// The difference below which two dead centres have equal depth, relative to the stroke.
-const SAME: f64 = 1e-9;
+const EQUALITY_TOLERANCE: f64 = 1e-9;
 /// The reason why a slide is not a ram.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum NoRam {
@@ -42,7 +42,7 @@ pub struct Dwell {
     /// The driver's coordinate at its end, in the driver's direction.
     pub to: f64,
     /// The driver's travel between, in degrees or in the scene's length unit.
-    pub way: f64,
+    pub travel: f64,
     /// The duration in s; `None` if the driver's speed is zero.
     pub seconds: Option<f64>,
 }
@@ -63,14 +63,14 @@ pub struct Ram {
     /// The distance from top to bottom, in the scene's length unit.
     pub stroke: f64,
     /// The driver's travel over one period while the ram closes, and while it opens.
-    pub ways: [f64; 2],
+    pub travels: [f64; 2],
     /// The number of times the ram reaches the bottom in one period.
     pub strokes: u32,
     /// The period, in s; `None` if the driver's speed is zero.
     pub seconds: Option<f64>,
     legs: Vec<MonotoneStretch>,
     /// The index of the bottom among the dead centres, in the order of the legs.
-    deepest: usize,
+    bottom_index: usize,
     guide: SlideFinder,
 }
 
@@ -93,8 +93,8 @@ impl RamEnd {
         let up = mechanism.slide(slide).direction().y;
         let end = match pressed {
             Some(end) => end,
-            None if up > 0.0 => StrokeEnd::Least,
-            None => StrokeEnd::Greatest,
+            None if up > 0.0 => StrokeEnd::Minimum,
+            None => StrokeEnd::Maximum,
         };
         RamEnd {
             end,
@@ -121,8 +121,8 @@ impl Ram {
         let legs = guide.legs();
         // A smaller value is deeper.
         let depth = |centre: &DeadCentre| match end.end {
-            StrokeEnd::Least => centre.position,
-            StrokeEnd::Greatest => -centre.position,
+            StrokeEnd::Minimum => centre.position,
+            StrokeEnd::Maximum => -centre.position,
         };
         // In a periodic motion the last leg ends at the first leg's beginning.
         let last = match guide.range {
@@ -144,19 +144,19 @@ impl Ram {
         let (mut closing, mut opening) = (0.0, 0.0);
         for leg in &legs {
             let falls = depth(&leg.to) < depth(&leg.from);
-            let way = leg.to.at - leg.from.at;
+            let travel = leg.to.at - leg.from.at;
             *(if falls != guide.backwards() {
                 &mut closing
             } else {
                 &mut opening
-            }) += way;
+            }) += travel;
         }
         if let Range::Limited { .. } = guide.range {
             // To and fro: the ram closes on the one way where it opens on the other.
             let both = closing + opening;
             (closing, opening) = (both, both);
         }
-        let deep = |c: &&DeadCentre| depth(c) - depth(&bottom) <= SAME * stroke;
+        let deep = |c: &&DeadCentre| depth(c) - depth(&bottom) <= EQUALITY_TOLERANCE * stroke;
         let bottoms = turns.iter().filter(deep).count();
         let [bottom, top] = [bottom, top].map(|centre| guide.reduced(centre));
         turns
@@ -171,11 +171,11 @@ impl Ram {
             top: guide.reduced(top),
             others: turns,
             stroke,
-            ways: [closing, opening],
+            travels: [closing, opening],
             strokes: u32::try_from(bottoms).unwrap_or(u32::MAX),
             seconds: guide.seconds(closing + opening),
             legs,
-            deepest,
+            bottom_index: deepest,
             guide,
         })
     }
@@ -189,21 +189,21 @@ impl Ram {
     /// Returns the ratio of the closing time to the opening time.
     #[must_use]
     pub fn time_ratio(&self) -> f64 {
-        self.ways[0] / self.ways[1]
+        self.travels[0] / self.travels[1]
     }
 
     /// Returns the ram's state at a height above the bottom, in the scene's length unit, twice:
     /// where it last passes while closing, and where it first passes while opening. Returns `None`
     /// if it does not reach the height next to the bottom.
-    pub fn at_height(&mut self, height: f64) -> Option<[Passing; 2]> {
+    pub fn at_height(&mut self, height: f64) -> Option<[SlidePassing; 2]> {
         if !(0.0..=self.stroke).contains(&height) {
             return None;
         }
         // At a limit the driver reverses, and the ram returns the same way.
-        let (closing, opening) = match self.beside_bottom() {
-            [Some(before), Some(behind)] => ((before, false), (behind, false)),
+        let (closing, opening) = match self.bottom_legs() {
+            [Some(before), Some(after)] => ((before, false), (after, false)),
             [Some(before), None] => ((before, false), (before, true)),
-            [None, Some(behind)] => ((behind, true), (behind, false)),
+            [None, Some(after)] => ((after, true), (after, false)),
             [None, None] => return None,
         };
         let mut passing = |(leg, back)| {
@@ -220,11 +220,11 @@ impl Ram {
         if !(tolerance > 0.0) {
             return None;
         }
-        let [before, behind] = self.beside_bottom_index();
+        let [before, after] = self.bottom_leg_indices();
         let count = self.legs.len();
-        let goes_round = matches!(self.guide.range, Range::Full { .. });
+        let is_periodic = matches!(self.guide.range, Range::Full { .. });
         let reach = |ram: &mut Ram, first: Option<usize>, forwards: bool| {
-            let mut way = 0.0;
+            let mut travel = 0.0;
             let mut next = first;
             for _ in 0..count {
                 let Some(index) = next else { break };
@@ -240,8 +240,8 @@ impl Ram {
                 } else {
                     ram.crossing(leg, tolerance)?
                 };
-                way += (end - near.at).abs();
-                next = match (forwards, goes_round) {
+                travel += (end - near.at).abs();
+                next = match (forwards, is_periodic) {
                     _ if !is_within => None,
                     (true, true) => Some((index + 1) % count),
                     (false, true) => Some((index + count - 1) % count),
@@ -249,23 +249,23 @@ impl Ram {
                     (false, false) => index.checked_sub(1),
                 };
             }
-            Some(way)
+            Some(travel)
         };
         let low = reach(self, before, false)?;
-        let high = reach(self, behind, true)?;
-        let most = self.ways[0] + self.ways[1];
+        let high = reach(self, after, true)?;
+        let maximum = self.travels[0] + self.travels[1];
         let (mut from, mut to) = (self.bottom.at - low, self.bottom.at + high);
         if self.guide.backwards() {
             (from, to) = (to, from);
         }
         // At a limit the ram moves to and fro on the same stretch.
-        let there_and_back = !goes_round && (before.is_none() || behind.is_none());
-        let way = if there_and_back { 2.0 } else { 1.0 } * (low + high);
+        let there_and_back = !is_periodic && (before.is_none() || after.is_none());
+        let travel = if there_and_back { 2.0 } else { 1.0 } * (low + high);
         Some(Dwell {
             from: self.guide.wrapped(from),
             to: self.guide.wrapped(to),
-            way: way.min(most),
-            seconds: self.guide.seconds(way.min(most)),
+            travel: travel.min(maximum),
+            seconds: self.guide.seconds(travel.min(maximum)),
         })
     }
 
@@ -288,8 +288,8 @@ impl Ram {
 
     /// Returns the indices of the legs that end and begin at the bottom, by the driver's
     /// coordinate.
-    fn beside_bottom_index(&self) -> [Option<usize>; 2] {
-        let (deepest, count) = (self.deepest, self.legs.len());
+    fn bottom_leg_indices(&self) -> [Option<usize>; 2] {
+        let (deepest, count) = (self.bottom_index, self.legs.len());
         match self.guide.range {
             Range::Full { .. } => [Some((deepest + count - 1) % count), Some(deepest)],
             Range::Limited { .. } => [deepest.checked_sub(1), Some(deepest).filter(|i| *i < count)],
@@ -297,8 +297,8 @@ impl Ram {
     }
 
     /// Returns the legs that end and begin at the bottom, in the driver's direction.
-    fn beside_bottom(&self) -> [Option<MonotoneStretch>; 2] {
-        let mut legs = self.beside_bottom_index().map(|i| Some(self.legs[i?]));
+    fn bottom_legs(&self) -> [Option<MonotoneStretch>; 2] {
+        let mut legs = self.bottom_leg_indices().map(|i| Some(self.legs[i?]));
         if self.guide.backwards() {
             legs.reverse();
         }
@@ -311,7 +311,7 @@ impl Ram {
         let ends = [leg.from, leg.to].map(|centre| (centre.at, off(&centre)));
         let bottom = self.bottom.position;
         let guide = &mut self.guide;
-        let off = |at| Some((guide.look(at)?.0 - bottom).abs() - height);
+        let off = |at| Some((guide.slide_at(at)?.0 - bottom).abs() - height);
         root(ends[0], ends[1], f64::EPSILON, off).ok()
     }
 }

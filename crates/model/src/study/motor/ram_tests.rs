@@ -20,9 +20,9 @@ fn ram(scene: &Scene, solver: &Solver) -> Ram {
     Ram::new(&scene.mechanism, solver, slide, end).unwrap()
 }
 
-fn near(value: f64, exact: f64, most: f64) {
+fn near(value: f64, exact: f64, maximum: f64) {
     let error = (value - exact).abs();
-    assert!(error <= most, "{value} for {exact}: {error:e}");
+    assert!(error <= maximum, "{value} for {exact}: {error:e}");
 }
 
 /// Crank r, rod l, the guide e below the pivot, at 120 rpm.
@@ -47,7 +47,7 @@ fn offset_slider_crank_ram_matches_textbook_formulas() {
     near(ram.bottom.at, stretched, 1e-12);
     near(ram.top.at, folded, 1e-12);
     let closing = stretched - folded;
-    near(ram.ways[0], closing, 1e-12);
+    near(ram.travels[0], closing, 1e-12);
     near(ram.time_ratio(), closing / (360.0 - closing), 1e-13);
     near(ram.strokes_per_minute().unwrap(), 120.0, 1e-12);
     assert_eq!((ram.strokes, ram.others.len()), (1, 0));
@@ -72,13 +72,13 @@ fn offset_slider_crank_ram_matches_textbook_formulas() {
     near(dwell.from, closing.at, 1e-10);
     near(dwell.to, opening.at, 1e-10);
     near(
-        dwell.way,
+        dwell.travel,
         (opening.at - closing.at).rem_euclid(360.0),
         1e-10,
     );
     near(
         dwell.seconds.unwrap(),
-        dwell.way.to_radians() / OMEGA,
+        dwell.travel.to_radians() / OMEGA,
         1e-14,
     );
     assert_eq!(ram.at_height(ram.stroke + 1.0), None);
@@ -93,13 +93,16 @@ fn backward_driver_swaps_closing_and_opening() {
     let mut there = ram(&scene, &solver);
     let mut back = ram(&back_scene, &back_solver);
     assert_eq!((there.bottom, there.top), (back.bottom, back.top));
-    assert_eq!((there.ways[0], there.ways[1]), (back.ways[1], back.ways[0]));
+    assert_eq!(
+        (there.travels[0], there.travels[1]),
+        (back.travels[1], back.travels[0])
+    );
     let (a, b) = (there.at_height(6.0).unwrap(), back.at_height(6.0).unwrap());
     assert_eq!((a[0].at, a[1].at), (b[1].at, b[0].at));
     assert!(b[0].velocity > 0.0 && b[1].velocity < 0.0);
     assert_eq!(a[1].velocity, -b[0].velocity);
     let (a, b) = (there.dwell(1.0).unwrap(), back.dwell(1.0).unwrap());
-    assert_eq!((a.from, a.to, a.way), (b.to, b.from, b.way));
+    assert_eq!((a.from, a.to, a.travel), (b.to, b.from, b.travel));
 }
 
 /// Returns the angle of the rocker of the presets' four-bar, by the law of cosines twice.
@@ -127,14 +130,14 @@ fn press_ram(theta: f64) -> f64 {
 fn press_ram_follows_closed_formula() {
     let (scene, solver) = opened("press-ram");
     let mut ram = ram(&scene, &solver);
-    assert!(ram.end.is_known && ram.end.end == StrokeEnd::Least);
+    assert!(ram.end.is_known && ram.end.end == StrokeEnd::Minimum);
     for centre in [ram.bottom, ram.top] {
         let theta = centre.at.to_radians();
         near(press_ram(theta), centre.position, 1e-11);
         // Stationary: a step to either side changes the position by the step's square.
-        let [before, behind] = [-1e-4, 1e-4].map(|h| press_ram(theta + h) - centre.position);
-        near(before, behind, 1e-9);
-        assert!(before * behind > 0.0);
+        let [before, after] = [-1e-4, 1e-4].map(|h| press_ram(theta + h) - centre.position);
+        near(before, after, 1e-9);
+        assert!(before * after > 0.0);
     }
     let samples = (0..3600).map(|k| press_ram(f64::from(k).to_radians() / 10.0));
     let (low, high) = samples.fold((f64::MAX, f64::MIN), |(l, h), s| (l.min(s), h.max(s)));
@@ -174,15 +177,15 @@ fn toggle_press_dwells_at_bottom() {
     for at in [dwell.from, dwell.to] {
         near(press(at.to_radians()), ram.bottom.position + 0.5, 1e-10);
     }
-    near(dwell.seconds.unwrap(), dwell.way / 180.0, 1e-12);
-    assert!(dwell.way > 20.0, "{dwell:?}");
+    near(dwell.seconds.unwrap(), dwell.travel / 180.0, 1e-12);
+    assert!(dwell.travel > 20.0, "{dwell:?}");
     near(
         ram.strokes_per_minute().unwrap(),
         30.0 * f64::from(ram.strokes),
         1e-12,
     );
     // A tolerance larger than the stroke contains all of it.
-    near(ram.dwell(2.0 * ram.stroke).unwrap().way, 360.0, 1e-12);
+    near(ram.dwell(2.0 * ram.stroke).unwrap().travel, 360.0, 1e-12);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Solves the driving torque in one state of a cycle.
 
 use super::Effort;
-use super::course::Course;
+use super::course::CyclePath;
 use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::{Mechanism, Vec2};
 
@@ -44,19 +44,19 @@ impl CycleSource {
     }
 
     pub(super) fn step(&self, at: f64, back: bool, states: &mut [Workspace; 2]) -> Step {
-        let way = usize::from(back);
-        let state = &mut states[way];
-        let condition = self.solvers[way].solve(at, Order::Force, state);
+        let travel = usize::from(back);
+        let state = &mut states[travel];
+        let condition = self.solvers[travel].solve(at, Order::Force, state);
         Step::of(state, condition)
     }
 
     /// Returns the cycle in equal steps of the travel, including both ends.
-    pub(super) fn steps(&self, course: Course, count: u32) -> impl Iterator<Item = (f64, Step)> {
+    pub(super) fn steps(&self, course: CyclePath, count: u32) -> impl Iterator<Item = (f64, Step)> {
         let mut states = self.states();
         (0..=count).map(move |k| {
-            let way = course.length() * (f64::from(k) / f64::from(count));
-            let place = course.place(way);
-            (way, self.step(place.at, place.back, &mut states))
+            let travel = course.length() * (f64::from(k) / f64::from(count));
+            let place = course.place(travel);
+            (travel, self.step(place.at, place.back, &mut states))
         })
     }
 }

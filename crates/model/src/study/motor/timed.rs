@@ -79,7 +79,7 @@ pub enum NoTimedDuty {
     /// The scene has no loads, springs or masses.
     NothingActs,
     /// Forces are not shown at this place.
-    Withheld(Hidden),
+    WithheldReason(Hidden),
     /// The motion leaves the range of a stop or of the mechanism.
     Leaves(MotionOutOfRange),
     /// The torque does not exist: there is no assembly, or a dead point.
@@ -98,13 +98,13 @@ const MAX_HALVINGS: u32 = 26;
 const MAX_PIECES: usize = 4000;
 /// The size of the last coefficients, relative to the largest, below which a sum represents its
 /// function.
-const FINE: f64 = 1e-12;
+const MAX_LAST_TERM: f64 = 1e-12;
 /// The distance below which cuts are equal, relative to the period.
-const SAME_TIME: f64 = 1e-13;
+const TIME_TOLERANCE: f64 = 1e-13;
 /// The difference below which values are equal, relative to the maximum.
-const SAME: f64 = 1e-12;
+const EQUALITY_TOLERANCE: f64 = 1e-12;
 /// The error above which means are not trusted.
-const CONVERGED: f64 = 1e-9;
+const MAX_MEAN_ERROR: f64 = 1e-9;
 
 /// A part of the period on which all channels are smooth.
 #[derive(Clone, Debug, PartialEq)]
@@ -134,7 +134,7 @@ impl MomentSource<'_> {
         self.solver.drive(&mut self.state, &moment);
         let _ = self.solver.solve(moment.at, Order::Force, &mut self.state);
         if let Some(hidden) = Hidden::of_forces(&self.state) {
-            return Err(NoTimedDuty::Withheld(hidden));
+            return Err(NoTimedDuty::WithheldReason(hidden));
         }
         let state = &self.state;
         let parts = state.drive_parts().unwrap_or_default();
@@ -172,9 +172,9 @@ impl MomentSource<'_> {
         let mut cuts: Vec<f64> = law.seams().chain(passed).collect();
         cuts.sort_by(f64::total_cmp);
         let period = law.period();
-        let apart = SAME_TIME * period;
-        cuts.dedup_by(|later, earlier| *later - *earlier <= apart);
-        cuts.retain(|time| (apart..period - apart).contains(time));
+        let distance = TIME_TOLERANCE * period;
+        cuts.dedup_by(|later, earlier| *later - *earlier <= distance);
+        cuts.retain(|time| (distance..period - distance).contains(time));
         cuts.push(period);
         cuts
     }
@@ -211,7 +211,7 @@ impl MomentSource<'_> {
             }
             let middle = 0.5 * (from + to);
             let is_spent = halvings >= MAX_HALVINGS || pieces.len() + waiting.len() > MAX_PIECES;
-            if worst <= FINE || is_spent || !(from < middle && middle < to) {
+            if worst <= MAX_LAST_TERM || is_spent || !(from < middle && middle < to) {
                 error += worst * (to - from) / period;
                 pieces.push(piece);
             } else {
@@ -299,8 +299,8 @@ impl TimedDuty {
     /// Returns the driver's work in J from the beginning of the period.
     #[must_use]
     pub fn work(&self, time: f64) -> f64 {
-        let begun = self.pieces.iter().take_while(|piece| piece.from < time);
-        begun
+        let started = self.pieces.iter().take_while(|piece| piece.from < time);
+        started
             .map(|piece| {
                 let half = 0.5 * (piece.to - piece.from);
                 let t = ((time - piece.from) / half - 1.0).min(1.0);
@@ -312,7 +312,7 @@ impl TimedDuty {
     /// Returns `true` if the means can be trusted.
     #[must_use]
     pub fn has_converged(&self) -> bool {
-        self.error <= CONVERGED
+        self.error <= MAX_MEAN_ERROR
     }
 
     /// Returns the mean power over a period, in W.
@@ -326,7 +326,12 @@ impl TimedDuty {
     #[must_use]
     pub fn fit(&self, motor: &Motor) -> MotorFit {
         let largest = |peaks: [TimedPeak; 2]| peaks[0].value.abs().max(peaks[1].value.abs());
-        let both = |asked, has: Option<f64>| has.map(|has| MotorDemand { asked, has });
+        let both = |requested, has: Option<f64>| {
+            has.map(|has| MotorDemand {
+                required: requested,
+                capacity: has,
+            })
+        };
         MotorFit {
             rated: both(self.rms, motor.rated),
             peak: both(largest(self.torque), motor.peak),
@@ -347,7 +352,7 @@ fn peaks(pieces: &[TimedPiece], channel: usize, clock: &Clock, solver: &Solver) 
         let sum = &piece.sums[channel];
         // Values that differ by rounding errors equal the first one, and rounding errors of zero
         // are zero.
-        let beyond = SAME * size;
+        let beyond = EQUALITY_TOLERANCE * size;
         for &t in [-1.0].iter().chain(&sum.turns()).chain(&[1.0]) {
             let value = sum.at(t);
             let value = if value.abs() <= beyond { 0.0 } else { value };
@@ -410,8 +415,8 @@ mod tests {
     }
 
     fn near(found: f64, exact: f64) {
-        let most = 1e-9 * exact.abs().max(1.0);
-        assert!((found - exact).abs() < most, "{found} for {exact}");
+        let maximum = 1e-9 * exact.abs().max(1.0);
+        assert!((found - exact).abs() < maximum, "{found} for {exact}");
     }
 
     /// A wheel of inertia J is indexed by h = 90 deg in T = 0.5 s by a cycloid, and back
@@ -510,10 +515,10 @@ mod tests {
             "link = \"r2\"\nangle = 0\nmotion = [{ law = \"trapezoid\", ramp = 0.2, to = 360, time = 1.5 }]",
             "[links]\nr2 = { from = \"A\", to = \"B\", length = 1, com = [0, 0], mass = 1, inertia = 3 }",
         );
-        let most = 3.0 * 2.0 * PI / (0.16 * 2.25);
-        near(found.torque[0].value, most);
-        near(found.torque[1].value, -most);
-        near(found.rms, most * 0.4_f64.sqrt());
+        let maximum = 3.0 * 2.0 * PI / (0.16 * 2.25);
+        near(found.torque[0].value, maximum);
+        near(found.torque[1].value, -maximum);
+        near(found.rms, maximum * 0.4_f64.sqrt());
         near(found.mean, 0.0);
         assert!(found.has_converged(), "{}", found.error);
     }

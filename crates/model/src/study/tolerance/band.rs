@@ -37,9 +37,9 @@ const QUICK_MACHINES: usize = 200_000;
 impl ToleranceStudy {
     /// Computes a band quickly, for interactive use: the worst case if it has few machines, or else
     /// the root of the sum of squares.
-    pub fn quick_band(&mut self, places: &[f64]) -> (BandKind, Vec<Vec<Option<Offsets>>>) {
-        let kind = self.quick_kind(places.len());
-        (kind, self.band_by(places, kind, QUICK))
+    pub fn quick_band(&mut self, coordinates: &[f64]) -> (BandKind, Vec<Vec<Option<Offsets>>>) {
+        let kind = self.quick_kind(coordinates.len());
+        (kind, self.band_by(coordinates, kind, QUICK))
     }
 
     pub(super) fn quick_kind(&self, places: usize) -> BandKind {
@@ -56,32 +56,32 @@ impl ToleranceStudy {
 
     /// Returns, value by value, the offsets at each of these consecutive places; `None` if a
     /// computed place next to it has none.
-    pub fn band(&mut self, places: &[f64], kind: BandKind) -> Vec<Vec<Option<Offsets>>> {
-        self.band_by(places, kind, THOROUGH)
+    pub fn band(&mut self, coordinates: &[f64], kind: BandKind) -> Vec<Vec<Option<Offsets>>> {
+        self.band_by(coordinates, kind, THOROUGH)
     }
 
     fn band_by(
         &mut self,
-        places: &[f64],
+        coordinates: &[f64],
         kind: BandKind,
         effort: CornerEffort,
     ) -> Vec<Vec<Option<Offsets>>> {
-        let knots = knots(places.len());
-        let stride = stride(places.len());
+        let knots = knots(coordinates.len());
+        let stride = stride(coordinates.len());
         let found: Vec<Vec<Option<Offsets>>> = knots
             .iter()
-            .filter_map(|&knot| places.get(knot))
+            .filter_map(|&knot| coordinates.get(knot))
             .map(|&at| self.offsets(at, kind, effort))
             .collect();
-        let between = |figure: usize, i: usize| {
-            let (before, behind) = (i / stride, (i / stride + 1).min(knots.len() - 1));
-            let [a, b] = [before, behind].map(|knot| found.get(knot)?.get(figure).copied()?);
+        let between = |index: usize, i: usize| {
+            let (before, after) = (i / stride, (i / stride + 1).min(knots.len() - 1));
+            let [a, b] = [before, after].map(|knot| found.get(knot)?.get(index).copied()?);
             let (a, b) = (a?, b?);
-            let width = (knots[behind] - knots[before]).max(1) as f64;
+            let width = (knots[after] - knots[before]).max(1) as f64;
             let part = (i - knots[before]) as f64 / width;
             Some([0, 1].map(|side| a[side] + (b[side] - a[side]) * part))
         };
-        let all = |figure| (0..places.len()).map(|i| between(figure, i)).collect();
+        let all = |index| (0..coordinates.len()).map(|i| between(index, i)).collect();
         (0..self.figures().len()).map(all).collect()
     }
 

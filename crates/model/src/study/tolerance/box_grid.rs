@@ -57,18 +57,18 @@ impl BoxGrid {
     }
 
     /// Returns half the distance of neighbouring places along a side, relative to a tolerance.
-    pub(super) fn half_way(&self) -> f64 {
+    pub(super) fn half_spacing(&self) -> f64 {
         1.0 / (self.levels - 1) as f64
     }
 
     /// Returns the position of a place along every side, in [-1, 1].
-    pub(super) fn levels(&self, place: usize) -> Vec<f64> {
+    pub(super) fn levels(&self, index: usize) -> Vec<f64> {
         let mut levels = vec![0.0; self.sides];
-        if let Some(face) = place.checked_sub(self.corners()) {
+        if let Some(face) = index.checked_sub(self.corners()) {
             levels[face / 2] = [-1.0, 1.0][face % 2];
             return levels;
         }
-        let mut rest = place;
+        let mut rest = index;
         for level in &mut levels {
             *level = 2.0 * (rest % self.levels) as f64 / (self.levels - 1) as f64 - 1.0;
             rest /= self.levels;
@@ -78,16 +78,16 @@ impl BoxGrid {
 
     /// Returns `true` if a value is monotonic along every side; `found` holds the value at every
     /// place.
-    pub(super) fn goes_one_way(&self, nominal: f64, found: &[f64]) -> bool {
+    pub(super) fn is_monotonic(&self, nominal: f64, found: &[f64]) -> bool {
         let rounding = rounding(nominal, found);
-        (0..self.sides).all(|side| self.goes_one_way_along(side, nominal, found, rounding))
+        (0..self.sides).all(|side| self.is_monotonic_along(side, nominal, found, rounding))
     }
 
-    fn goes_one_way_along(&self, side: usize, nominal: f64, found: &[f64], rounding: f64) -> bool {
+    fn is_monotonic_along(&self, side: usize, nominal: f64, found: &[f64], rounding: f64) -> bool {
         let stride = (0..side).fold(1, |stride, _| stride * self.levels);
         let corners = self.corners();
-        let steps = (0..corners).filter(|place| place / stride % self.levels < self.levels - 1);
-        let along = steps.map(|place| found[place + stride] - found[place]);
+        let steps = (0..corners).filter(|index| index / stride % self.levels < self.levels - 1);
+        let along = steps.map(|index| found[index + stride] - found[index]);
         let faces = found.get(corners + 2 * side..corners + 2 * side + 2);
         let through = faces.map_or([0.0; 2], |faces| [nominal - faces[0], faces[1] - nominal]);
         let (mut rises, mut falls) = (false, false);
@@ -122,10 +122,10 @@ mod tests {
             assert!(sorted.into_iter().eq(0..grid.count()));
             for pair in walk[..grid.corners()].windows(2) {
                 let [here, next] = [pair[0], pair[1]].map(|place| grid.levels(place));
-                let ways = here.iter().zip(&next).map(|(a, b)| (a - b).abs());
+                let travels = here.iter().zip(&next).map(|(a, b)| (a - b).abs());
                 assert_eq!(
-                    ways.sum::<f64>(),
-                    2.0 * grid.half_way(),
+                    travels.sum::<f64>(),
+                    2.0 * grid.half_spacing(),
                     "{here:?} {next:?}"
                 );
             }

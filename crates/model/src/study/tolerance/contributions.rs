@@ -61,7 +61,7 @@ impl ToleranceBox {
 
     /// Returns the contributions, the largest first.
     pub(super) fn contributions(&self, slopes: &[f64]) -> Vec<Contribution> {
-        let whole = self.root_sum_square(slopes);
+        let complete = self.root_sum_square(slopes);
         let of = self.of.iter().zip(self.allowed());
         let matters = of
             .zip(self.sizes(slopes))
@@ -72,7 +72,7 @@ impl ToleranceBox {
                 tolerance,
                 slope,
                 size,
-                share: (size / whole).powi(2),
+                share: (size / complete).powi(2),
             })
             .collect();
         list.sort_by(|a, b| b.size.total_cmp(&a.size));

@@ -48,8 +48,8 @@ impl ToleranceStudy {
         if effort.edges {
             let all = 0..self.off.limits.len();
             let acting = all.filter(|&i| self.machines.varied.follows(i)).collect();
-            let figures = nominal.len();
-            EdgeSearch::new(&mut self.machines, &self.off, acting, figures)
+            let count = nominal.len();
+            EdgeSearch::new(&mut self.machines, &self.off, acting, count)
                 .widen(nominal, &mut worst);
         }
         worst
@@ -102,7 +102,7 @@ impl ToleranceStudy {
         let figure = &self.machines.figures[figure];
         let ball = figure.value(all).filter(|ball| ball.radius.is_finite())?;
         let middle = match figure.is_direction() {
-            true => crate::angle::beside(nominal, ball.mid),
+            true => crate::angle::unwrap_near(nominal, ball.mid),
             false => ball.mid,
         };
         Some(WorstCase {

@@ -23,18 +23,18 @@ const AT_EDGE: f64 = 1e-13;
 const GROWN: f64 = 4.0;
 /// Number of steps on the first surface, and on the others, which start near their best machine.
 const FIRST_STEPS: usize = 24;
-const FURTHER_STEPS: usize = 8;
+const EXTRA_STEPS: usize = 8;
 /// The shortest step, after which the best machine is found, and the factor that shortens steps.
 const MIN_LEN: f64 = 1e-3;
 const SHORTER: f64 = 0.3;
 /// The relative change of a value below which there is no gain.
-const GAIN: f64 = 1e-10;
+const MIN_GAIN: f64 = 1e-10;
 /// The relative tolerance of a machine's measure on its surface, and the maximum number of machines
 /// to reach it.
 const ON_LEVEL: f64 = 1e-6;
-const PLACINGS: usize = 60;
+const PLACEMENT_COUNT: usize = 60;
 /// The factor by which a machine's measure may exceed the surface's if rounding errors dominate.
-const ROUNDED: f64 = 4.0;
+const ROUNDING_FACTOR: f64 = 4.0;
 /// Bisections towards a machine without the value.
 const HALVINGS: usize = 40;
 /// Steps of differences, relative to a tolerance, and their maximum effect relative to the measure.
@@ -75,13 +75,13 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         machines: &'a mut M,
         off: &'a ToleranceBox,
         acting: Vec<usize>,
-        figures: usize,
+        count: usize,
     ) -> EdgeSearch<'a, M> {
         EdgeSearch {
             machines,
             off,
             acting,
-            values: vec![None; figures],
+            values: vec![None; count],
         }
     }
 
@@ -96,7 +96,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         }
         let fails = worst.iter().flatten().any(|worst| worst.fails);
         let edges = self.edges(fails);
-        for (figure, (worst, nominal)) in worst.iter_mut().zip(nominal).enumerate() {
+        for (index, (worst, nominal)) in worst.iter_mut().zip(nominal).enumerate() {
             let (Some(found), Some(nominal)) = (worst.as_mut(), nominal) else {
                 continue;
             };
@@ -105,7 +105,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
                 continue;
             }
             found.fails |= !edges.is_empty();
-            let ends = [-1.0, 1.0].map(|sign| self.furthest(&edges, figure, sign, *nominal));
+            let ends = [-1.0, 1.0].map(|sign| self.extreme_value(&edges, index, sign, *nominal));
             found.extend(
                 ends.map(|end| end.furthest),
                 ends.map(|end| end.is_unbounded),
@@ -114,10 +114,10 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
     }
 
     /// Returns the extreme value in one direction, on all edges and away from them.
-    fn furthest(
+    fn extreme_value(
         &mut self,
         edges: &[ReachedEdge],
-        figure: usize,
+        index: usize,
         sign: f64,
         nominal: f64,
     ) -> EdgeReach {
@@ -132,17 +132,17 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
             }
         };
         let start = (inside.clone(), nominal);
-        let (_, value) = self.climb(None, figure, sign, start, FIRST_STEPS);
+        let (_, value) = self.climb(None, index, sign, start, FIRST_STEPS);
         meet(&mut reach, value);
         for edge in edges {
-            let along = self.along_edge(edge, figure, sign);
+            let along = self.along_edge(edge, index, sign);
             let values: Vec<f64> = along.iter().map(|(_, value)| *value).collect();
             values.iter().for_each(|&value| meet(&mut reach, value));
             reach.is_unbounded |= is_pole(sign, &values);
             // The extreme machine away from the edge may lie in another corner than the one reached
             // from the nominal lengths.
             if let Some(first) = along.into_iter().next() {
-                let (_, value) = self.climb(None, figure, sign, first, FIRST_STEPS);
+                let (_, value) = self.climb(None, index, sign, first, FIRST_STEPS);
                 meet(&mut reach, value);
             }
         }
@@ -150,7 +150,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
     }
 
     /// Returns the extreme machine and its value on each surface towards an edge.
-    fn along_edge(&mut self, edge: &ReachedEdge, figure: usize, sign: f64) -> Vec<(Vec<f64>, f64)> {
+    fn along_edge(&mut self, edge: &ReachedEdge, index: usize, sign: f64) -> Vec<(Vec<f64>, f64)> {
         let mut found: Vec<(Vec<f64>, f64)> = Vec::new();
         let mut from = edge.machine.clone();
         let inside = self.off.nothing();
@@ -164,15 +164,15 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
             else {
                 break;
             };
-            let Some(value) = self.figure(&machine, figure) else {
+            let Some(value) = self.figure(&machine, index) else {
                 break;
             };
             let steps = match i {
                 0 => FIRST_STEPS,
-                _ if i < LEVELS.len() => FURTHER_STEPS,
+                _ if i < LEVELS.len() => EXTRA_STEPS,
                 _ => 0,
             };
-            let best = self.climb(Some((edge, level)), figure, sign, (machine, value), steps);
+            let best = self.climb(Some((edge, level)), index, sign, (machine, value), steps);
             from.clone_from(&best.0);
             found.push(best);
         }
@@ -183,7 +183,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
     fn climb(
         &mut self,
         surface: Option<(&ReachedEdge, f64)>,
-        figure: usize,
+        index: usize,
         sign: f64,
         (mut machine, mut value): (Vec<f64>, f64),
         steps: usize,
@@ -193,7 +193,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         for _ in 0..steps {
             let by = self.differences(surface.map(|(edge, _)| edge.group), &machine);
             let figure_slopes = self.slopes(&machine, &by, |search, machine| {
-                search.figure(machine, figure).map(|value| sign * value)
+                search.figure(machine, index).map(|value| sign * value)
             });
             let surface_slopes = surface.map(|(edge, _)| {
                 self.slopes(&machine, &by, |search, machine| {
@@ -201,8 +201,8 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
                 })
             });
             let aim = match &surface_slopes {
-                Some(slopes) => self.off.furthest_level(&figure_slopes, slopes, &machine),
-                None => self.off.furthest(&figure_slopes, &machine),
+                Some(slopes) => self.off.extreme_at_level(&figure_slopes, slopes, &machine),
+                None => self.off.extreme_machine(&figure_slopes, &machine),
             };
             let mut gained = false;
             while part > MIN_LEN {
@@ -213,9 +213,9 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
                     }
                     None => Some(trial),
                 };
-                let there = trial.and_then(|trial| Some((self.figure(&trial, figure)?, trial)));
+                let there = trial.and_then(|trial| Some((self.figure(&trial, index)?, trial)));
                 match there {
-                    Some((there, trial)) if sign * (there - value) > GAIN * value.abs() => {
+                    Some((there, trial)) if sign * (there - value) > MIN_GAIN * value.abs() => {
                         (machine, value) = (trial, there);
                         part = (2.0 * part).min(1.0);
                         gained = true;
@@ -245,9 +245,9 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
             }
             let by = self.differences(Some(group), &nothing);
             let slopes = self.slopes(&nothing, &by, |search, by| search.measure(by, group));
-            let aim = self.off.furthest(&slopes, &nothing);
-            let most: f64 = slopes.iter().zip(&aim).map(|(slope, by)| slope * by).sum();
-            if !fails && measure > NONLINEAR * most {
+            let aim = self.off.extreme_machine(&slopes, &nothing);
+            let maximum: f64 = slopes.iter().zip(&aim).map(|(slope, by)| slope * by).sum();
+            if !fails && measure > NONLINEAR * maximum {
                 continue;
             }
             let base = measure.min(MAX_BASE);
@@ -279,7 +279,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
             let slopes = self.slopes(&machine, &by, |search, machine| {
                 search.measure(machine, group).map(|measure| -measure)
             });
-            let aim = self.off.furthest(&slopes, &machine);
+            let aim = self.off.extreme_machine(&slopes, &machine);
             while part > MIN_LEN {
                 let trial = between(&machine, &aim, part);
                 match self.measure(&trial, group) {
@@ -310,7 +310,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
     /// not.
     fn last_that_closes(&mut self, group: usize, [from, to]: [&[f64]; 2]) -> Vec<f64> {
         let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..PLACINGS {
+        for _ in 0..PLACEMENT_COUNT {
             let middle = f64::midpoint(low, high);
             let measure = self.measure(&between(from, to, middle), group);
             match measure.is_some_and(|measure| measure > 0.0) {
@@ -328,7 +328,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         let slopes = self.slopes(machine, &by, |search, machine| {
             search.measure(machine, edge.group).map(|measure| -measure)
         });
-        let aim = self.off.furthest(&slopes, machine);
+        let aim = self.off.extreme_machine(&slopes, machine);
         match self.measure(&aim, edge.group) {
             Some(measure) if measure >= level => edge.machine.clone(),
             Some(_) | None => aim,
@@ -358,7 +358,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         if !(ends[0] > 0.0 && ends[1] <= 0.0) {
             return None;
         }
-        for round in 0..PLACINGS {
+        for round in 0..PLACEMENT_COUNT {
             let secant = ends[0] / (ends[0] - ends[1]);
             let part = if round % 3 == 2 { 0.5 } else { secant };
             let middle = low + (high - low) * part;
@@ -375,7 +375,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         // This close to the edge the measure consists mostly of rounding errors.
         let machine = between(from, to, low);
         let measure = self.measure(&machine, group)?;
-        (measure > 0.0 && measure < ROUNDED * level).then_some(machine)
+        (measure > 0.0 && measure < ROUNDING_FACTOR * level).then_some(machine)
     }
 
     /// Returns the measure of a group, not positive if it is open; `None` if another group is open.
@@ -385,9 +385,9 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         (closes || measure <= 0.0).then_some(measure)
     }
 
-    fn figure(&mut self, machine: &[f64], figure: usize) -> Option<f64> {
+    fn figure(&mut self, machine: &[f64], index: usize) -> Option<f64> {
         self.machines.make(machine, &mut self.values);
-        self.values[figure].filter(|value| value.is_finite())
+        self.values[index].filter(|value| value.is_finite())
     }
 
     /// Returns the steps of differences: small compared to the tolerances, and in effect to the
@@ -402,8 +402,8 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
         };
         let slopes = self.slopes(machine, &by, |search, by| search.measure(by, group));
         for (by, slope) in by.iter_mut().zip(slopes) {
-            let most = PART_OF_MEASURE * measure.abs() / slope.abs();
-            *by = most.clamp(1e-6 * *by, *by);
+            let maximum = PART_OF_MEASURE * measure.abs() / slope.abs();
+            *by = maximum.clamp(1e-6 * *by, *by);
         }
         by
     }
@@ -418,13 +418,13 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
     ) -> Vec<f64> {
         let mut slopes = self.off.nothing();
         let here = read(self, machine);
-        let mut beside = machine.to_vec();
+        let mut nearby = machine.to_vec();
         for i in 0..self.acting.len() {
             let number = self.acting[i];
             let mut side = |search: &mut Self, by: f64| {
-                beside[number] = machine[number] + by;
-                let value = read(search, &beside);
-                beside[number] = machine[number];
+                nearby[number] = machine[number] + by;
+                let value = read(search, &nearby);
+                nearby[number] = machine[number];
                 value
             };
             let by = by[number];
@@ -445,15 +445,15 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
 /// bound. Returns `None` if it does not exist on the way.
 pub(super) fn along_ray(
     machines: &mut impl Machines,
-    figure: usize,
+    index: usize,
     nominal: f64,
     to: &[f64],
 ) -> Option<([f64; 2], [bool; 2])> {
-    let mut values = vec![None; figure + 1];
+    let mut values = vec![None; index + 1];
     let given = vec![0.0; to.len()];
     let mut value = |part: f64| {
         machines.make(&between(&given, to, part), &mut values);
-        values[figure].filter(|value| value.is_finite())
+        values[index].filter(|value| value.is_finite())
     };
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..HALVINGS {
@@ -465,10 +465,10 @@ pub(super) fn along_ray(
     }
     let found = LEVELS.into_iter().map(|level| value(low * (1.0 - level)));
     let found: Vec<f64> = found.collect::<Option<_>>()?;
-    let least = found.iter().copied().fold(nominal, f64::min);
-    let greatest = found.iter().copied().fold(nominal, f64::max);
+    let minimum = found.iter().copied().fold(nominal, f64::min);
+    let maximum = found.iter().copied().fold(nominal, f64::max);
     Some((
-        [least, greatest],
+        [minimum, maximum],
         [-1.0, 1.0].map(|sign| is_pole(sign, &found)),
     ))
 }
@@ -485,7 +485,7 @@ fn is_pole(sign: f64, values: &[f64]) -> bool {
     let [.., before, last] = steps[..] else {
         return false;
     };
-    before > 0.0 && last > GROWN * before && last > GAIN.sqrt() * values[0].abs()
+    before > 0.0 && last > GROWN * before && last > MIN_GAIN.sqrt() * values[0].abs()
 }
 
 /// Returns the machine at a fraction of the way from one to another.

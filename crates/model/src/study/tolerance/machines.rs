@@ -41,8 +41,8 @@ pub(super) struct CornerEffort {
 
 impl CornerEffort {
     /// Returns the maximum number of machines for a number of sides and values.
-    pub(super) fn machines(self, sides: usize, figures: usize) -> usize {
-        BoxGrid::of(sides, self.middles).count() + 2 * figures * self.tries * sides
+    pub(super) fn machines(self, sides: usize, count: usize) -> usize {
+        BoxGrid::of(sides, self.middles).count() + 2 * count * self.tries * sides
     }
 }
 
@@ -60,22 +60,22 @@ pub(super) fn of_all_corners(
     let mut by = off.nothing();
     let mut values = nominal.to_vec();
     let mut fails = false;
-    for place in grid.walk() {
-        off.put(acting, &grid.levels(place), &mut by);
+    for place_index in grid.walk() {
+        off.set_deviations(acting, &grid.levels(place_index), &mut by);
         fails |= !machines.make(&by, &mut values);
         for (found, value) in found.iter_mut().zip(&values) {
-            found[place] = value.unwrap_or(f64::NAN);
+            found[place_index] = value.unwrap_or(f64::NAN);
         }
     }
     let mut search = Search::new(off, acting, &grid, effort.tries, nominal.len());
     let figures = nominal.iter().zip(&found).enumerate();
-    let worst = figures.map(|(figure, (&nominal, found))| {
+    let worst = figures.map(|(index, (&nominal, found))| {
         let nominal = nominal?;
-        let goes_one_way = grid.goes_one_way(nominal, found);
+        let goes_one_way = grid.is_monotonic(nominal, found);
         let is_open = found.iter().any(|value| value.is_nan());
         search.may_turn = is_open || !goes_one_way;
         let ends =
-            [-1.0, 1.0].map(|sign| search.beyond_grid(machines, figure, sign, nominal, found));
+            [-1.0, 1.0].map(|sign| search.beyond_grid(machines, index, sign, nominal, found));
         let [low, high] = [ends[0].value, ends[1].value];
         let kind = if is_open {
             WorstKind::AtEdge
@@ -91,11 +91,11 @@ pub(super) fn of_all_corners(
             kind,
             fails,
         };
-        let open = (0..found.len()).filter(|&place| found[place].is_nan());
-        for place in open.take(effort.rays) {
-            off.put(acting, &grid.levels(place), &mut by);
-            if let Some((furthest, is_unbounded)) = along_ray(machines, figure, nominal, &by) {
-                worst.extend(furthest, is_unbounded);
+        let open = (0..found.len()).filter(|&place_index| found[place_index].is_nan());
+        for place_index in open.take(effort.rays) {
+            off.set_deviations(acting, &grid.levels(place_index), &mut by);
+            if let Some((extreme, is_unbounded)) = along_ray(machines, index, nominal, &by) {
+                worst.extend(extreme, is_unbounded);
             }
         }
         Some(worst)
@@ -109,23 +109,23 @@ pub(super) fn of_derivatives(
     machines: &mut impl Machines,
     off: &ToleranceBox,
     acting: &[usize],
-    figure: usize,
+    index: usize,
     nominal: &[Option<f64>],
     slopes: &[f64],
 ) -> Option<WorstCase> {
-    let way = off.furthest(&acting_slopes(off, slopes, acting), &off.nothing());
-    let mut met = ObservedRange::of(nominal[figure]?);
+    let travel = off.extreme_machine(&acting_slopes(off, slopes, acting), &off.nothing());
+    let mut met = ObservedRange::of(nominal[index]?);
     let mut fails = false;
     let mut values = nominal.to_vec();
     let mut by = off.nothing();
     for sign in [-1.0, 1.0] {
         let mut closes = |part: f64| {
             by.iter_mut()
-                .zip(&way)
-                .for_each(|(by, way)| *by = sign * part * way);
+                .zip(&travel)
+                .for_each(|(by, travel)| *by = sign * part * travel);
             let closes = machines.make(&by, &mut values);
-            values[figure].into_iter().for_each(|value| met.meet(value));
-            closes && values[figure].is_some()
+            values[index].into_iter().for_each(|value| met.meet(value));
+            closes && values[index].is_some()
         };
         if !closes(1.0) {
             fails = true;
@@ -164,7 +164,7 @@ const HALVINGS: u32 = 40;
 
 /// Returns the effect of tolerances on every value; `None` for a value without a nominal value or
 /// worst case.
-pub(super) fn told<'s>(
+pub(super) fn tolerance_effects<'s>(
     off: &ToleranceBox,
     nominal: &[Option<f64>],
     worst: Vec<Option<WorstCase>>,

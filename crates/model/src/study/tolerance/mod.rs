@@ -26,7 +26,7 @@ mod worst;
 pub use band::{BandKind, Offsets};
 pub use contributions::{Contribution, ToleranceOf};
 pub use samples::{Distribution, Percentiles, SampleOrder, Samples};
-pub use whole::WholeTolerance;
+pub use whole::MotionTolerance;
 pub use worst::{WorstCase, WorstKind};
 
 use crate::Tolerances;
@@ -94,10 +94,10 @@ impl ToleranceStudy {
         scene: &Scene,
         solver: &Solver,
         tolerances: &Tolerances,
-        figures: &[Quantity],
+        quantities: &[Quantity],
     ) -> Result<ToleranceStudy, ToleranceError> {
         let off = ToleranceBox::new(tolerances).ok_or(ToleranceError::Exact)?;
-        let (demand, order) = demand(figures);
+        let (demand, order) = demand(quantities);
         if demand.forces {
             return Err(ToleranceError::Forces);
         }
@@ -105,8 +105,8 @@ impl ToleranceStudy {
             .varied(&off.given, &demand)
             .ok_or(ToleranceError::Redundant)?;
         Ok(ToleranceStudy {
-            machines: MachinesAtPlace::new(figures.to_vec(), order, varied),
-            slopes: Sensitivity::by(scene, solver, figures, off.given.clone()),
+            machines: MachinesAtPlace::new(quantities.to_vec(), order, varied),
+            slopes: Sensitivity::by(scene, solver, quantities, off.given.clone()),
             off,
         })
     }
@@ -126,7 +126,7 @@ impl ToleranceStudy {
         };
         let all = self.figures().iter().enumerate();
         let moved = all.filter(|&(i, _)| moves(i));
-        moved.map(|(_, figure)| figure.clone()).collect()
+        moved.map(|(_, quantity)| quantity.clone()).collect()
     }
 
     /// Analyses every value at a coordinate; `None` for one that does not exist there.
@@ -134,7 +134,7 @@ impl ToleranceStudy {
         let nominal = self.machines.go(at);
         let slopes = self.slopes_at(at);
         let worst = self.worst(at, &nominal, slopes.as_ref(), corners::THOROUGH);
-        machines::told(&self.off, &nominal, worst, |i| slopes.as_ref()?.of(i))
+        machines::tolerance_effects(&self.off, &nominal, worst, |i| slopes.as_ref()?.of(i))
     }
 
     /// Builds random machines, and evaluates every value of each at a coordinate of the driver.

@@ -16,10 +16,10 @@ pub(super) struct MachinesAtPlace {
 }
 
 impl MachinesAtPlace {
-    pub(super) fn new(figures: Vec<Quantity>, order: Order, varied: Varied) -> MachinesAtPlace {
+    pub(super) fn new(quantities: Vec<Quantity>, order: Order, varied: Varied) -> MachinesAtPlace {
         MachinesAtPlace {
-            nominal: vec![None; figures.len()],
-            figures,
+            nominal: vec![None; quantities.len()],
+            figures: quantities,
             order,
             varied,
             at: 0.0,
@@ -49,11 +49,11 @@ impl Machines for MachinesAtPlace {
             values.fill(None);
             return false;
         }
-        let figures = self.figures.iter().zip(&self.nominal);
-        for ((figure, near), value) in figures.zip(values) {
-            let found = figure.value(self.varied.state().state());
-            *value = match near.filter(|_| figure.is_direction()) {
-                Some(near) => found.map(|found| crate::angle::beside(near, found)),
+        let quantities = self.figures.iter().zip(&self.nominal);
+        for ((quantity, near), value) in quantities.zip(values) {
+            let found = quantity.value(self.varied.state().state());
+            *value = match near.filter(|_| quantity.is_direction()) {
+                Some(near) => found.map(|found| crate::angle::unwrap_near(near, found)),
                 None => found,
             };
         }

@@ -58,7 +58,7 @@ pub struct Samples {
 }
 
 /// The probability below the lower and above the upper percentile.
-const TAIL: f64 = 0.00135;
+const TAIL_PROBABILITY: f64 = 0.00135;
 
 impl Samples {
     /// Builds random machines, and evaluates every value of each; `kind` is the nominal class of
@@ -70,13 +70,13 @@ impl Samples {
         kind: Option<LoopKind>,
         order: SampleOrder,
     ) -> Samples {
-        let mut chance = SeededRng::new(order.seed);
+        let mut rng = SeededRng::new(order.seed);
         let mut by = off.nothing();
         let mut values = vec![None; figures];
         let mut read: Vec<Vec<f64>> = vec![Vec::new(); figures];
         let (mut open, mut changed) = (0_u32, 0_u32);
         for _ in 0..order.count {
-            off.draw(order.distribution, &mut chance, &mut by);
+            off.draw(order.distribution, &mut rng, &mut by);
             let closes = machines.make(&by, &mut values);
             changed += u32::from(machines.kind() != kind);
             open += u32::from(!closes);
@@ -104,9 +104,9 @@ fn percentiles(all: &mut [f64]) -> Option<Percentiles> {
         Some(*all.select_nth_unstable_by(place, f64::total_cmp).1)
     };
     Some(Percentiles {
-        low: below(TAIL)?,
+        low: below(TAIL_PROBABILITY)?,
         median: below(0.5)?,
-        high: below(1.0 - TAIL)?,
+        high: below(1.0 - TAIL_PROBABILITY)?,
         ends: [below(0.0)?, below(1.0)?],
         mean,
         deviation: (square / (count - 1.0).max(1.0)).sqrt(),

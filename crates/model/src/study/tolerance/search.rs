@@ -18,7 +18,7 @@ const MIN_LEN: f64 = 1e-12;
 
 /// The extreme value found in one direction.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct FurthestFound {
+pub(super) struct DirectionExtreme {
     pub(super) value: f64,
     /// `true` if the value is not from a place of the grid.
     pub(super) is_inside: bool,
@@ -45,7 +45,7 @@ impl<'b> Search<'b> {
         acting: &'b [usize],
         grid: &'b BoxGrid,
         tries: usize,
-        figures: usize,
+        count: usize,
     ) -> Search<'b> {
         Search {
             off,
@@ -54,7 +54,7 @@ impl<'b> Search<'b> {
             most: tries * acting.len(),
             may_turn: true,
             by: off.nothing(),
-            values: vec![None; figures],
+            values: vec![None; count],
         }
     }
 
@@ -63,22 +63,22 @@ impl<'b> Search<'b> {
     pub(super) fn beyond_grid(
         &mut self,
         machines: &mut impl Machines,
-        figure: usize,
+        index: usize,
         sign: f64,
         nominal: f64,
         found: &[f64],
-    ) -> FurthestFound {
+    ) -> DirectionExtreme {
         let rounding = rounding(nominal, found);
         let mut value = nominal;
         let mut levels = vec![0.0; self.acting.len()];
-        for (place, &at_place) in found.iter().enumerate() {
+        for (place_index, &at_place) in found.iter().enumerate() {
             // The comparison also excludes NaN.
             if sign * (at_place - value) > 0.0 {
                 value = at_place;
-                levels = self.grid.levels(place);
+                levels = self.grid.levels(place_index);
             }
         }
-        let mut step = self.grid.half_way();
+        let mut step = self.grid.half_spacing();
         let mut is_inside = false;
         let mut left = self.most;
         let may_turn = self.may_turn;
@@ -89,14 +89,14 @@ impl<'b> Search<'b> {
         while step > shortest(is_inside) && left > 0 {
             let mut leads = false;
             for side in 0..levels.len() {
-                for way in [-step, step] {
+                for travel in [-step, step] {
                     let before = levels[side];
-                    levels[side] = (before + way).clamp(-1.0, 1.0);
+                    levels[side] = (before + travel).clamp(-1.0, 1.0);
                     if levels[side] == before {
                         continue;
                     }
                     left = left.saturating_sub(1);
-                    match self.read(machines, figure, &levels) {
+                    match self.read(machines, index, &levels) {
                         Some(there) if sign * (there - value) > rounding => {
                             value = there;
                             leads = true;
@@ -110,12 +110,12 @@ impl<'b> Search<'b> {
                 step *= SHORTER;
             }
         }
-        FurthestFound { value, is_inside }
+        DirectionExtreme { value, is_inside }
     }
 
-    fn read(&mut self, machines: &mut impl Machines, figure: usize, levels: &[f64]) -> Option<f64> {
-        self.off.put(self.acting, levels, &mut self.by);
+    fn read(&mut self, machines: &mut impl Machines, index: usize, levels: &[f64]) -> Option<f64> {
+        self.off.set_deviations(self.acting, levels, &mut self.by);
         machines.make(&self.by, &mut self.values);
-        self.values[figure]
+        self.values[index]
     }
 }

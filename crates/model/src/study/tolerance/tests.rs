@@ -109,8 +109,8 @@ fn four_bar_pin_shift_matches_published_values() {
 #[test]
 fn tolerances_add_up_at_dead_centre() {
     let (scene, solver) = opened(SLIDER_CRANK);
-    let ask = figures(&scene, &["ram.length"]);
-    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &ask).unwrap();
+    let request = figures(&scene, &["ram.length"]);
+    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &request).unwrap();
     let found = study.at(0.0).remove(0).unwrap();
     assert_eq!(found.nominal, 200.0);
     assert_eq!(found.worst.kind, WorstKind::Corners);
@@ -130,8 +130,8 @@ fn tolerances_add_up_at_dead_centre() {
 #[test]
 fn worst_case_matches_closed_formula_at_corners() {
     let (scene, solver) = opened(SLIDER_CRANK);
-    let ask = figures(&scene, &["ram.length"]);
-    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.5), &ask).unwrap();
+    let request = figures(&scene, &["ram.length"]);
+    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.5), &request).unwrap();
     for at in [10.0_f64, 70.0, 100.0, 179.0, 251.0] {
         let (sin, cos) = at.to_radians().sin_cos();
         let x = |r: f64, l: f64| r * cos + (l * l - r * r * sin * sin).sqrt();
@@ -153,8 +153,8 @@ fn worst_case_matches_closed_formula_at_corners() {
 #[test]
 fn samples_have_expected_spread() {
     let (scene, solver) = opened(SLIDER_CRANK);
-    let ask = figures(&scene, &["ram.length"]);
-    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &ask).unwrap();
+    let request = figures(&scene, &["ram.length"]);
+    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &request).unwrap();
     for (distribution, part) in [
         (Distribution::Even, 2.0 / 3.0),
         (Distribution::Normal, 2.0 / 9.0),
@@ -181,7 +181,7 @@ fn samples_have_expected_spread() {
 #[test]
 fn pin_clearance_counts_like_a_length_at_dead_centre() {
     let (scene, solver) = opened(SLIDER_CRANK);
-    let ask = figures(&scene, &["ram.length"]);
+    let request = figures(&scene, &["ram.length"]);
     let rod = scene.mechanism.link_ids().nth(1).unwrap();
     let pin = scene
         .mechanism
@@ -192,7 +192,7 @@ fn pin_clearance_counts_like_a_length_at_dead_centre() {
         lengths: Vec::new(),
         clearances: vec![(rod, pin, 0.03)],
     };
-    let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &ask).unwrap();
+    let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &request).unwrap();
     let found = study.at(0.0).remove(0).unwrap();
     assert!(
         (found.root_sum_square.unwrap() - 0.03).abs() < 1e-12,
@@ -206,8 +206,8 @@ fn pin_clearance_counts_like_a_length_at_dead_centre() {
 #[test]
 fn machines_that_cannot_close_are_reported() {
     let (scene, solver) = opened(&SLIDER_CRANK.replace("150", "50.05"));
-    let ask = figures(&scene, &["ram.length"]);
-    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &ask).unwrap();
+    let request = figures(&scene, &["ram.length"]);
+    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &request).unwrap();
     let found = study.at(90.0).remove(0).unwrap();
     assert!(found.worst.fails, "{found:?}");
     let order = SampleOrder {
@@ -225,7 +225,7 @@ fn machines_that_cannot_close_are_reported() {
 fn enclosures_contain_worst_case_of_derivatives() {
     let preset = crate::scene::presets::find("press").unwrap();
     let (scene, solver) = opened(preset.text);
-    let ask: Vec<_> = Catalogue::new(&scene)
+    let request: Vec<_> = Catalogue::new(&scene)
         .figures()
         .into_iter()
         .filter(|f| f.order() == Order::Position)
@@ -240,7 +240,7 @@ fn enclosures_contain_worst_case_of_derivatives() {
         lengths,
         clearances: Vec::new(),
     };
-    let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &ask).unwrap();
+    let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &request).unwrap();
     let mut held = 0;
     for at in [13.0, 77.0, 200.0, 301.0] {
         let nominal = study.machines.go(at);
@@ -248,7 +248,7 @@ fn enclosures_contain_worst_case_of_derivatives() {
         let all = varied.enclose(&study.off.limits, at, Order::Position);
         let slopes = study.slopes_at(at).unwrap();
         let acting: Vec<usize> = (0..study.off.lengths).collect();
-        for i in 0..ask.len() {
+        for i in 0..request.len() {
             let Some(value) = nominal[i] else { continue };
             let Some(ball) = all.as_ref().and_then(|all| study.enclosed(i, value, all)) else {
                 continue;
@@ -259,7 +259,7 @@ fn enclosures_contain_worst_case_of_derivatives() {
             assert!(
                 ball.low <= worst.low && worst.high <= ball.high,
                 "{} at {at}",
-                ask[i].name
+                request[i].name
             );
             held += 1;
         }
@@ -272,13 +272,13 @@ fn enclosures_contain_worst_case_of_derivatives() {
 #[test]
 fn band_offsets_match_closed_formula() {
     let (scene, solver) = opened(SLIDER_CRANK);
-    let ask = figures(&scene, &["ram.length"]);
+    let request = figures(&scene, &["ram.length"]);
     let by = 0.5;
-    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, by), &ask).unwrap();
-    let places: Vec<f64> = (0..=720).map(|k| f64::from(k) / 2.0).collect();
-    let band = study.band(&places, BandKind::RootSumSquare).remove(0);
-    assert_eq!(band.len(), places.len());
-    for (k, (at, offsets)) in places.iter().zip(band).enumerate() {
+    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, by), &request).unwrap();
+    let coordinates: Vec<f64> = (0..=720).map(|k| f64::from(k) / 2.0).collect();
+    let band = study.band(&coordinates, BandKind::RootSumSquare).remove(0);
+    assert_eq!(band.len(), coordinates.len());
+    for (k, (at, offsets)) in coordinates.iter().zip(band).enumerate() {
         let (sin, cos) = at.to_radians().sin_cos();
         let root = (150.0_f64.powi(2) - (50.0 * sin).powi(2)).sqrt();
         let slopes = [cos - 50.0 * sin * sin / root, 150.0 / root];
@@ -299,8 +299,8 @@ fn band_offsets_match_closed_formula() {
 fn pin_clearances_add_up_at_dead_centre() {
     let (scene, solver) = opened(&SLIDER_CRANK.replace("unit", "clearance = 0.05\nunit"));
     assert_eq!(scene.tolerances().clearances.len(), 3);
-    let ask = figures(&scene, &["ram.length"]);
-    let mut study = ToleranceStudy::new(&scene, &solver, scene.tolerances(), &ask).unwrap();
+    let request = figures(&scene, &["ram.length"]);
+    let mut study = ToleranceStudy::new(&scene, &solver, scene.tolerances(), &request).unwrap();
     let found = study.at(0.0).remove(0).unwrap();
     let [low, high] = found.worst.reached;
     assert!((low - 199.85).abs() < 1e-9 && (high - 200.15).abs() < 1e-9);
@@ -325,8 +325,8 @@ fn one_machine_in_six_changes_its_class() {
         .replace("length = 2 ", "length = 250 ")
         .replace("[3, 2]", "[300, 200]");
     let (scene, solver) = opened(&text);
-    let ask = figures(&scene, &["C.x"]);
-    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &ask).unwrap();
+    let request = figures(&scene, &["C.x"]);
+    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &request).unwrap();
     let order = SampleOrder {
         count: 100_000,
         seed: 5,
@@ -353,7 +353,7 @@ fn stroke_tolerances_match_closed_formula() {
     let through = Length::Through(slide, crate::CoordinateAxis::Y);
     let mut tolerances = links(&scene, 0.5);
     tolerances.lengths.push((through, 0.5));
-    let mut study = WholeTolerance::new(&solver, &tolerances, vec![figure]).unwrap();
+    let mut study = MotionTolerance::new(&solver, &tolerances, vec![figure]).unwrap();
     let found = study.found().remove(0).unwrap();
     let off = [-0.5, 0.5];
     let corners = off.map(|r| off.map(|l| off.map(|e| stroke(50.0 + r, 150.0 + l, 20.0 + e))));
@@ -402,7 +402,7 @@ fn range_tolerance_sees_machines_that_turn_less() {
     let catalogue = Catalogue::new(&scene);
     let range = crate::study::CycleFigure::parse("range", &catalogue).unwrap();
     let tolerances = links(&scene, 0.05);
-    let mut study = WholeTolerance::new(&solver, &tolerances, vec![range]).unwrap();
+    let mut study = MotionTolerance::new(&solver, &tolerances, vec![range]).unwrap();
     let found = study.found().remove(0).unwrap();
     assert_eq!((found.nominal, found.worst.high), (360.0, 360.0));
     assert!(found.worst.low < 359.0, "{found:?}");
@@ -420,13 +420,13 @@ fn worst_case_inside_box_is_marked_as_searched() {
     tolerances
         .lengths
         .push((Length::Through(slide, crate::CoordinateAxis::Y), 2.0));
-    let ask = figures(&scene, &["C.x"]);
-    let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &ask).unwrap();
+    let request = figures(&scene, &["C.x"]);
+    let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &request).unwrap();
     let found = study.at(0.0).remove(0).unwrap();
     assert!((found.worst.high - 200.2).abs() < 1e-12, "{found:?}");
     assert_eq!(found.worst.kind, WorstKind::Searched);
     // The lengths alone are worst at corners.
-    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &ask).unwrap();
+    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &request).unwrap();
     assert_eq!(
         study.at(0.0).remove(0).unwrap().worst.kind,
         WorstKind::Corners
@@ -438,9 +438,9 @@ fn worst_case_inside_box_is_marked_as_searched() {
 #[test]
 fn worst_case_is_at_edge_when_corner_cannot_close() {
     let (scene, solver) = opened(&SLIDER_CRANK.replace("150", "50.5"));
-    let ask = figures(&scene, &["C.x"]);
+    let request = figures(&scene, &["C.x"]);
     let (low, high) = (0.0, (51.5_f64.powi(2) - 49.0_f64.powi(2)).sqrt());
-    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 1.0), &ask).unwrap();
+    let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 1.0), &request).unwrap();
     let worst = study.at(90.0).remove(0).unwrap().worst;
     assert_eq!((worst.kind, worst.fails), (WorstKind::AtEdge, true));
     assert!((worst.low - low).abs() < 1e-4, "{worst:?}");
@@ -450,7 +450,7 @@ fn worst_case_is_at_edge_when_corner_cannot_close() {
     let rod = scene.mechanism.link_ids().nth(1).unwrap();
     let pin = scene.mechanism.link(rod).members[1].point;
     tolerances.clearances.push((rod, pin, 1e-3));
-    let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &ask).unwrap();
+    let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &request).unwrap();
     let worst = study.at(90.0).remove(0).unwrap().worst;
     assert_eq!((worst.kind, worst.fails), (WorstKind::Derivatives, true));
     assert!((worst.low - low).abs() < 1e-2, "{worst:?}");
@@ -479,19 +479,19 @@ fn minimum_inside_box_is_found_by_search() {
             .find(|&p| scene.point_name(p) == Some(pin));
         let other = Solver::new(&changed).unwrap();
         let _ = other.solve(60.0, Order::Position, &mut state);
-        let place = state.position(id.unwrap()).unwrap();
+        let position = state.position(id.unwrap()).unwrap();
         let unit = scene.unit.symbol();
         let text = format!(
             "{text}\n[figures]\ngap = \"hypot({pin}.x - {} {unit}, {pin}.y - {} {unit})\"\n",
-            place.x, place.y
+            position.x, position.y
         );
         let (scene, solver) = opened(&text);
         let tolerances = Tolerances {
             lengths: lengths.into_iter().map(|length| (length, by)).collect(),
             clearances: Vec::new(),
         };
-        let ask = figures(&scene, &["gap"]);
-        let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &ask).unwrap();
+        let request = figures(&scene, &["gap"]);
+        let mut study = ToleranceStudy::new(&scene, &solver, &tolerances, &request).unwrap();
         let found = study.at(60.0).remove(0).unwrap();
         assert!(found.nominal > 0.1 * by, "{found:?}");
         assert!(found.worst.low < 1e-3 * by, "{found:?}");
@@ -504,8 +504,8 @@ fn minimum_inside_box_is_found_by_search() {
 fn quick_band_kind_depends_on_number_of_machines() {
     let kind = |text: &str, point: &str, by: &dyn Fn(&Scene) -> Tolerances, places: usize| {
         let (scene, solver) = opened(text);
-        let ask = figures(&scene, &[&format!("{point}.x")]);
-        let study = ToleranceStudy::new(&scene, &solver, &by(&scene), &ask).unwrap();
+        let request = figures(&scene, &[&format!("{point}.x")]);
+        let study = ToleranceStudy::new(&scene, &solver, &by(&scene), &request).unwrap();
         study.quick_kind(places)
     };
     let jansen = crate::scene::presets::find("jansen-leg").unwrap().text;
@@ -547,7 +547,7 @@ fn direction_tolerances_do_not_jump_at_full_turn() {
     let study = |by: f64, name: &str| {
         let (scene, solver) = opened(&turned(by));
         let figure = crate::study::CycleFigure::parse(name, &Catalogue::new(&scene)).unwrap();
-        let mut study = WholeTolerance::new(&solver, &links(&scene, 0.02), vec![figure]).unwrap();
+        let mut study = MotionTolerance::new(&solver, &links(&scene, 0.02), vec![figure]).unwrap();
         let order = SampleOrder {
             count: 50,
             seed: 3,
@@ -562,11 +562,11 @@ fn direction_tolerances_do_not_jump_at_full_turn() {
         "coupler.angle@0",
     ] {
         let (still, spread) = study(0.0, name);
-        for beside in [-1e-3, 1e-3] {
-            let by = beside - still.nominal;
+        for nearby in [-1e-3, 1e-3] {
+            let by = nearby - still.nominal;
             let name = name.replace("@0", &format!("@{by}"));
             let (found, samples) = study(by, &name);
-            let off = crate::angle::beside(0.0, found.nominal - beside);
+            let off = crate::angle::unwrap_near(0.0, found.nominal - nearby);
             assert!(off.abs() < 1e-6, "{name}: {found:?}");
             for (one, other) in [
                 (

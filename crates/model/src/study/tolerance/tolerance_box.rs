@@ -52,7 +52,7 @@ impl ToleranceBox {
     }
 
     /// Sets the deviations of lengths to fractions of their tolerances.
-    pub(super) fn put(&self, lengths: &[usize], parts: &[f64], by: &mut [f64]) {
+    pub(super) fn set_deviations(&self, lengths: &[usize], parts: &[f64], by: &mut [f64]) {
         for (&length, part) in lengths.iter().zip(parts) {
             by[length] = part * self.limits[length];
         }
@@ -60,27 +60,27 @@ impl ToleranceBox {
 
     /// Returns the machine of the box that is extreme along these slopes; deviations without slope
     /// stay as in `from`.
-    pub(super) fn furthest(&self, slopes: &[f64], from: &[f64]) -> Vec<f64> {
-        let mut way = from.to_vec();
-        for (i, (way, slope)) in way.iter_mut().zip(slopes).enumerate().take(self.lengths) {
+    pub(super) fn extreme_machine(&self, slopes: &[f64], from: &[f64]) -> Vec<f64> {
+        let mut travel = from.to_vec();
+        for (i, (travel, slope)) in travel.iter_mut().zip(slopes).enumerate().take(self.lengths) {
             if *slope != 0.0 {
-                *way = self.limits[i].copysign(*slope);
+                *travel = self.limits[i].copysign(*slope);
             }
         }
         for pin in (self.lengths..self.limits.len()).step_by(2) {
             let [x, y] = [slopes[pin], slopes[pin + 1]];
             let size = x.hypot(y);
             if size > 0.0 {
-                way[pin] = self.limits[pin] * x / size;
-                way[pin + 1] = self.limits[pin] * y / size;
+                travel[pin] = self.limits[pin] * x / size;
+                travel[pin + 1] = self.limits[pin] * y / size;
             }
         }
-        way
+        travel
     }
 
     /// Returns the extreme machine along slopes among those of the box with the same `level` as
     /// `from`, to first order. Uses the Lagrange multiplier of that condition.
-    pub(super) fn furthest_level(&self, slopes: &[f64], level: &[f64], from: &[f64]) -> Vec<f64> {
+    pub(super) fn extreme_at_level(&self, slopes: &[f64], level: &[f64], from: &[f64]) -> Vec<f64> {
         let size = |slopes: &[f64]| {
             let sizes = slopes
                 .iter()
@@ -90,18 +90,19 @@ impl ToleranceBox {
         };
         let scale = size(slopes) / size(level);
         if !scale.is_finite() {
-            return self.furthest(slopes, from);
+            return self.extreme_machine(slopes, from);
         }
         let aim = |multiplier: f64| {
             let pairs = slopes.iter().zip(level);
             let both: Vec<f64> = pairs
                 .map(|(slope, level)| slope + multiplier * level)
                 .collect();
-            self.furthest(&both, from)
+            self.extreme_machine(&both, from)
         };
         let raised = |machine: &[f64]| {
-            let ways = machine.iter().zip(from).zip(level);
-            ways.map(|((to, from), level)| (to - from) * level)
+            let travels = machine.iter().zip(from).zip(level);
+            travels
+                .map(|((to, from), level)| (to - from) * level)
                 .sum::<f64>()
         };
         // The level increases with the multiplier.
@@ -127,23 +128,23 @@ impl ToleranceBox {
     }
 
     /// Draws random deviations.
-    pub(super) fn draw(&self, distribution: Distribution, chance: &mut SeededRng, by: &mut [f64]) {
+    pub(super) fn draw(&self, distribution: Distribution, rng: &mut SeededRng, by: &mut [f64]) {
         let (lengths, pins) = by.split_at_mut(self.lengths);
         let (limits, of_pins) = self.limits.split_at(self.lengths);
-        let two = |chance: &mut SeededRng| match distribution {
-            Distribution::Normal => chance.normal().map(|v| v / 3.0),
-            Distribution::Even => [chance.even(), chance.even()],
+        let two = |rng: &mut SeededRng| match distribution {
+            Distribution::Normal => rng.normal().map(|v| v / 3.0),
+            Distribution::Even => [rng.even(), rng.even()],
         };
         for (by, limits) in lengths.chunks_mut(2).zip(limits.chunks(2)) {
-            let drawn = two(chance);
+            let drawn = two(rng);
             for ((by, limit), part) in by.iter_mut().zip(limits).zip(drawn) {
                 *by = limit * part;
             }
         }
         for (by, limits) in pins.chunks_exact_mut(2).zip(of_pins.chunks_exact(2)) {
             let drawn = match distribution {
-                Distribution::Normal => two(chance),
-                Distribution::Even => chance.in_disc().0,
+                Distribution::Normal => two(rng),
+                Distribution::Even => rng.in_disc().0,
             };
             by.copy_from_slice(&drawn.map(|part| limits[0] * part));
         }

@@ -3,7 +3,7 @@
 //! Each machine is opened and its motion followed. Derivatives are two-sided differences with a
 //! hundredth of each tolerance, because the figures are accurate to their last digits.
 
-use super::machines::{CornerEffort, Machines, of_all_corners, of_derivatives, told};
+use super::machines::{CornerEffort, Machines, of_all_corners, of_derivatives, tolerance_effects};
 use super::tolerance_box::ToleranceBox;
 use super::worst::WorstCase;
 use super::{SampleOrder, Samples, ToleranceError, ToleranceFigure};
@@ -27,7 +27,7 @@ const DIFFERENCE: f64 = 0.01;
 
 /// Cycle figures of a mechanism with deviating lengths.
 #[derive(Clone, Debug)]
-pub struct WholeTolerance {
+pub struct MotionTolerance {
     machines: MachinesInMotion,
     off: ToleranceBox,
 }
@@ -43,7 +43,7 @@ struct MachinesInMotion {
     given: Vec<Length>,
 }
 
-impl WholeTolerance {
+impl MotionTolerance {
     /// Creates an analysis of figures of a solver's mechanism.
     ///
     /// # Errors
@@ -52,7 +52,7 @@ impl WholeTolerance {
         solver: &Solver,
         tolerances: &Tolerances,
         figures: Vec<CycleFigure>,
-    ) -> Result<WholeTolerance, ToleranceError> {
+    ) -> Result<MotionTolerance, ToleranceError> {
         let off = ToleranceBox::new(tolerances).ok_or(ToleranceError::Exact)?;
         if figures.iter().any(CycleFigure::is_of_forces) {
             return Err(ToleranceError::Forces);
@@ -66,7 +66,7 @@ impl WholeTolerance {
             varied: varied.ok_or(ToleranceError::Redundant)?,
             given: off.given.clone(),
         };
-        Ok(WholeTolerance { machines, off })
+        Ok(MotionTolerance { machines, off })
     }
 
     /// Returns the analysed figures.
@@ -80,14 +80,14 @@ impl WholeTolerance {
         let nominal = self.nominal();
         let slopes = self.slopes();
         let worst = self.worst(&nominal, &slopes);
-        told(&self.off, &nominal, worst, |i| slopes[i].as_deref())
+        tolerance_effects(&self.off, &nominal, worst, |i| slopes[i].as_deref())
     }
 
     /// Builds random machines, and evaluates every figure of each.
     pub fn sampled(&mut self, order: SampleOrder) -> Samples {
-        let figures = self.nominal().len();
+        let count = self.nominal().len();
         let kind = self.machines.kind();
-        Samples::of(&mut self.machines, &self.off, figures, kind, order)
+        Samples::of(&mut self.machines, &self.off, count, kind, order)
     }
 
     /// Returns the figures with the nominal lengths.
@@ -129,10 +129,10 @@ impl WholeTolerance {
         nominal: &[Option<f64>],
         slopes: &[Option<Vec<f64>>],
     ) -> Vec<Option<WorstCase>> {
-        let whole: Vec<usize> = (0..self.off.lengths).collect();
+        let complete: Vec<usize> = (0..self.off.lengths).collect();
         // A full range does not depend on any length to first order, but may become limited with
         // another length.
-        let acting = whole.iter().copied();
+        let acting = complete.iter().copied();
         let acting: Vec<usize> = acting
             .filter(|&i| self.machines.varied.follows(i))
             .collect();
@@ -142,7 +142,7 @@ impl WholeTolerance {
         }
         let figures = slopes.iter().enumerate();
         let worst = figures.map(|(i, slopes)| {
-            of_derivatives(machines, off, &whole, i, nominal, slopes.as_deref()?)
+            of_derivatives(machines, off, &complete, i, nominal, slopes.as_deref()?)
         });
         worst.collect()
     }
@@ -157,7 +157,7 @@ impl MachinesInMotion {
         self.varied.change(by);
         self.varied.plain(&mechanism).or_else(|| {
             let at = mechanism.driver().start;
-            Some(self.solver.kept(at, &mechanism).ok()?.0)
+            Some(self.solver.with_dimensions(at, &mechanism).ok()?.0)
         })
     }
 }

@@ -56,10 +56,10 @@ impl WorstKind {
 
 impl WorstCase {
     /// Extends the limits by values found at edges of assembly.
-    pub(super) fn extend(&mut self, furthest: [f64; 2], is_unbounded: [bool; 2]) {
-        let goes_further = furthest[0] < self.low || furthest[1] > self.high;
-        self.low = self.low.min(furthest[0]);
-        self.high = self.high.max(furthest[1]);
+    pub(super) fn extend(&mut self, extreme: [f64; 2], is_unbounded: [bool; 2]) {
+        let goes_further = extreme[0] < self.low || extreme[1] > self.high;
+        self.low = self.low.min(extreme[0]);
+        self.high = self.high.max(extreme[1]);
         self.reached = [self.low, self.high];
         match is_unbounded {
             [false, false] if goes_further && !self.kind.is_estimate() => {

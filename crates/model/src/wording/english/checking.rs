@@ -177,10 +177,10 @@ catalogue! {
         transmission_throughout(group: &str, angle: &str) =
             "transmission angle at {group}: {angle} deg throughout";
         transmission_between(group: &str, angles: [&str; 4], unit: &str) = {
-            let [least, at_least, most, at_most] = angles;
+            let [minimum, at_least, maximum, at_most] = angles;
             format!(
-                "transmission angle at {group}: smallest {least} deg, at {at_least} {unit}; largest \
-                 {most} deg, at {at_most} {unit}"
+                "transmission angle at {group}: smallest {minimum} deg, at {at_least} {unit}; largest \
+                 {maximum} deg, at {at_most} {unit}"
             )
         };
 

@@ -133,9 +133,9 @@ prove that there are no other designs.";
              their rows say why";
         no_design_has_figures(why: &str) = "none of the values exists in any design: {why}";
         has_no_value_in_designs(figure: &str) = "{figure} has no value in any design";
-        designs_from_to(figure: &str, least: [&str; 2], greatest: [&str; 2]) = {
-            let ([least, low], [greatest, high]) = (least, greatest);
-            format!("{figure}: minimum {least} at {low}; maximum {greatest} at {high}")
+        designs_from_to(figure: &str, minimum: [&str; 2], maximum: [&str; 2]) = {
+            let ([minimum, low], [maximum, high]) = (minimum, maximum);
+            format!("{figure}: minimum {minimum} at {low}; maximum {maximum} at {high}")
         };
         blank_is_no_design = "blank: no value";
         axes_of_map(up: &str, along: &str) = "up: {up}; along: {along}";

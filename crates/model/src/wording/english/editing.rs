@@ -20,7 +20,7 @@ catalogue! {
         };
         edits_wait(key: &str) = "staged edits: {key} applies them, Esc discards them";
         make_gathered = "apply";
-        drop_gathered = "drop";
+        drop_staged = "drop";
         gathered_made(count: usize) = {
             match count {
                 0 => "edits apply immediately".to_owned(),

@@ -6,8 +6,8 @@ catalogue! {
     /// Errors of formulas.
     trait FormulasWords for English {
         // Syntax.
-        formula_too_long(most: usize) = "the formula is too long: use at most {most} characters";
-        formula_too_deep(most: usize) = "brackets and signs are nested more than {most} deep";
+        formula_too_long(maximum: usize) = "the formula is too long: use at most {maximum} characters";
+        formula_too_deep(maximum: usize) = "brackets and signs are nested more than {maximum} deep";
         no_part_of_a_formula(character: &str) = "`{character}` is not allowed in a formula";
         minus_without_blank(word: &str) = "`{word}` may be a name or a subtraction";
         minus_between_blanks = "put blanks around `-` to subtract: names may contain it";
@@ -17,17 +17,17 @@ catalogue! {
         number_or_name = "a number, a name or a bracket";
         closing_bracket = "`)`";
         exponent_must_be_number = "an exponent must be a number other than 0";
-        exponents_go_to(most: usize) =
-            "`^` takes numbers from -{most} to {most}: use exp() and ln() for others";
+        exponents_go_to(maximum: usize) =
+            "`^` takes numbers from -{maximum} to {maximum}: use exp() and ln() for others";
         of_plain_numbers_only(name: &str) =
             "`{name}` takes only plain numbers, as in [parameters]: it has no rate";
         no_function(name: &str) = "unknown function `{name}`";
         functions_are(names: &str) = "functions: {names}";
-        function_takes(name: &str, least: usize, most: usize, found: usize) = {
-            let takes = match (least, most) {
+        function_takes(name: &str, minimum: usize, maximum: usize, found: usize) = {
+            let takes = match (minimum, maximum) {
                 (1, 1) => "1 argument".to_owned(),
-                (least, most) if least == most => format!("{least} arguments"),
-                (least, most) => format!("{least} to {most} arguments"),
+                (minimum, maximum) if minimum == maximum => format!("{minimum} arguments"),
+                (minimum, maximum) => format!("{minimum} to {maximum} arguments"),
             };
             format!("{name}() takes {takes}, not {found}")
         };
@@ -45,7 +45,7 @@ catalogue! {
         measured_in(what: &str, unit: &str) = {
             match unit {
                 "1" => format!("`{what}` is a plain number"),
-                unit => format!("`{what}` is in {}", told(unit)),
+                unit => format!("`{what}` is in {}", unit_word(unit)),
             }
         };
         do_not_go_together(one: &str, other: &str) = "{one} and {other}: the units do not match";
@@ -53,12 +53,12 @@ catalogue! {
         takes_an_angle(function: &str, unit: &str) = {
             match unit {
                 "1" => format!("{function}() takes an angle, but this is a plain number"),
-                unit => format!("{function}() takes an angle, but this is in {}", told(unit)),
+                unit => format!("{function}() takes an angle, but this is in {}", unit_word(unit)),
             }
         };
         angles_have_units = "give the angle a unit: `30 deg`, `0.5 rad`";
         takes_a_number(function: &str, unit: &str) = {
-            let unit = told(unit);
+            let unit = unit_word(unit);
             format!("{function}() takes a plain number, but this is in {unit}: divide it by a value of that unit")
         };
         no_root_of(unit: &str) = "the square root of {unit} is not a unit";
@@ -88,26 +88,26 @@ catalogue! {
         formulas_read_a_function(name: &str) =
             "`{name}` is a function in formulas: choose another name, such as `{name}1`";
         parameters_measured_in(named: &[(String, String)], wanted: &str) = {
-            let named: Vec<_> = named.iter().map(|(name, unit)| format!("`{name}` is in {}", told(unit))).collect();
+            let named: Vec<_> = named.iter().map(|(name, unit)| format!("`{name}` is in {}", unit_word(unit))).collect();
             let wanted = match wanted {
                 "1" => String::new(),
-                wanted => format!("in {}, or ", told(wanted)),
+                wanted => format!("in {}, or ", unit_word(wanted)),
             };
             format!("{}: write it {wanted}as a plain number", named.join(", "))
         };
         rate_of_units(key: &str, of: &str, formula: &str, found: &str) = {
-            let found = told(found);
+            let found = unit_word(found);
             format!("`{key}` of {of} takes a plain number before its unit, but `{formula}` is in {found}")
         };
         rate_brings_its_unit(formula: &str, unit: &str) =
             "`{unit}` is the unit of the whole value: use plain numbers for the parameters in `{formula}`";
         value_measures_other(value: &str, found: &str, wanted: &str) = {
-            let [found, wanted] = [told(found), told(wanted)];
+            let [found, wanted] = [unit_word(found), unit_word(wanted)];
             format!("{value} is in {wanted}, but this is in {found}")
         };
-        no_value_named(name: &str, meant: Option<&str>) = {
-            let meant = meant.map_or(String::new(), |meant| format!("; {meant}"));
-            format!("the scene has no value `{name}`{meant}")
+        no_value_named(name: &str, intended: Option<&str>) = {
+            let intended = intended.map_or(String::new(), |intended| format!("; {intended}"));
+            format!("the scene has no value `{name}`{intended}")
         };
         follows_from_formula(value: &str, formula: &str) =
             "{value} is given by {formula}: press Enter to edit";
@@ -126,7 +126,7 @@ catalogue! {
 }
 
 /// Returns a unit for use after a preposition: `in` becomes `inch`.
-fn told(unit: &str) -> String {
+fn unit_word(unit: &str) -> String {
     let is_inch = unit
         .strip_prefix("in")
         .is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric()));

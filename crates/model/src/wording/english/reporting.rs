@@ -93,11 +93,11 @@ selects the format; any other needs --format as well.";
             "Not compared, since krank has no such value here, or not in this unit: {names}.";
         cells_left_out(cells: &[(u64, &str, String)], more: usize) = {
             let cell = |(line, column, cell): &(u64, &str, String)| format!("line {line}, {column}: {cell}");
-            let mut told: Vec<String> = cells.iter().map(cell).collect();
+            let mut text: Vec<String> = cells.iter().map(cell).collect();
             if more > 0 {
-                told.push(format!("and {more} more"));
+                text.push(format!("and {more} more"));
             }
-            format!("Left out, since they are not numbers: {}.", told.join("; "))
+            format!("Left out, since they are not numbers: {}.", text.join("; "))
         };
         root_mean_square = "rms";
         rows_compared = "rows";

@@ -40,7 +40,7 @@ catalogue! {
         slider_crank_has_one_pivot = "a slider-crank has one pivot on the ground, the crank's";
         slider_cranks_alone = "only slider-cranks are searched for";
         take_out_one_pivot = "give one pivot, or add \"four-bar\" to `linkages`";
-        count_of_points(count: usize, most: usize) = "a path has 2 to {most} points, not {count}";
+        count_of_points(count: usize, maximum: usize) = "a path has 2 to {maximum} points, not {count}";
         more_than_two_pivots = "a four-bar has two pivots";
         weights_are_positive = "every weight must be more than 0";
         one_for_each_point(key: &str, points: usize, found: usize) = "`{key}` has {found} numbers for {points} points";
@@ -69,11 +69,11 @@ catalogue! {
              it";
         pairs_and_function = "pairs are given by both `pairs` and `function`: remove one";
         positive_number = "a positive number";
-        count_of_pairs(count: usize, most: usize) = "a function has 3 to {most} pairs, not {count}";
+        count_of_pairs(count: usize, maximum: usize) = "a function has 3 to {maximum} pairs, not {count}";
         pairs_not_in_order(number: usize) = "the x of pair {number} is not larger than that of the pair before it";
         not_further_on = "x does not increase";
         pairs_by_growing_x = "sort the pairs by increasing x, each x once";
-        range_of_function(most: usize) = "`function` must go from a smaller x to a larger one, in 3 to {most} points";
+        range_of_function(maximum: usize) = "`function` must go from a smaller x to a larger one, in 3 to {maximum} points";
         swing_and_scale = "`swing` and `scale` mean the same: give one of them";
         start_wants_scale = "`start` belongs to the smallest x: give a `scale` or a `swing` with it";
         scale_is_nought = "`scale` must not be 0";
@@ -89,7 +89,7 @@ catalogue! {
             format!("{form} through {count} points")
         };
         candidates_found(good: usize, told: usize, defective: usize, complete: bool, reason: &str) = {
-            let most = match good > told {
+            let maximum = match good > told {
                 true => format!(", the best {told} listed below"),
                 false => String::new(),
             };
@@ -107,7 +107,7 @@ catalogue! {
                 (false, reason) => format!("; {reason}"),
             };
             let good = counted(good, "linkage for the task", "linkages for the task");
-            format!("{good}{most}{others}{proof}")
+            format!("{good}{maximum}{others}{proof}")
         };
         poses_out_of_range =
             "the coordinates are too large or too small to compute with: write the task in another unit";

@@ -171,10 +171,10 @@ catalogue! {
              montaj biçimini korur";
         transmission_throughout(group: &str, angle: &str) = "bağlama açısı, {group}: hep {angle} deg";
         transmission_between(group: &str, angles: [&str; 4], unit: &str) = {
-            let [least, at_least, most, at_most] = angles;
+            let [minimum, at_least, maximum, at_most] = angles;
             format!(
-                "bağlama açısı, {group}: en küçük {least} deg, {at_least} {unit} konumunda; en büyük \
-                 {most} deg, {at_most} {unit} konumunda"
+                "bağlama açısı, {group}: en küçük {minimum} deg, {at_least} {unit} konumunda; en büyük \
+                 {maximum} deg, {at_most} {unit} konumunda"
             )
         };
 

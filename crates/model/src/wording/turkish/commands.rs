@@ -10,7 +10,7 @@ catalogue! {
         note(message: &str) = "not: {message}";
         of_option(option: &str, what: &dyn Display) = "{option}: {what}";
 
-        of_parser(text: &str) = { parser::said(text) };
+        of_parser(text: &str) = { parser::translate_message(text) };
 
         // Files and results.
         cannot_read(name: &str, why: &dyn Display) = {

@@ -136,9 +136,9 @@ bulunmadığını kanıtlamaz.";
              değil: nedeni satırlarında yazılı";
         no_design_has_figures(why: &str) = "bu değerlerin hiçbiri hiçbir tasarımda yok: {why}";
         has_no_value_in_designs(figure: &str) = "{figure} hiçbir tasarımda değer almıyor";
-        designs_from_to(figure: &str, least: [&str; 2], greatest: [&str; 2]) = {
-            let ([least, low], [greatest, high]) = (least, greatest);
-            format!("{figure}: en küçük {least}, {low} iken; en büyük {greatest}, {high} iken")
+        designs_from_to(figure: &str, minimum: [&str; 2], maximum: [&str; 2]) = {
+            let ([minimum, low], [maximum, high]) = (minimum, maximum);
+            format!("{figure}: en küçük {minimum}, {low} iken; en büyük {maximum}, {high} iken")
         };
         blank_is_no_design = "boş: değer yok";
         axes_of_map(up: &str, along: &str) = "yukarı: {up}; yana: {along}";

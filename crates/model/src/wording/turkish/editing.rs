@@ -19,7 +19,7 @@ catalogue! {
         };
         edits_wait(key: &str) = "bekleyen değişiklikler: {key} uygular, Esc siler";
         make_gathered = "uygula";
-        drop_gathered = "sil";
+        drop_staged = "sil";
         gathered_made(count: usize) = {
             match count {
                 0 => "değişiklikler hemen uygulanır".to_owned(),

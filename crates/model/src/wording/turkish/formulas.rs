@@ -99,9 +99,9 @@ catalogue! {
             "`{unit}` bütün değerin birimidir: `{formula}` içindeki parametreleri birimsiz verin";
         value_measures_other(value: &str, found: &str, wanted: &str) =
             "{value}: birimi {wanted} olmalı, bunun birimi ise {found}";
-        no_value_named(name: &str, meant: Option<&str>) = {
-            let meant = meant.map_or(String::new(), |meant| format!("; {meant}"));
-            format!("sahnede `{name}` adında değer yok{meant}")
+        no_value_named(name: &str, intended: Option<&str>) = {
+            let intended = intended.map_or(String::new(), |intended| format!("; {intended}"));
+            format!("sahnede `{name}` adında değer yok{intended}")
         };
         follows_from_formula(value: &str, formula: &str) =
             "{value}, {formula} ile veriliyor: yazmak için Enter";

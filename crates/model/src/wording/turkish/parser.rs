@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 /// Translates a message of the command-line parser.
-pub(super) fn said(text: &str) -> String {
+pub(super) fn translate_message(text: &str) -> String {
     OF_PARSER
         .iter()
         .fold(text.to_owned(), |text, (english, turkish)| {
@@ -14,24 +14,24 @@ pub(super) fn said(text: &str) -> String {
 /// Replaces every occurrence of a part in the text. If the parser has broken a line inside a part, the line break
 /// moves before the part.
 fn replaced(text: &str, part: &str, by: &str) -> String {
-    let mut said = String::with_capacity(text.len());
+    let mut message = String::with_capacity(text.len());
     let mut rest = text;
     while let Some((at, length)) = found(rest, part) {
         let there = &rest[at..at + length];
-        said.push_str(&rest[..at]);
+        message.push_str(&rest[..at]);
         match there.trim_end().find('\n') {
-            None => said.push_str(by),
+            None => message.push_str(by),
             Some(end) => {
-                let behind = &there[end..];
-                let blanks = behind.len() - behind.trim_start().len();
-                said.truncate(said.trim_end_matches(' ').len());
-                said.push_str(&behind[..blanks]);
-                said.push_str(by);
+                let after = &there[end..];
+                let blanks = after.len() - after.trim_start().len();
+                message.truncate(message.trim_end_matches(' ').len());
+                message.push_str(&after[..blanks]);
+                message.push_str(by);
             }
         }
         rest = &rest[at + length..];
     }
-    said + rest
+    message + rest
 }
 
 /// Returns the position of a part and its length there: a blank in it may match a line break and an indent.
@@ -45,7 +45,7 @@ fn length_of(text: &str, part: &str) -> Option<usize> {
     let mut rest = text;
     for (at, c) in part.char_indices() {
         rest = match rest.strip_prefix(c) {
-            Some(behind) => behind,
+            Some(after) => after,
             None if c == ' ' && !part[..at].trim().is_empty() => {
                 rest.strip_prefix('\n')?.trim_start_matches(' ')
             }
@@ -201,16 +201,18 @@ mod tests {
     #[test]
     fn help_is_translated_and_wrapped_parts_are_rejoined() {
         assert_eq!(
-            said("  --language  Dil [default: auto] [possible\n      values: tr, en]\n"),
+            translate_message(
+                "  --language  Dil [default: auto] [possible\n      values: tr, en]\n"
+            ),
             "  --language  Dil [yoksa: auto]\n      [değerler: tr, en]\n"
         );
         assert_eq!(
-            said("x\n\n  tip: ş is not in 1"),
+            translate_message("x\n\n  tip: ş is not in 1"),
             "x\n\n  ipucu: ş şu aralıkta değil: 1"
         );
-        assert_eq!(said("Print help\n"), "Yardımı yazın\n");
+        assert_eq!(translate_message("Print help\n"), "Yardımı yazın\n");
         assert_eq!(
-            said("Usage: x\n\nOptions:\n  -h"),
+            translate_message("Usage: x\n\nOptions:\n  -h"),
             "Kullanım: x\n\nSeçenekler:\n  -h"
         );
     }

@@ -10,7 +10,7 @@ catalogue! {
         not_a_character = "UTF-8'de geçerli bir karakter değil";
         save_as_utf8 = "dosyayı UTF-8 olarak kaydedin";
         not_valid_toml(message: &str) = {
-            format!("geçerli TOML değil: {}", syntax::said(message))
+            format!("geçerli TOML değil: {}", syntax::translate_message(message))
         };
         more_faults(count: usize) = "{count} hata daha var, gösterilmiyor";
         given_twice(key: &str) = "{key} iki kez verilmiş";

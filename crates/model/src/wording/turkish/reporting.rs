@@ -89,11 +89,11 @@ varsa kuvvetler; bütün hareket boyunca grafikler; `krank check` bilgileri. .ht
             "Karşılaştırılmayanlar (krank'ta burada ya da bu birimde böyle bir değer yok): {names}.";
         cells_left_out(cells: &[(u64, &str, String)], more: usize) = {
             let cell = |(line, column, cell): &(u64, &str, String)| format!("{line}. satır, {column}: {cell}");
-            let mut told: Vec<String> = cells.iter().map(cell).collect();
+            let mut text: Vec<String> = cells.iter().map(cell).collect();
             if more > 0 {
-                told.push(format!("ve {more} tane daha"));
+                text.push(format!("ve {more} tane daha"));
             }
-            format!("Sayı olmadığı için dışarıda bırakıldı: {}.", told.join("; "))
+            format!("Sayı olmadığı için dışarıda bırakıldı: {}.", text.join("; "))
         };
         root_mean_square = "rms";
         rows_compared = "satır";

@@ -5,7 +5,7 @@ const EXPECTED: &str = ", expected ";
 const OR: &str = ", ";
 
 /// Translates a message. An unknown message is quoted unchanged, because a partial translation would mislead.
-pub(super) fn said(message: &str) -> String {
+pub(super) fn translate_message(message: &str) -> String {
     let (fault, mut expected) = match message.split_once(EXPECTED) {
         Some((fault, expected)) => (fault, Some(expected)),
         None => (message, None),
@@ -34,8 +34,8 @@ fn wrong(fault: &str) -> Option<String> {
     if fault.starts_with("cannot extend value of type") {
         return Some("değeri olan bir anahtarın noktayla uzantısı olamaz".to_owned());
     }
-    let (_, said) = FAULTS.iter().find(|(english, _)| *english == fault)?;
-    Some((*said).to_owned())
+    let (_, text) = FAULTS.iter().find(|(english, _)| *english == fault)?;
+    Some((*text).to_owned())
 }
 
 /// Translates the expected items: symbols stay, names of text kinds are translated.
@@ -43,7 +43,7 @@ fn wanted(expected: &str) -> String {
     let items = expected.split(OR);
     let items = items.map(|item| {
         let known = WANTED.iter().find(|(english, _)| *english == item);
-        known.map_or(item, |(_, said)| *said)
+        known.map_or(item, |(_, text)| *text)
     });
     items.collect::<Vec<_>>().join(OR)
 }
@@ -215,10 +215,10 @@ mod tests {
     use toml::de::DeTable;
 
     /// Returns the parser's message for a text, and its translation.
-    fn told(text: &str) -> (String, String) {
+    fn parser_message(text: &str) -> (String, String) {
         let (_, errors) = DeTable::parse_recoverable(text);
         let message = errors[0].message().to_owned();
-        let turkish = said(&message);
+        let turkish = translate_message(&message);
         (message, turkish)
     }
 
@@ -291,7 +291,7 @@ mod tests {
             "a = 10 mm",
             "a = \"x\" y",
         ] {
-            let (message, turkish) = told(text);
+            let (message, turkish) = parser_message(text);
             assert!(!turkish.contains(&message), "{text:?}: {message}");
             assert!(!turkish.contains(" expected "), "{text:?}: {turkish}");
             let wanted = message.split_once(EXPECTED).map(|(_, wanted)| wanted);
@@ -302,16 +302,19 @@ mod tests {
             }
         }
         assert_eq!(
-            told("a = [1,,2]").1,
+            parser_message("a = [1,,2]").1,
             "listede fazladan virgül; beklenen: değer"
         );
-        assert_eq!(told("a = [1, 2").1, "kapanmamış liste; beklenen: `]`");
+        assert_eq!(
+            parser_message("a = [1, 2").1,
+            "kapanmamış liste; beklenen: `]`"
+        );
     }
 
     #[test]
     fn unknown_parser_message_is_quoted() {
         assert_eq!(
-            said("a new rule"),
+            translate_message("a new rule"),
             "TOML okuyucusunun iletisi: \"a new rule\""
         );
     }

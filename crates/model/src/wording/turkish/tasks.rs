@@ -37,7 +37,7 @@ catalogue! {
         slider_crank_has_one_pivot = "bir krank-biyelin şasede tek mesnedi vardır, krankın mesnedi";
         slider_cranks_alone = "yalnızca krank-biyel aranıyor";
         take_out_one_pivot = "tek mesnet verin ya da `linkages` listesine \"four-bar\" ekleyin";
-        count_of_points(count: usize, most: usize) = "bir yolda 2 ile {most} arası nokta olur, {count} değil";
+        count_of_points(count: usize, maximum: usize) = "bir yolda 2 ile {maximum} arası nokta olur, {count} değil";
         more_than_two_pivots = "bir dört çubuk mekanizmasının iki mesnedi vardır";
         weights_are_positive = "her ağırlık 0 değerinden büyük olmalı";
         one_for_each_point(key: &str, points: usize, found: usize) = "`{key}` içinde {points} nokta için {found} sayı var";
@@ -66,11 +66,11 @@ catalogue! {
              kutusunu genişletin ya da çıkarın";
         pairs_and_function = "çiftler hem `pairs` hem `function` ile verilmiş: birini çıkarın";
         positive_number = "pozitif bir sayı";
-        count_of_pairs(count: usize, most: usize) = "bir fonksiyonda 3 ile {most} arası çift olur, {count} değil";
+        count_of_pairs(count: usize, maximum: usize) = "bir fonksiyonda 3 ile {maximum} arası çift olur, {count} değil";
         pairs_not_in_order(number: usize) = "{number}. çiftin x değeri öncekininkinden büyük değil";
         not_further_on = "x artmıyor";
         pairs_by_growing_x = "çiftleri artan x sırasıyla yazın, her x bir kez";
-        range_of_function(most: usize) = "`function` küçük bir x değerinden büyüğüne 3 ile {most} arası noktayla gitmeli";
+        range_of_function(maximum: usize) = "`function` küçük bir x değerinden büyüğüne 3 ile {maximum} arası noktayla gitmeli";
         swing_and_scale = "`swing` ile `scale` aynı anlama gelir: birini verin";
         start_wants_scale = "`start` en küçük x değerine aittir: onunla bir `scale` ya da `swing` verin";
         scale_is_nought = "`scale` 0 olamaz";
@@ -87,7 +87,7 @@ catalogue! {
             format!("{count} noktadan geçen {form}")
         };
         candidates_found(good: usize, told: usize, defective: usize, complete: bool, reason: &str) = {
-            let most = match good > told {
+            let maximum = match good > told {
                 true => format!(", en iyi {told} tanesi aşağıda"),
                 false => String::new(),
             };
@@ -101,7 +101,7 @@ catalogue! {
                 (false, "") => "; aramayla bulundu, başkaları olabilir".into(),
                 (false, reason) => format!("; {reason}"),
             };
-            format!("görev için {good} mekanizma{most}{others}{proof}")
+            format!("görev için {good} mekanizma{maximum}{others}{proof}")
         };
         poses_out_of_range = "koordinatlar hesaplanamayacak kadar büyük ya da küçük: görevi başka bir birimle yazın";
         poses_turn_about(x: &str, y: &str) =

@@ -14,7 +14,7 @@ catalogue! {
         nothing_acts_in_short = "burada kuvvet yok: yük, yay ya da kütle yok";
         layout_is(name: &str) = {
             // Followed by the name in the configuration, which is never translated.
-            let said = match name {
+            let text = match name {
                 "auto" => "yere göre",
                 "one" => "tek",
                 "two" => "iki",
@@ -23,7 +23,7 @@ catalogue! {
                 "design" => "tasarım",
                 _ => return format!("düzen: {name}"),
             };
-            format!("düzen: {said} ({name})")
+            format!("düzen: {text} ({name})")
         };
         no_other_pane = "başka bölme yok";
         no_split_here = "burada kaydırılacak bölme çizgisi yok";

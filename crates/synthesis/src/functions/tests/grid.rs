@@ -2,104 +2,110 @@
 
 use super::super::{FunctionRun, chebyshev_pairs};
 use super::propose;
-use crate::{FunctionTask, Given, Output, Partner, Proposal};
+use crate::{FunctionTask, GivenNumber, Output, PinConstraint, Proposal};
 use kinematics::angle::unit;
 
-struct FunctionWish {
+struct FunctionPreference {
     f: fn(f64) -> f64,
     range: [f64; 2],
 }
 
-const WISHES: [FunctionWish; 10] = [
-    FunctionWish {
+const PREFERENCES: [FunctionPreference; 10] = [
+    FunctionPreference {
         f: |x| x.powf(1.5),
         range: [1.0, 2.0],
     },
-    FunctionWish {
+    FunctionPreference {
         f: |x| x * x,
         range: [0.0, 1.0],
     },
-    FunctionWish {
+    FunctionPreference {
         f: |x| x.powi(3),
         range: [0.0, 1.0],
     },
-    FunctionWish {
+    FunctionPreference {
         f: f64::sqrt,
         range: [1.0, 4.0],
     },
-    FunctionWish {
+    FunctionPreference {
         f: |x| 1.0 / x,
         range: [1.0, 2.0],
     },
-    FunctionWish {
+    FunctionPreference {
         f: f64::log10,
         range: [1.0, 2.0],
     },
-    FunctionWish {
+    FunctionPreference {
         f: f64::ln,
         range: [1.0, 5.0],
     },
-    FunctionWish {
+    FunctionPreference {
         f: f64::exp,
         range: [0.0, 1.0],
     },
-    FunctionWish {
+    FunctionPreference {
         f: f64::sin,
         range: [0.0, 1.5],
     },
-    FunctionWish {
+    FunctionPreference {
         f: f64::tan,
         range: [0.0, 0.8],
     },
 ];
 /// Swings of crank and output, and their initial angles, in degrees.
 const SWINGS: [[f64; 2]; 3] = [[60.0, 60.0], [90.0, 60.0], [120.0, 90.0]];
-const BEGINS: [[f64; 2]; 4] = [[30.0, 60.0], [45.0, 200.0], [90.0, 90.0], [120.0, 240.0]];
+const STARTS: [[f64; 2]; 4] = [[30.0, 60.0], [45.0, 200.0], [90.0, 90.0], [120.0, 240.0]];
 
 /// Creates a task of the grid with `count` pairs at Chebyshev's zeros.
 fn task(
-    wish: &FunctionWish,
+    preference: &FunctionPreference,
     swing: [f64; 2],
-    begin: [f64; 2],
+    start: [f64; 2],
     count: usize,
     is_free: bool,
 ) -> FunctionTask {
-    let [from, to] = wish.range;
-    let (low, high) = ((wish.f)(from), (wish.f)(to));
+    let [from, to] = preference.range;
+    let (low, high) = ((preference.f)(from), (preference.f)(to));
     let (crank_scale, output_scale) = (swing[0] / (to - from), swing[1] / (high - low));
-    let datum = |begin: f64, scale: f64, at: f64| {
+    let datum = |start: f64, scale: f64, at: f64| {
         if is_free {
-            Given::Free
+            GivenNumber::Free
         } else {
-            Given::Value(begin - scale * at)
+            GivenNumber::Value(start - scale * at)
         }
     };
     FunctionTask {
-        pairs: chebyshev_pairs(|x| Some((wish.f)(x)), wish.range, count).unwrap(),
+        pairs: chebyshev_pairs(|x| Some((preference.f)(x)), preference.range, count).unwrap(),
         between: Vec::new(),
         output: Output::Angle,
-        crank_datum: datum(begin[0], crank_scale, from),
-        crank_scale: Given::Value(crank_scale),
-        output_datum: datum(begin[1], output_scale, low),
-        output_scale: Given::Value(output_scale),
+        crank_datum: datum(start[0], crank_scale, from),
+        crank_scale: GivenNumber::Value(crank_scale),
+        output_datum: datum(start[1], output_scale, low),
+        output_scale: GivenNumber::Value(output_scale),
         size: 1.0,
     }
 }
 
 /// Returns `true` if one assembly passes through all pairs and closes over the whole range, with a
 /// length ratio below 20.
-fn is_serviceable(wish: &FunctionWish, task: &FunctionTask, proposal: &Proposal) -> bool {
+fn is_serviceable(
+    preference: &FunctionPreference,
+    task: &FunctionTask,
+    proposal: &Proposal,
+) -> bool {
     let (a, b, c) = proposal.lengths().unwrap();
     let lengths = [a, b, c.unwrap(), task.size];
-    let longest = lengths.iter().fold(0.0_f64, |most, l| most.max(*l));
-    let shortest = lengths.iter().fold(f64::INFINITY, |least, l| least.min(*l));
+    let longest = lengths.iter().fold(0.0_f64, |maximum, l| maximum.max(*l));
+    let shortest = lengths
+        .iter()
+        .fold(f64::INFINITY, |minimum, l| minimum.min(*l));
     let Some(run) = FunctionRun::of(task, proposal) else {
         return false;
     };
     let mut errors = task.pairs.iter().map(|[x, y]| run.error(*x, *y));
     errors.all(|e| e.is_some_and(|e| e.abs() < 1e-6))
         && run
-            .greatest_error(|x| Some((wish.f)(x)), wish.range)
+            .max_error(|x| Some((preference.f)(x)), preference.range)
             .is_some()
         && longest < 20.0 * shortest
 }
@@ -108,24 +114,24 @@ fn is_serviceable(wish: &FunctionWish, task: &FunctionTask, proposal: &Proposal)
 /// positive ratios finds only these.
 fn is_positive(task: &FunctionTask, proposal: &Proposal) -> bool {
     let value = |given| match given {
-        Given::Value(value) => value,
-        Given::Free => f64::NAN,
+        GivenNumber::Value(value) => value,
+        GivenNumber::Free => f64::NAN,
     };
     let [x, y] = task.pairs[0];
     let crank = unit(value(task.crank_datum) + value(task.crank_scale) * x);
     let output = unit(value(task.output_datum) + value(task.output_scale) * y);
     let [b, c] = proposal.places[0];
-    let Partner::Rocker(d) = proposal.partner else {
+    let PinConstraint::Rocker(d) = proposal.partner else {
         return false;
     };
     b.dot(crank) > 0.0 && (c - d).dot(output) > 0.0
 }
 
-fn over_the_grid(mut look: impl FnMut(&FunctionWish, [f64; 2], [f64; 2])) {
-    for wish in &WISHES {
+fn over_the_grid(mut look: impl FnMut(&FunctionPreference, [f64; 2], [f64; 2])) {
+    for preference in &PREFERENCES {
         for swing in SWINGS {
-            for begin in BEGINS {
-                look(wish, swing, begin);
+            for start in STARTS {
+                look(preference, swing, start);
             }
         }
     }
@@ -137,12 +143,12 @@ fn over_the_grid(mut look: impl FnMut(&FunctionWish, [f64; 2], [f64; 2])) {
 #[test]
 fn negative_ratios_give_usable_linkages() {
     let (mut serviceable, mut positive) = (0, 0);
-    over_the_grid(|wish, swing, begin| {
-        let task = task(wish, swing, begin, 3, false);
+    over_the_grid(|preference, swing, start| {
+        let task = task(preference, swing, start, 3, false);
         let proposals = propose(&task);
         assert!(proposals.is_complete && proposals.found.len() <= 1);
         for proposal in &proposals.found {
-            let is_good = is_serviceable(wish, &task, proposal);
+            let is_good = is_serviceable(preference, &task, proposal);
             serviceable += u32::from(is_good);
             positive += u32::from(is_good && is_positive(&task, proposal));
         }
@@ -155,20 +161,20 @@ fn negative_ratios_give_usable_linkages() {
 #[test]
 fn free_datums_solve_most_tasks() {
     let (mut serviceable, mut errors) = (0, Vec::new());
-    over_the_grid(|wish, swing, begin| {
-        if begin != BEGINS[0] {
+    over_the_grid(|preference, swing, start| {
+        if start != STARTS[0] {
             return;
         }
-        let task = task(wish, swing, begin, 5, true);
+        let task = task(preference, swing, start, 5, true);
         let proposals = propose(&task);
         assert!(proposals.is_complete && proposals.found.len() <= 3);
         let good = proposals
             .found
             .iter()
-            .filter(|p| is_serviceable(wish, &task, p));
+            .filter(|p| is_serviceable(preference, &task, p));
         let error = good.map(|p| {
             let run = FunctionRun::of(&task, p).unwrap();
-            run.greatest_error(|x| Some((wish.f)(x)), wish.range)
+            run.max_error(|x| Some((preference.f)(x)), preference.range)
                 .unwrap()
                 .error
                 .abs()

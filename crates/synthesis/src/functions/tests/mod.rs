@@ -4,7 +4,7 @@ mod grid;
 mod search;
 
 use super::{FunctionRun, FunctionSearch};
-use crate::{FunctionTask, Given, Output, Partner, Proposal, Proposals};
+use crate::{FunctionTask, GivenNumber, Output, PinConstraint, Proposal, Proposals};
 use kinematics::numeric::SeededRng;
 
 fn propose(task: &FunctionTask) -> Proposals {
@@ -13,7 +13,7 @@ fn propose(task: &FunctionTask) -> Proposals {
 
 /// A linkage with a known solution: its crank angles in degrees, each with the output, which is an
 /// angle or a travel.
-struct PlantedFunction {
+struct KnownFunction {
     output: Output,
     lengths: [f64; 3],
     pairs: Vec<[f64; 2]>,
@@ -21,17 +21,17 @@ struct PlantedFunction {
 
 /// Datums and scales: the pairs are `(angle - datum) / scale`.
 #[derive(Clone, Copy)]
-struct PlantedLaw([f64; 4]);
+struct KnownLaw([f64; 4]);
 
-const PLAIN: PlantedLaw = PlantedLaw([0.0, 1.0, 0.0, 1.0]);
-const LAW: PlantedLaw = PlantedLaw([20.0, 40.0, -35.0, 25.0]);
+const PLAIN: KnownLaw = KnownLaw([0.0, 1.0, 0.0, 1.0]);
+const LAW: KnownLaw = KnownLaw([20.0, 40.0, -35.0, 25.0]);
 
-impl PlantedFunction {
+impl KnownFunction {
     /// Draws a random linkage that closes at `count` angles over a swing. The circles' own formula
     /// gives its outputs; the tested code does not use it.
-    fn draw(chance: &mut SeededRng, output: Output, count: usize) -> PlantedFunction {
+    fn draw(rng: &mut SeededRng, output: Output, count: usize) -> KnownFunction {
         loop {
-            let mut length = |low: f64, high: f64| low + (high - low) * 0.5 * (1.0 + chance.even());
+            let mut length = |low: f64, high: f64| low + (high - low) * 0.5 * (1.0 + rng.even());
             let (a, b) = (length(0.3, 1.6), length(0.5, 2.0));
             let c = match output {
                 Output::Angle => length(0.4, 1.8),
@@ -51,7 +51,7 @@ impl PlantedFunction {
                     pairs[k][1] += 360.0 * turns;
                 }
             }
-            return PlantedFunction {
+            return KnownFunction {
                 output,
                 lengths: [a, b, c],
                 pairs,
@@ -59,13 +59,13 @@ impl PlantedFunction {
         }
     }
 
-    fn task(&self, law: PlantedLaw, free: [bool; 4]) -> FunctionTask {
-        let PlantedLaw([a, b, c, d]) = law;
+    fn task(&self, law: KnownLaw, free: [bool; 4]) -> FunctionTask {
+        let KnownLaw([a, b, c, d]) = law;
         let given = |i: usize| {
             if free[i] {
-                Given::Free
+                GivenNumber::Free
             } else {
-                Given::Value(law.0[i])
+                GivenNumber::Value(law.0[i])
             }
         };
         let pair = |[x, y]: &[f64; 2]| [(x - a) / b, (y - c) / d];
@@ -83,18 +83,18 @@ impl PlantedFunction {
 
     /// Returns the difference between the known lengths and those of the nearest proposal.
     fn nearest(&self, proposals: &Proposals) -> f64 {
-        let apart = |proposal: &Proposal| {
+        let distance = |proposal: &Proposal| {
             let (a, b, c) = proposal.lengths().unwrap();
             let third = c.unwrap_or_else(|| proposal.places[0][1].y.abs());
             let [p, q, r] = self.lengths;
             [(a, p), (b, q), (third, r.abs())]
                 .iter()
-                .fold(0.0_f64, |most, (x, y)| most.max((x - y).abs()))
+                .fold(0.0_f64, |maximum, (x, y)| maximum.max((x - y).abs()))
         };
         proposals
             .found
             .iter()
-            .map(apart)
+            .map(distance)
             .fold(f64::INFINITY, f64::min)
     }
 }
@@ -125,10 +125,10 @@ fn output_of(output: Output, [a, b, c]: [f64; 3], angle: f64, side: f64) -> Opti
 /// Draws `rounds` linkages. Returns how many are recovered to 1e-9, and whether every result is
 /// complete.
 fn recovered(output: Output, count: usize, free: [bool; 4], rounds: usize) -> (usize, bool) {
-    let mut chance = SeededRng::new(200 + count as u64);
+    let mut rng = SeededRng::new(200 + count as u64);
     let (mut found, mut is_complete) = (0, true);
     for _ in 0..rounds {
-        let planted = PlantedFunction::draw(&mut chance, output, count);
+        let planted = KnownFunction::draw(&mut rng, output, count);
         let proposals = propose(&planted.task(law_of(output, free), free));
         found += usize::from(planted.nearest(&proposals) < 1e-9);
         is_complete &= proposals.is_complete;
@@ -136,11 +136,11 @@ fn recovered(output: Output, count: usize, free: [bool; 4], rounds: usize) -> (u
     (found, is_complete)
 }
 
-fn law_of(output: Output, free: [bool; 4]) -> PlantedLaw {
+fn law_of(output: Output, free: [bool; 4]) -> KnownLaw {
     match output {
         Output::Angle if free == [false; 4] => PLAIN,
         Output::Angle => LAW,
-        Output::Slide => PlantedLaw([LAW.0[0], LAW.0[1], 0.3, 0.7]),
+        Output::Slide => KnownLaw([LAW.0[0], LAW.0[1], 0.3, 0.7]),
     }
 }
 
@@ -189,16 +189,16 @@ fn more_pairs_and_free_scales_find_planted_linkage() {
 /// known one.
 #[test]
 fn noise_is_fitted_as_well_as_by_planted_linkage() {
-    let mut chance = SeededRng::new(77);
+    let mut rng = SeededRng::new(77);
     for output in [Output::Angle, Output::Slide] {
         for _ in 0..20 {
-            let planted = PlantedFunction::draw(&mut chance, output, 9);
+            let planted = KnownFunction::draw(&mut rng, output, 9);
             let free = [true, false, true, false];
             let mut task = planted.task(law_of(output, free), free);
             let mut squares = 0.0;
             for pair in &mut task.pairs {
-                let noise = 1e-4 * chance.normal()[0];
-                let Given::Value(scale) = task.output_scale else {
+                let noise = 1e-4 * rng.normal()[0];
+                let GivenNumber::Value(scale) = task.output_scale else {
                     panic!("it is given");
                 };
                 pair[1] += noise;
@@ -281,8 +281,8 @@ fn degenerate_pairs_give_finite_linkages() {
             }
             for output in [Output::Angle, Output::Slide] {
                 let given = |bit: u8, value: f64| match free >> bit & 1 {
-                    1 => Given::Free,
-                    _ => Given::Value(value),
+                    1 => GivenNumber::Free,
+                    _ => GivenNumber::Value(value),
                 };
                 let task = FunctionTask {
                     pairs: pairs[..length].to_vec(),
@@ -313,14 +313,14 @@ fn degenerate_pairs_give_finite_linkages() {
 #[test]
 fn unsound_task_finds_nothing() {
     let mut task =
-        PlantedFunction::draw(&mut SeededRng::new(1), Output::Angle, 3).task(PLAIN, [false; 4]);
+        KnownFunction::draw(&mut SeededRng::new(1), Output::Angle, 3).task(PLAIN, [false; 4]);
     assert!(propose(&task).is_complete);
     task.size = 0.0;
     assert_eq!(propose(&task), Proposals::default());
     task.size = 1.0;
-    task.crank_scale = Given::Value(0.0);
+    task.crank_scale = GivenNumber::Value(0.0);
     assert_eq!(propose(&task), Proposals::default());
-    task.crank_scale = Given::Value(1.0);
+    task.crank_scale = GivenNumber::Value(1.0);
     task.pairs.pop();
     assert_eq!(propose(&task), Proposals::default());
 }
@@ -328,9 +328,9 @@ fn unsound_task_finds_nothing() {
 /// Fewer pairs than unknowns: several linkages, all through the pairs, with constant lengths.
 #[test]
 fn underdetermined_task_proposes_sample_of_family() {
-    let mut chance = SeededRng::new(9);
+    let mut rng = SeededRng::new(9);
     for output in [Output::Angle, Output::Slide] {
-        let planted = PlantedFunction::draw(&mut chance, output, 3);
+        let planted = KnownFunction::draw(&mut rng, output, 3);
         let free = [true, false, true, false];
         let task = planted.task(law_of(output, free), free);
         let proposals = propose(&task);
@@ -340,7 +340,7 @@ fn underdetermined_task_proposes_sample_of_family() {
             let size = lengths.1.max(lengths.0).max(lengths.2.unwrap_or(0.0));
             for [b, c] in &proposal.places {
                 assert!(((*c - *b).norm() - lengths.1).abs() < 1e-9 * size);
-                if let Partner::Rocker(d) = proposal.partner {
+                if let PinConstraint::Rocker(d) = proposal.partner {
                     assert!(((*c - d).norm() - lengths.2.unwrap()).abs() < 1e-12 * size);
                 }
             }
@@ -354,7 +354,7 @@ fn underdetermined_task_proposes_sample_of_family() {
 /// A run uses the fitted datums and scales, and follows a known function between its pairs, too.
 #[test]
 fn run_follows_planted_function_between_pairs() {
-    let mut chance = SeededRng::new(21);
+    let mut rng = SeededRng::new(21);
     let mut followed = 0;
     for round in 0..60 {
         let output = [Output::Angle, Output::Slide][round % 2];
@@ -363,7 +363,7 @@ fn run_follows_planted_function_between_pairs() {
             Output::Slide => [true, false, true, true],
         };
         // Every other angle is a pair; the ones between are checked.
-        let planted = PlantedFunction::draw(&mut chance, output, 9);
+        let planted = KnownFunction::draw(&mut rng, output, 9);
         let all = planted.task(law_of(output, free), free);
         let mut task = all.clone();
         task.pairs = all.pairs.iter().step_by(2).copied().collect();

@@ -1,9 +1,9 @@
 //! Tests of cases beyond algebra: noise, free scales, many pairs, and progress reports.
 
 use super::super::FunctionSearch;
-use super::{LAW, PlantedFunction, PlantedLaw, law_of, propose};
+use super::{KnownFunction, KnownLaw, LAW, law_of, propose};
 use crate::functions::FunctionRun;
-use crate::{FunctionTask, Given, Output, Proposal};
+use crate::{FunctionTask, GivenNumber, Output, Proposal};
 use kinematics::numeric::SeededRng;
 
 /// Returns the sum of squared errors of a proposal at the pairs, or infinity if the linkage is at a
@@ -19,18 +19,18 @@ fn squares(task: &FunctionTask, proposal: &Proposal) -> f64 {
 /// algebra led away from the minimum.
 #[test]
 fn noisy_pairs_are_fitted_as_well_as_by_planted_linkage() {
-    let mut chance = SeededRng::new(501);
+    let mut rng = SeededRng::new(501);
     let free = [true, false, true, false];
     let mut fitted = 0;
     for _ in 0..20 {
-        let planted = PlantedFunction::draw(&mut chance, Output::Angle, 20);
+        let planted = KnownFunction::draw(&mut rng, Output::Angle, 20);
         let mut task = planted.task(LAW, free);
         let ys = || planted.pairs.iter().map(|pair| pair[1]);
         let swing = ys().fold(f64::NEG_INFINITY, f64::max) - ys().fold(f64::INFINITY, f64::min);
-        let PlantedLaw([.., scale]) = LAW;
+        let KnownLaw([.., scale]) = LAW;
         let mut noise = 0.0;
         for pair in &mut task.pairs {
-            let off = 0.01 * swing * chance.normal()[0];
+            let off = 0.01 * swing * rng.normal()[0];
             pair[1] += off / scale;
             noise += off * off;
         }
@@ -46,11 +46,11 @@ fn noisy_pairs_are_fitted_as_well_as_by_planted_linkage() {
 /// lengths, is among the results; none occurs twice, and none is too slender.
 #[test]
 fn free_scales_find_distinct_linkages_of_usual_lengths() {
-    let mut chance = SeededRng::new(77);
+    let mut rng = SeededRng::new(77);
     let free = [false, true, false, true];
     let (mut recovered, rounds) = (0, 12);
     for _ in 0..rounds {
-        let planted = PlantedFunction::draw(&mut chance, Output::Angle, 5);
+        let planted = KnownFunction::draw(&mut rng, Output::Angle, 5);
         let found = propose(&planted.task(law_of(Output::Angle, free), free));
         recovered += u32::from(planted.nearest(&found) < 1e-9);
         for (k, one) in found.found.iter().enumerate() {
@@ -70,10 +70,10 @@ fn free_scales_find_distinct_linkages_of_usual_lengths() {
 /// ends at 1. A stopped search returns the linkages found so far.
 #[test]
 fn search_reports_progress_and_can_be_stopped() {
-    let planted = PlantedFunction::draw(&mut SeededRng::new(3), Output::Angle, 100);
+    let planted = KnownFunction::draw(&mut SeededRng::new(3), Output::Angle, 100);
     let free = [true, false, true, false];
     let task = planted.task(LAW, free);
-    let run = |threads, most: f64| {
+    let run = |threads, maximum: f64| {
         let mut parts = vec![0.0];
         let search = FunctionSearch {
             task: &task,
@@ -81,7 +81,7 @@ fn search_reports_progress_and_can_be_stopped() {
         };
         let found = search.run(&mut |part| {
             parts.push(part);
-            part < most
+            part < maximum
         });
         (found, parts)
     };
@@ -97,27 +97,27 @@ fn search_reports_progress_and_can_be_stopped() {
 /// A slider-crank begins at its given start angle, not opposite to it.
 #[test]
 fn slider_crank_keeps_given_start() {
-    let mut chance = SeededRng::new(12);
+    let mut rng = SeededRng::new(12);
     for free in [
         [false, false, true, true],
         [false, false, true, false],
         [false, true, true, true],
     ] {
         for _ in 0..10 {
-            let planted = PlantedFunction::draw(&mut chance, Output::Slide, 5);
+            let planted = KnownFunction::draw(&mut rng, Output::Slide, 5);
             let task = planted.task(law_of(Output::Slide, free), free);
             let found = propose(&task).found;
             assert!(!found.is_empty());
             for one in &found {
                 let run = FunctionRun::of(&task, one).unwrap();
-                let Given::Value(datum) = task.crank_datum else {
+                let GivenNumber::Value(datum) = task.crank_datum else {
                     unreachable!("it is given")
                 };
                 let turns = (run.crank(0.0) - datum) / 360.0;
                 assert!((turns - turns.round()).abs() < 1e-9, "{free:?} {turns}");
                 for ([x, _], [b, _]) in task.pairs.iter().zip(&one.places) {
-                    let apart = (run.crank(*x) - b.angle().to_degrees()) / 360.0;
-                    assert!((apart - apart.round()).abs() < 1e-9, "{free:?} {x}");
+                    let distance = (run.crank(*x) - b.angle().to_degrees()) / 360.0;
+                    assert!((distance - distance.round()).abs() < 1e-9, "{free:?} {x}");
                 }
             }
         }

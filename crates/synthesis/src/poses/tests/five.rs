@@ -2,11 +2,11 @@
 //! starts.
 
 use super::newton;
-use super::planted::{Planted, PlantedForm, turned, worst_miss};
+use super::planted::{KnownDyads, KnownLengths, turned, worst_miss};
 use crate::poses::dyad::FullDyad;
 use crate::poses::guidance::Guidance;
 use crate::poses::{PoseReach, five, propose};
-use crate::{Partner, Pose, PoseTask, Proposals};
+use crate::{PinConstraint, Pose, PoseTask, Proposals};
 use kinematics::numeric::SeededRng;
 use kinematics::{Vec2, angle};
 
@@ -24,12 +24,12 @@ fn both(task: &PoseTask) -> Proposals {
 /// quartic.
 #[test]
 fn both_planted_dyads_are_among_at_most_four() {
-    let mut chance = SeededRng::new(1);
+    let mut rng = SeededRng::new(1);
     for n in 0..400 {
         let planted = if n % 2 == 0 {
-            Planted::four_bar(&mut chance, 5, 15.0)
+            KnownDyads::four_bar(&mut rng, 5, 15.0)
         } else {
-            Planted::slider_crank(&mut chance, 5, 15.0)
+            KnownDyads::slider_crank(&mut rng, 5, 15.0)
         };
         let found = dyads(&planted.task).unwrap();
         assert!([2, 4].contains(&found.len()), "{n}: {}", found.len());
@@ -42,13 +42,13 @@ fn both_planted_dyads_are_among_at_most_four() {
 
 #[test]
 fn all_dyad_pairs_are_proposed_and_pass_through_poses() {
-    let mut chance = SeededRng::new(2);
-    let mut most = 0;
+    let mut rng = SeededRng::new(2);
+    let mut maximum = 0;
     for n in 0..200 {
         let planted = if n % 2 == 0 {
-            Planted::four_bar(&mut chance, 5, 15.0)
+            KnownDyads::four_bar(&mut rng, 5, 15.0)
         } else {
-            Planted::slider_crank(&mut chance, 5, 15.0)
+            KnownDyads::slider_crank(&mut rng, 5, 15.0)
         };
         let count = dyads(&planted.task).unwrap().len();
         let all = both(&planted.task);
@@ -58,33 +58,33 @@ fn all_dyad_pairs_are_proposed_and_pass_through_poses() {
         let size = Guidance::new(&planted.task).unwrap().size;
         let miss = worst_miss(&planted.task, &all.found);
         assert!(miss < 1e-11 * size, "{n}: {miss:e}");
-        most = most.max(all.found.len());
+        maximum = maximum.max(all.found.len());
         let kinds = [(true, false), (false, true)];
-        let apart = kinds.map(|(four, slider)| {
+        let distance = kinds.map(|(four, slider)| {
             propose(&planted.task, four, slider, None, PoseReach::Usual).found
         });
-        assert_eq!(apart[0].len() + apart[1].len(), all.found.len());
+        assert_eq!(distance[0].len() + distance[1].len(), all.found.len());
         assert!(
-            apart[0]
+            distance[0]
                 .iter()
-                .all(|l| matches!(l.partner, Partner::Rocker(_)))
+                .all(|l| matches!(l.partner, PinConstraint::Rocker(_)))
         );
         assert!(
-            apart[1]
+            distance[1]
                 .iter()
-                .all(|l| matches!(l.partner, Partner::Slide(_)))
+                .all(|l| matches!(l.partner, PinConstraint::Slide(_)))
         );
     }
-    assert_eq!(most, 6);
+    assert_eq!(maximum, 6);
 }
 
 /// Checks that every dyad found by Newton's method from `starts` starts is among those of the
 /// resultant, and returns their number.
-fn met_by_newton(task: &PoseTask, chance: &mut SeededRng, starts: usize) -> usize {
+fn met_by_newton(task: &PoseTask, rng: &mut SeededRng, starts: usize) -> usize {
     let found = dyads(task).unwrap();
     let mut seen: Vec<[Vec2; 2]> = Vec::new();
     for _ in 0..starts {
-        let mut near = || Vec2::new(chance.within(-8.0, 8.0), chance.within(-8.0, 8.0));
+        let mut near = || Vec2::new(rng.within(-8.0, 8.0), rng.within(-8.0, 8.0));
         let start = [near(), near()];
         let Some([pivot, pin]) = newton::solution(task, start, 2.0) else {
             continue;
@@ -93,8 +93,8 @@ fn met_by_newton(task: &PoseTask, chance: &mut SeededRng, starts: usize) -> usiz
         if pivot.norm() > 1e3 || pin.norm() > 1e3 {
             continue;
         }
-        let dyads = [(Partner::Rocker(pivot), pin); 2];
-        let off = Planted {
+        let dyads = [(PinConstraint::Rocker(pivot), pin); 2];
+        let off = KnownDyads {
             task: PoseTask::default(),
             dyads,
         }
@@ -111,12 +111,12 @@ fn met_by_newton(task: &PoseTask, chance: &mut SeededRng, starts: usize) -> usiz
 
 #[test]
 fn all_dyads_found_by_newton_are_present() {
-    let mut chance = SeededRng::new(3);
-    let planted = |chance: &mut SeededRng| Planted::four_bar(chance, 5, 15.0).task;
-    let tasks: Vec<PoseTask> = (0..30).map(|_| planted(&mut chance)).collect();
+    let mut rng = SeededRng::new(3);
+    let planted = |rng: &mut SeededRng| KnownDyads::four_bar(rng, 5, 15.0).task;
+    let tasks: Vec<PoseTask> = (0..30).map(|_| planted(&mut rng)).collect();
     let met: usize = tasks
         .iter()
-        .map(|task| met_by_newton(task, &mut chance, 250))
+        .map(|task| met_by_newton(task, &mut rng, 250))
         .sum();
     assert!(met > 60, "{met}");
 }
@@ -179,19 +179,19 @@ fn special_poses_have_all_dyads_found_by_newton() {
             (3.0, 2.0, 75.0),
         ]),
     ];
-    let mut chance = SeededRng::new(8);
+    let mut rng = SeededRng::new(8);
     let met: Vec<usize> = tasks
         .iter()
-        .map(|task| met_by_newton(task, &mut chance, 400))
+        .map(|task| met_by_newton(task, &mut rng, 400))
         .collect();
     assert!(met.iter().sum::<usize>() >= 8, "{met:?}");
     // Coordinates of zero are exact, without rounding errors.
     let mirrored = dyads(&tasks[0]).unwrap();
     assert!(mirrored.iter().all(|held| held.pin.x == 0.0));
     // The origin itself is on the circle.
-    let middle = Planted {
+    let middle = KnownDyads {
         task: PoseTask::default(),
-        dyads: [(Partner::Rocker(Vec2::ZERO), Vec2::ZERO); 2],
+        dyads: [(PinConstraint::Rocker(Vec2::ZERO), Vec2::ZERO); 2],
     };
     assert!(middle.off(0, &dyads(&on_a_circle(&on_circle)).unwrap()) < 1e-12);
 }
@@ -212,7 +212,7 @@ fn on_a_circle(places: &[(f64, f64)]) -> PoseTask {
 /// poses: up to 1e-8 if two poses are a hundredth of a degree apart.)
 #[test]
 fn nearly_degenerate_poses_lose_no_digits() {
-    let mut chance = SeededRng::new(4);
+    let mut rng = SeededRng::new(4);
     let steps: [([f64; 5], f64); 8] = [
         ([0.0, 1e-2, 40.0, 80.0, 120.0], 1.0),
         ([0.0, 1e-4, 40.0, 80.0, 120.0], 1.0),
@@ -226,16 +226,13 @@ fn nearly_degenerate_poses_lose_no_digits() {
     for (steps, far) in steps {
         let (mut checked, mut open) = (0, 0);
         for n in 0..120 {
-            let mut shape = PlantedForm::four_bar(&mut chance);
+            let mut shape = KnownLengths::four_bar(&mut rng);
             if far > 1.0 {
                 shape.rest *= far;
-                let base = turned(
-                    shape.rest + chance.within(-0.3, 0.3),
-                    chance.within(0.0, 360.0),
-                );
-                shape.partner = Partner::Rocker(shape.pivot + base);
+                let base = turned(shape.rest + rng.within(-0.3, 0.3), rng.within(0.0, 360.0));
+                shape.partner = PinConstraint::Rocker(shape.pivot + base);
             }
-            let from = chance.within(0.0, 360.0);
+            let from = rng.within(0.0, 360.0);
             let poses: Option<Vec<Pose>> =
                 steps.iter().map(|step| shape.pose(from + step)).collect();
             let Some(poses) = poses else {
@@ -247,13 +244,13 @@ fn nearly_degenerate_poses_lose_no_digits() {
             open += usize::from(!all.are_all);
             let mut extent: f64 = 1.0;
             for (by, pin) in &mut planted.dyads {
-                let Partner::Rocker(pivot) = *by else {
+                let PinConstraint::Rocker(pivot) = *by else {
                     panic!("a four-bar has two pivots");
                 };
                 let exact = newton::solution(&planted.task, [pivot, *pin], far);
                 let [pivot, exact] = exact.unwrap_or_else(|| panic!("{steps:?} {n}"));
                 extent = extent.max(pivot.norm());
-                *by = Partner::Rocker(pivot);
+                *by = PinConstraint::Rocker(pivot);
                 *pin = exact;
             }
             for which in [0, 1] {
@@ -270,12 +267,12 @@ fn nearly_degenerate_poses_lose_no_digits() {
 /// below a thousand for nearly all linkages with well-separated poses.
 #[test]
 fn small_noise_moves_dyads_slightly() {
-    let mut chance = SeededRng::new(6);
+    let mut rng = SeededRng::new(6);
     let mut offs: Vec<f64> = Vec::new();
     for _ in 0..200 {
-        let mut planted = Planted::four_bar(&mut chance, 5, 30.0);
+        let mut planted = KnownDyads::four_bar(&mut rng, 5, 30.0);
         for pose in &mut planted.task.poses {
-            pose.at += Vec2::new(chance.within(-1e-6, 1e-6), chance.within(-1e-6, 1e-6));
+            pose.at += Vec2::new(rng.within(-1e-6, 1e-6), rng.within(-1e-6, 1e-6));
         }
         let found = dyads(&planted.task).unwrap();
         offs.push(planted.off(0, &found).max(planted.off(1, &found)));
@@ -292,10 +289,10 @@ fn small_noise_moves_dyads_slightly() {
 /// Scaling the poses changes only their rounding.
 #[test]
 fn scaling_poses_scales_dyads() {
-    let mut chance = SeededRng::new(7);
+    let mut rng = SeededRng::new(7);
     for scale in [1e-6, 1.0, 1e7] {
         for _ in 0..40 {
-            let mut planted = Planted::four_bar(&mut chance, 5, 20.0);
+            let mut planted = KnownDyads::four_bar(&mut rng, 5, 20.0);
             let before = dyads(&planted.task).unwrap();
             for pose in &mut planted.task.poses {
                 pose.at = pose.at * scale;
@@ -304,7 +301,7 @@ fn scaling_poses_scales_dyads() {
             assert_eq!(found.len(), before.len());
             for (by, pin) in &mut planted.dyads {
                 *pin = *pin * scale;
-                if let Partner::Rocker(pivot) = by {
+                if let PinConstraint::Rocker(pivot) = by {
                     *pivot = *pivot * scale;
                 }
             }
@@ -402,7 +399,7 @@ fn dependent_poses_have_curve_of_dyads() {
     assert!(curve.len() > 50);
     let middle = Vec2::new(0.5, 0.5);
     for dyad in curve {
-        assert!(matches!(dyad.held, Partner::Rocker(at) if (at - middle).norm() < 1e-12));
+        assert!(matches!(dyad.held, PinConstraint::Rocker(at) if (at - middle).norm() < 1e-12));
     }
 }
 
@@ -427,7 +424,7 @@ fn elliptic_trammel_has_family_of_slides() {
     for linkage in &all.found {
         assert!(linkage.pivot.norm() < 1e-9, "{linkage:?}");
         assert!((linkage.lengths().unwrap().0 - 1.0).abs() < 1e-9);
-        assert!(matches!(linkage.partner, Partner::Slide(_)));
+        assert!(matches!(linkage.partner, PinConstraint::Slide(_)));
     }
 }
 
@@ -435,10 +432,10 @@ fn elliptic_trammel_has_family_of_slides() {
 /// that fits no dyad gives an empty result.
 #[test]
 fn given_pivots_and_pins_are_kept() {
-    let mut chance = SeededRng::new(9);
+    let mut rng = SeededRng::new(9);
     for _ in 0..40 {
-        let planted = Planted::four_bar(&mut chance, 5, 20.0);
-        let [(Partner::Rocker(a), b), (Partner::Rocker(d), c)] = planted.dyads else {
+        let planted = KnownDyads::four_bar(&mut rng, 5, 20.0);
+        let [(PinConstraint::Rocker(a), b), (PinConstraint::Rocker(d), c)] = planted.dyads else {
             panic!("a four-bar has two pivots");
         };
         let count = dyads(&planted.task).unwrap().len();
@@ -455,7 +452,7 @@ fn given_pivots_and_pins_are_kept() {
         assert!(
             one.found
                 .iter()
-                .all(|l| l.pivot == a || l.partner == Partner::Rocker(a))
+                .all(|l| l.pivot == a || l.partner == PinConstraint::Rocker(a))
         );
         for found in [
             with(&[a, d], &[]),

@@ -1,10 +1,10 @@
 //! Compares the curve of four poses with slices of it and with known dyads.
 
-use super::planted::{Planted, PlantedForm, worst_miss};
+use super::planted::{KnownDyads, KnownLengths, worst_miss};
 use crate::poses::dyad::FullDyad;
 use crate::poses::guidance::Guidance;
 use crate::poses::{PoseReach, four, propose};
-use crate::{Partner, Pose, PoseTask, Proposal};
+use crate::{PinConstraint, Pose, PoseTask, Proposal};
 use kinematics::numeric::SeededRng;
 use kinematics::{Vec2, angle};
 
@@ -70,10 +70,10 @@ fn sliced(task: &PoseTask, pieces: &[Vec<FullDyad>]) -> usize {
 
 #[test]
 fn curve_includes_all_branches_and_ovals() {
-    let mut chance = SeededRng::new(11);
+    let mut rng = SeededRng::new(11);
     let (mut roots, mut ovals) = (0, 0);
     for _ in 0..24 {
-        let planted = Planted::four_bar(&mut chance, 4, 20.0);
+        let planted = KnownDyads::four_bar(&mut rng, 4, 20.0);
         let pieces = pieces(&planted.task);
         ovals += pieces
             .iter()
@@ -87,12 +87,12 @@ fn curve_includes_all_branches_and_ovals() {
 /// Spots are as close to each other as they are drawn, and all of them pass through the poses.
 #[test]
 fn curve_is_traced_in_small_steps() {
-    let mut chance = SeededRng::new(12);
+    let mut rng = SeededRng::new(12);
     for n in 0..40 {
         let planted = if n % 2 == 0 {
-            Planted::four_bar(&mut chance, 4, 15.0)
+            KnownDyads::four_bar(&mut rng, 4, 15.0)
         } else {
-            Planted::slider_crank(&mut chance, 4, 15.0)
+            KnownDyads::slider_crank(&mut rng, 4, 15.0)
         };
         let size = Guidance::new(&planted.task).unwrap().size;
         let pieces = pieces(&planted.task);
@@ -109,16 +109,16 @@ fn curve_is_traced_in_small_steps() {
             );
         }
         for held in pieces.iter().flatten() {
-            if let Partner::Rocker(pivot) = held.by {
+            if let PinConstraint::Rocker(pivot) = held.by {
                 let first = (held.places[0] - pivot).norm();
                 let off = held
                     .places
                     .iter()
                     .map(|at| ((*at - pivot).norm() - first).abs());
-                let most = off.fold(0.0, f64::max);
+                let maximum = off.fold(0.0, f64::max);
                 assert!(
-                    most <= 1e-9 * size + 1e-15 * first,
-                    "{n}: {most:e} of {first}"
+                    maximum <= 1e-9 * size + 1e-15 * first,
+                    "{n}: {maximum:e} of {first}"
                 );
             }
         }
@@ -128,13 +128,13 @@ fn curve_is_traced_in_small_steps() {
 /// Known dyads are on the curve. A given pivot or pin of one of them yields the known dyad.
 #[test]
 fn planted_dyads_are_on_curve() {
-    let mut chance = SeededRng::new(13);
+    let mut rng = SeededRng::new(13);
     for n in 0..40 {
-        let planted = Planted::four_bar(&mut chance, 4, 20.0);
+        let planted = KnownDyads::four_bar(&mut rng, 4, 20.0);
         let pieces = pieces(&planted.task);
         let guidance = Guidance::new(&planted.task).unwrap();
         for which in [0, 1] {
-            let (Partner::Rocker(pivot), pin) = planted.dyads[which] else {
+            let (PinConstraint::Rocker(pivot), pin) = planted.dyads[which] else {
                 panic!("a four-bar has two pivots");
             };
             assert!(distance(&pieces, pin) < 0.05, "{n}");
@@ -151,12 +151,12 @@ fn planted_dyads_are_on_curve() {
 /// through infinity.
 #[test]
 fn slide_of_four_poses_is_planted_slide() {
-    let mut chance = SeededRng::new(14);
+    let mut rng = SeededRng::new(14);
     for n in 0..40 {
-        let planted = Planted::slider_crank(&mut chance, 4, 20.0);
+        let planted = KnownDyads::slider_crank(&mut rng, 4, 20.0);
         let slides = pieces(&planted.task).into_iter().flatten();
         let slides: Vec<FullDyad> = slides
-            .filter(|h| matches!(h.by, Partner::Slide(_)))
+            .filter(|h| matches!(h.by, PinConstraint::Slide(_)))
             .collect();
         let off = planted.off(1, &slides);
         assert!(off < 1e-9, "{n}: {off:e} of {}", slides.len());
@@ -165,9 +165,9 @@ fn slide_of_four_poses_is_planted_slide() {
 
 #[test]
 fn linkages_of_four_poses_pass_through_them() {
-    let mut chance = SeededRng::new(15);
+    let mut rng = SeededRng::new(15);
     for n in 0..30 {
-        let planted = Planted::four_bar(&mut chance, 4, 20.0);
+        let planted = KnownDyads::four_bar(&mut rng, 4, 20.0);
         let all = propose(&planted.task, true, true, None, PoseReach::Usual);
         assert!(!all.is_complete && all.found.len() <= 200, "{n}");
         assert!(all.found.len() > 30, "{n}: {}", all.found.len());
@@ -180,7 +180,7 @@ fn linkages_of_four_poses_pass_through_them() {
         for linkage in boxed.found {
             assert!(is_inside(linkage.pivot), "{n}");
             assert!(
-                matches!(linkage.partner, Partner::Rocker(d) if is_inside(d)),
+                matches!(linkage.partner, PinConstraint::Rocker(d) if is_inside(d)),
                 "{n}"
             );
         }
@@ -191,10 +191,10 @@ fn linkages_of_four_poses_pass_through_them() {
 /// none.
 #[test]
 fn four_poses_keep_given_pivots_and_pins() {
-    let mut chance = SeededRng::new(16);
+    let mut rng = SeededRng::new(16);
     for n in 0..30 {
-        let planted = Planted::four_bar(&mut chance, 4, 20.0);
-        let [(Partner::Rocker(a), _), (Partner::Rocker(d), c)] = planted.dyads else {
+        let planted = KnownDyads::four_bar(&mut rng, 4, 20.0);
+        let [(PinConstraint::Rocker(a), _), (PinConstraint::Rocker(d), c)] = planted.dyads else {
             panic!("a four-bar has two pivots");
         };
         let with = |pivots: &[Vec2], pins: &[Vec2]| {
@@ -216,7 +216,7 @@ fn four_poses_keep_given_pivots_and_pins() {
         assert!(
             one.found
                 .iter()
-                .all(|l| l.pivot == a || l.partner == Partner::Rocker(a))
+                .all(|l| l.pivot == a || l.partner == PinConstraint::Rocker(a))
         );
         let none = with(&[a + Vec2::new(0.05, 0.03)], &[]);
         assert!(none.found.is_empty() && none.is_complete);
@@ -226,10 +226,10 @@ fn four_poses_keep_given_pivots_and_pins() {
 /// Poses that nearly repeat, and pairs of nearly equal angles: the known dyads are on the curve.
 #[test]
 fn curve_of_special_poses_contains_known_dyads() {
-    let mut chance = SeededRng::new(17);
+    let mut rng = SeededRng::new(17);
     for n in 0..30 {
-        let shape = PlantedForm::four_bar(&mut chance);
-        let from = chance.within(0.0, 360.0);
+        let shape = KnownLengths::four_bar(&mut rng);
+        let from = rng.within(0.0, 360.0);
         for steps in [
             [0.0, 1e-4, 50.0, 100.0],
             [0.0, 1.0, 2.0, 3.0],
@@ -320,13 +320,13 @@ fn curve_of_mirrored_poses_is_line_and_circle() {
 #[test]
 fn planted_slider_cranks_are_recovered() {
     // The closer the poses, the larger the effect of their rounding on the linkages.
-    for (apart, within) in [(20.0, 1e-9), (10.0, 1e-9), (5.0, 1e-8)] {
-        let mut chance = SeededRng::new(70);
+    for (distance, within) in [(20.0, 1e-9), (10.0, 1e-9), (5.0, 1e-8)] {
+        let mut rng = SeededRng::new(70);
         let (mut checked, mut proposed) = (0, 0);
         while checked < 60 {
-            let shape = PlantedForm::slider_crank(&mut chance);
-            let from = chance.within(0.0, 360.0);
-            let poses = (0..4).map(|k| shape.pose(from + apart * f64::from(k)));
+            let shape = KnownLengths::slider_crank(&mut rng);
+            let from = rng.within(0.0, 360.0);
+            let poses = (0..4).map(|k| shape.pose(from + distance * f64::from(k)));
             let Some(poses) = poses.collect::<Option<Vec<Pose>>>() else {
                 continue;
             };
@@ -335,22 +335,25 @@ fn planted_slider_cranks_are_recovered() {
             let guidance = Guidance::new(&planted.task).unwrap();
             let slide: Vec<FullDyad> = four::slide(&guidance).into_iter().collect();
             let off = planted.off(1, &slide);
-            assert!(off < within, "{apart} {checked}: {off:e}");
-            let (Partner::Rocker(pivot), _) = planted.dyads[0] else {
+            assert!(off < within, "{distance} {checked}: {off:e}");
+            let (PinConstraint::Rocker(pivot), _) = planted.dyads[0] else {
                 panic!("a crank has a pivot");
             };
             let given = PoseTask {
                 pivots: vec![pivot],
                 ..planted.task.clone()
             };
-            let whole = propose(&given, false, true, None, PoseReach::Wide);
-            assert!(planted.is_among(&whole.found, within), "{apart} {checked}");
+            let complete = propose(&given, false, true, None, PoseReach::Wide);
+            assert!(
+                planted.is_among(&complete.found, within),
+                "{distance} {checked}"
+            );
             let all = propose(&planted.task, false, true, None, PoseReach::Wide);
             let first = planted.task.poses[0];
             let pin = first.at + planted.dyads[1].1.turned(angle::unit(first.angle));
             let slides = |linkage: &Proposal| (linkage.places[0][1] - pin).norm() < within;
             proposed += usize::from(all.found.iter().any(slides));
         }
-        assert_eq!(proposed, checked, "{apart}");
+        assert_eq!(proposed, checked, "{distance}");
     }
 }

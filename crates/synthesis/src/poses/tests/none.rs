@@ -1,6 +1,6 @@
 //! Tests of the reasons for empty results.
 
-use super::planted::{Planted, turned};
+use super::planted::{KnownDyads, turned};
 use crate::poses::{PoseReach, propose};
 use crate::{OpenReason, Pose, PoseTask, Proposals};
 use kinematics::Vec2;
@@ -40,10 +40,10 @@ fn rotation_about_point_reports_the_point() {
 
 #[test]
 fn out_of_range_coordinates_are_reported() {
-    let mut chance = SeededRng::new(60);
+    let mut rng = SeededRng::new(60);
     for count in [3, 4, 5] {
         for power in [-200, -100, -60, 0, 60, 100, 200, 300] {
-            let mut planted = Planted::four_bar(&mut chance, count, 20.0);
+            let mut planted = KnownDyads::four_bar(&mut rng, count, 20.0);
             for pose in &mut planted.task.poses {
                 pose.at = pose.at * 10_f64.powi(power);
             }
@@ -67,18 +67,21 @@ fn empty_result_has_reason() {
         let all = proposed(shifts.map(shift)[..count].to_vec());
         assert_eq!(all.reason, Some(OpenReason::Shift), "{count}");
     }
-    let mut chance = SeededRng::new(61);
-    let planted = Planted::four_bar(&mut chance, 5, 20.0);
+    let mut rng = SeededRng::new(61);
+    let planted = KnownDyads::four_bar(&mut rng, 5, 20.0);
     let given = PoseTask {
         pivots: vec![Vec2::new(0.123, 0.456)],
         ..planted.task.clone()
     };
     let all = propose(&given, true, true, None, PoseReach::Usual);
-    assert_eq!((all.found.len(), all.reason), (0, Some(OpenReason::Given)));
+    assert_eq!(
+        (all.found.len(), all.reason),
+        (0, Some(OpenReason::GivenNumber))
+    );
     // A four-bar with only two dyads is not a slider-crank.
     let mut paired = 0;
     for _ in 0..20 {
-        let planted = Planted::four_bar(&mut chance, 5, 20.0);
+        let planted = KnownDyads::four_bar(&mut rng, 5, 20.0);
         let all = propose(&planted.task, false, true, None, PoseReach::Usual);
         assert!(all.found.is_empty() && all.is_complete);
         assert_eq!(all.reason, Some(OpenReason::NoPair));

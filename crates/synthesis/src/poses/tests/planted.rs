@@ -1,23 +1,23 @@
 //! Random linkages and the poses of their couplers.
 
 use crate::poses::dyad::FullDyad;
-use crate::{Partner, Pose, PoseTask, Proposal};
+use crate::{PinConstraint, Pose, PoseTask, Proposal};
 use kinematics::numeric::SeededRng;
 use kinematics::{Vec2, angle};
 
 /// A linkage given by its dyads: two pins in the body's frame, each with the element that holds it.
 #[derive(Clone, Debug)]
-pub(super) struct Planted {
+pub(super) struct KnownDyads {
     pub task: PoseTask,
-    pub dyads: [(Partner, Vec2); 2],
+    pub dyads: [(PinConstraint, Vec2); 2],
 }
 
 /// A linkage given by its lengths, with the element that holds the second pin.
-pub(super) struct PlantedForm {
+pub(super) struct KnownLengths {
     pub pivot: Vec2,
     pub crank: f64,
     pub coupler: f64,
-    pub partner: Partner,
+    pub partner: PinConstraint,
     /// The rocker's length, or the distance of the slide's line from the pivot.
     pub rest: f64,
     /// The assembly, 1 or -1.
@@ -26,29 +26,28 @@ pub(super) struct PlantedForm {
     pub body: (Vec2, f64),
 }
 
-impl PlantedForm {
-    pub(super) fn four_bar(chance: &mut SeededRng) -> PlantedForm {
-        let base = turned(chance.within(0.5, 3.0), chance.within(0.0, 360.0));
-        let shape = PlantedForm::slider_crank(chance);
-        PlantedForm {
-            partner: Partner::Rocker(shape.pivot + base),
-            rest: chance.within(0.5, 3.0),
+impl KnownLengths {
+    pub(super) fn four_bar(rng: &mut SeededRng) -> KnownLengths {
+        let base = turned(rng.within(0.5, 3.0), rng.within(0.0, 360.0));
+        let shape = KnownLengths::slider_crank(rng);
+        KnownLengths {
+            partner: PinConstraint::Rocker(shape.pivot + base),
+            rest: rng.within(0.5, 3.0),
             ..shape
         }
     }
 
-    pub(super) fn slider_crank(chance: &mut SeededRng) -> PlantedForm {
-        let mut place =
-            |size: f64| Vec2::new(chance.within(-size, size), chance.within(-size, size));
+    pub(super) fn slider_crank(rng: &mut SeededRng) -> KnownLengths {
+        let mut place = |size: f64| Vec2::new(rng.within(-size, size), rng.within(-size, size));
         let (pivot, origin) = (place(5.0), place(2.0));
-        PlantedForm {
+        KnownLengths {
             pivot,
-            crank: chance.within(0.4, 2.0),
-            coupler: chance.within(0.5, 3.0),
-            partner: Partner::Slide(chance.within(0.0, 180.0)),
-            rest: chance.within(-0.5, 0.5),
-            side: if chance.between(0, 1) == 0 { 1.0 } else { -1.0 },
-            body: (origin, chance.within(0.0, 360.0)),
+            crank: rng.within(0.4, 2.0),
+            coupler: rng.within(0.5, 3.0),
+            partner: PinConstraint::Slide(rng.within(0.0, 180.0)),
+            rest: rng.within(-0.5, 0.5),
+            side: if rng.between(0, 1) == 0 { 1.0 } else { -1.0 },
+            body: (origin, rng.within(0.0, 360.0)),
         }
     }
 
@@ -56,7 +55,7 @@ impl PlantedForm {
     fn pins(&self, crank: f64) -> Option<[Vec2; 2]> {
         let b = self.pivot + turned(self.crank, crank);
         let c = match self.partner {
-            Partner::Rocker(d) => {
+            PinConstraint::Rocker(d) => {
                 let base = d - b;
                 let along =
                     (base.norm2() + self.coupler.powi(2) - self.rest.powi(2)) / (2.0 * base.norm());
@@ -64,7 +63,7 @@ impl PlantedForm {
                 let unit = base / base.norm();
                 b + unit * along + unit.perp() * height
             }
-            Partner::Slide(direction) => {
+            PinConstraint::Slide(direction) => {
                 let along = angle::unit(direction);
                 let off = along.cross(b - self.pivot) - self.rest;
                 let forth = (self.coupler.powi(2) - off.powi(2)).sqrt() * self.side;
@@ -85,16 +84,16 @@ impl PlantedForm {
         })
     }
 
-    pub(super) fn planted(&self, poses: Vec<Pose>) -> Planted {
+    pub(super) fn planted(&self, poses: Vec<Pose>) -> KnownDyads {
         let back = angle::unit(-self.body.1);
         let pins = [Vec2::ZERO, Vec2::new(self.coupler, 0.0)];
         let [b, c] = pins.map(|pin| (pin - self.body.0).turned(back));
-        Planted {
+        KnownDyads {
             task: PoseTask {
                 poses,
                 ..PoseTask::default()
             },
-            dyads: [(Partner::Rocker(self.pivot), b), (self.partner, c)],
+            dyads: [(PinConstraint::Rocker(self.pivot), b), (self.partner, c)],
         }
     }
 
@@ -102,16 +101,16 @@ impl PlantedForm {
     /// does not reach so many.
     pub(super) fn at_some(
         &self,
-        chance: &mut SeededRng,
+        rng: &mut SeededRng,
         count: usize,
-        apart: f64,
-    ) -> Option<Planted> {
+        distance: f64,
+    ) -> Option<KnownDyads> {
         let mut cranks: Vec<f64> = Vec::new();
         for _ in 0..200 {
-            let crank = chance.within(0.0, 360.0);
+            let crank = rng.within(0.0, 360.0);
             let is_apart = |other: &f64| {
                 let off = (crank - other).rem_euclid(360.0);
-                off.min(360.0 - off) >= apart
+                off.min(360.0 - off) >= distance
             };
             if cranks.len() < count && cranks.iter().all(is_apart) && self.pins(crank).is_some() {
                 cranks.push(crank);
@@ -122,20 +121,20 @@ impl PlantedForm {
     }
 }
 
-impl Planted {
-    pub(super) fn four_bar(chance: &mut SeededRng, count: usize, apart: f64) -> Planted {
+impl KnownDyads {
+    pub(super) fn four_bar(rng: &mut SeededRng, count: usize, distance: f64) -> KnownDyads {
         loop {
-            let shape = PlantedForm::four_bar(chance);
-            if let Some(planted) = shape.at_some(chance, count, apart) {
+            let shape = KnownLengths::four_bar(rng);
+            if let Some(planted) = shape.at_some(rng, count, distance) {
                 return planted;
             }
         }
     }
 
-    pub(super) fn slider_crank(chance: &mut SeededRng, count: usize, apart: f64) -> Planted {
+    pub(super) fn slider_crank(rng: &mut SeededRng, count: usize, distance: f64) -> KnownDyads {
         loop {
-            let shape = PlantedForm::slider_crank(chance);
-            if let Some(planted) = shape.at_some(chance, count, apart) {
+            let shape = KnownLengths::slider_crank(rng);
+            if let Some(planted) = shape.at_some(rng, count, distance) {
                 return planted;
             }
         }
@@ -146,7 +145,7 @@ impl Planted {
         let (by, pin) = self.dyads[which];
         found
             .iter()
-            .map(|held| apart(held, by, pin))
+            .map(|held| pin_distance(held, by, pin))
             .fold(f64::INFINITY, f64::min)
     }
 
@@ -154,19 +153,19 @@ impl Planted {
     /// tolerance.
     pub(super) fn is_among(&self, found: &[Proposal], within: f64) -> bool {
         let first = &self.task.poses[0];
-        let [(Partner::Rocker(pivot), b), (partner, c)] = self.dyads else {
+        let [(PinConstraint::Rocker(pivot), b), (constraint, c)] = self.dyads else {
             return false;
         };
         let [b, c] = [b, c].map(|pin| first.at + pin.turned(angle::unit(first.angle)));
         let near = |p: Vec2, q: Vec2| (p - q).norm() <= within;
         let is_it = |linkage: &Proposal| {
-            let is_partner = match (linkage.partner, partner) {
-                (Partner::Rocker(d), Partner::Rocker(e)) => near(d, e),
-                (Partner::Slide(p), Partner::Slide(q)) => {
+            let is_partner = match (linkage.partner, constraint) {
+                (PinConstraint::Rocker(d), PinConstraint::Rocker(e)) => near(d, e),
+                (PinConstraint::Slide(p), PinConstraint::Slide(q)) => {
                     angle::unit(p).cross(angle::unit(q)).abs() <= within
                 }
-                (Partner::Rocker(_), Partner::Slide(_))
-                | (Partner::Slide(_), Partner::Rocker(_)) => false,
+                (PinConstraint::Rocker(_), PinConstraint::Slide(_))
+                | (PinConstraint::Slide(_), PinConstraint::Rocker(_)) => false,
             };
             let [p, q] = linkage.places[0];
             is_partner && near(linkage.pivot, pivot) && near(p, b) && near(q, c)
@@ -177,13 +176,14 @@ impl Planted {
     }
 }
 
-fn apart(held: &FullDyad, by: Partner, pin: Vec2) -> f64 {
+fn pin_distance(held: &FullDyad, by: PinConstraint, pin: Vec2) -> f64 {
     let off = match (held.by, by) {
-        (Partner::Rocker(p), Partner::Rocker(q)) => (p - q).norm(),
-        (Partner::Slide(p), Partner::Slide(q)) => angle::unit(p).cross(angle::unit(q)).abs(),
-        (Partner::Rocker(_), Partner::Slide(_)) | (Partner::Slide(_), Partner::Rocker(_)) => {
-            f64::INFINITY
+        (PinConstraint::Rocker(p), PinConstraint::Rocker(q)) => (p - q).norm(),
+        (PinConstraint::Slide(p), PinConstraint::Slide(q)) => {
+            angle::unit(p).cross(angle::unit(q)).abs()
         }
+        (PinConstraint::Rocker(_), PinConstraint::Slide(_))
+        | (PinConstraint::Slide(_), PinConstraint::Rocker(_)) => f64::INFINITY,
     };
     off.max((held.pin - pin).norm())
 }
@@ -206,8 +206,8 @@ pub(super) fn worst_miss(task: &PoseTask, found: &[Proposal]) -> f64 {
             let place = |pin: Vec2| pose.at + pin.turned(angle::unit(pose.angle));
             let crank = (place(in_b) - linkage.pivot).norm() - (b - linkage.pivot).norm();
             let other = match linkage.partner {
-                Partner::Rocker(d) => (place(in_c) - d).norm() - (c - d).norm(),
-                Partner::Slide(along) => angle::unit(along).cross(place(in_c) - c),
+                PinConstraint::Rocker(d) => (place(in_c) - d).norm() - (c - d).norm(),
+                PinConstraint::Slide(along) => angle::unit(along).cross(place(in_c) - c),
             };
             worst = worst.max(crank.abs()).max(other.abs());
         }

@@ -1,18 +1,18 @@
 //! Tests of three poses: a pin for each pivot, a pivot for each pin.
 
-use super::planted::{Planted, worst_miss};
+use super::planted::{KnownDyads, worst_miss};
 use crate::poses::guidance::Guidance;
 use crate::poses::{PoseReach, propose, three};
-use crate::{Partner, Pose, PoseTask};
+use crate::{PinConstraint, Pose, PoseTask};
 use kinematics::Vec2;
 use kinematics::numeric::SeededRng;
 
 #[test]
 fn given_pivots_or_pins_give_planted_linkage() {
-    let mut chance = SeededRng::new(21);
+    let mut rng = SeededRng::new(21);
     for n in 0..200 {
-        let planted = Planted::four_bar(&mut chance, 3, 15.0);
-        let [(Partner::Rocker(a), b), (Partner::Rocker(d), c)] = planted.dyads else {
+        let planted = KnownDyads::four_bar(&mut rng, 3, 15.0);
+        let [(PinConstraint::Rocker(a), b), (PinConstraint::Rocker(d), c)] = planted.dyads else {
             panic!("a four-bar has two pivots");
         };
         for (pivots, pins) in [
@@ -35,15 +35,15 @@ fn given_pivots_or_pins_give_planted_linkage() {
 /// A given pin with collinear positions is on a slide; a neighbouring pin is on a long link.
 #[test]
 fn pin_with_collinear_places_is_on_slide() {
-    let mut chance = SeededRng::new(22);
+    let mut rng = SeededRng::new(22);
     for n in 0..200 {
-        let planted = Planted::slider_crank(&mut chance, 3, 20.0);
+        let planted = KnownDyads::slider_crank(&mut rng, 3, 20.0);
         let [(_, b), (_, c)] = planted.dyads;
         let guidance = Guidance::new(&planted.task).unwrap();
         let held = guidance.on_pin(c).unwrap();
-        assert!(matches!(held.by, Partner::Slide(_)), "{n}");
+        assert!(matches!(held.by, PinConstraint::Slide(_)), "{n}");
         let near = guidance.on_pin(c + Vec2::new(1e-3, 1e-3)).unwrap();
-        assert!(matches!(near.by, Partner::Rocker(_)), "{n}");
+        assert!(matches!(near.by, PinConstraint::Rocker(_)), "{n}");
         let task = PoseTask {
             pins: vec![b, c],
             ..planted.task.clone()
@@ -61,14 +61,14 @@ fn pin_with_collinear_places_is_on_slide() {
 /// Pins on slides are on a circle.
 #[test]
 fn sliding_pins_are_on_circle() {
-    let mut chance = SeededRng::new(23);
+    let mut rng = SeededRng::new(23);
     for n in 0..50 {
-        let planted = Planted::slider_crank(&mut chance, 3, 20.0);
+        let planted = KnownDyads::slider_crank(&mut rng, 3, 20.0);
         let guidance = Guidance::new(&planted.task).unwrap();
         let all = three::dyads(&guidance, &planted.task, None, 1.0);
         let slides: Vec<Vec2> = all
             .iter()
-            .filter(|h| matches!(h.by, Partner::Slide(_)))
+            .filter(|h| matches!(h.by, PinConstraint::Slide(_)))
             .map(|h| h.pin)
             .collect();
         assert!(slides.len() > 20, "{n}");
@@ -90,10 +90,10 @@ fn sliding_pins_are_on_circle() {
 
 #[test]
 fn free_linkages_are_many_and_exact() {
-    let mut chance = SeededRng::new(24);
+    let mut rng = SeededRng::new(24);
     let mut slider_cranks = 0;
     for n in 0..30 {
-        let planted = Planted::four_bar(&mut chance, 3, 20.0);
+        let planted = KnownDyads::four_bar(&mut rng, 3, 20.0);
         let all = propose(&planted.task, true, true, None, PoseReach::Usual);
         assert!(
             !all.is_complete && (30..=100).contains(&all.found.len()),
@@ -105,7 +105,7 @@ fn free_linkages_are_many_and_exact() {
         slider_cranks += usize::from(
             all.found
                 .iter()
-                .any(|l| matches!(l.partner, Partner::Slide(_))),
+                .any(|l| matches!(l.partner, PinConstraint::Slide(_))),
         );
         let boxed = [Vec2::new(-3.0, -1.0), Vec2::new(-1.0, 2.0)];
         for linkage in propose(&planted.task, true, false, Some(boxed), PoseReach::Usual).found {
@@ -161,7 +161,7 @@ fn three_collinear_translations_have_no_linkage() {
 /// Repeated runs of a task give equal proposals.
 #[test]
 fn proposals_are_reproducible() {
-    let planted = Planted::four_bar(&mut SeededRng::new(25), 3, 20.0);
+    let planted = KnownDyads::four_bar(&mut SeededRng::new(25), 3, 20.0);
     let run = || propose(&planted.task, true, true, None, PoseReach::Usual);
     assert_eq!(run(), run());
 }

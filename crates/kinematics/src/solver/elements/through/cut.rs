@@ -1,6 +1,6 @@
 //! Intersects a circle and a line in series: RRP.
 
-use super::{Height, InSeries, Snap, size};
+use super::{Height, InSeries, SingularShift, size};
 use crate::arithmetic::Series;
 use crate::{Constant, Double, Number, Vec2};
 
@@ -60,7 +60,10 @@ impl InSeries for Cut {
 }
 
 /// Returns a direction turned by a snap.
-pub(in crate::solver::elements) fn turned(along: Vec2<Constant>, snap: Snap) -> Vec2<Constant> {
+pub(in crate::solver::elements) fn turned(
+    along: Vec2<Constant>,
+    snap: SingularShift,
+) -> Vec2<Constant> {
     let by = Vec2::new(Double::ONE, snap.by.y);
     let turned = along.map(Constant::value).turned(by) / by.norm2().sqrt();
     turned.map(|v| Constant {

@@ -7,7 +7,7 @@
 //! the common factor is divided out.
 //!
 //! Lengths and coordinates from one drawing are rounded independently. The square then begins with
-//! rounding errors instead of zeros. A [`Snap`] moves a pivot or a guide just enough to make these
+//! rounding errors instead of zeros. A [`SingularShift`] moves a pivot or a guide just enough to make these
 //! coefficients zero in double-double.
 
 mod cut;
@@ -26,12 +26,12 @@ use crate::{Double, Number, PointId, Vec2};
 /// one counts as zero.
 pub(in crate::solver) const ZERO: f64 = 1e-22;
 /// Number of terms sufficient to determine how a square begins.
-pub(super) const FEW: usize = 16;
+pub(super) const FEW_TERMS: usize = 16;
 
 /// The shift that makes a dyad exactly singular: between its pivots, or of a guide across itself
 /// and about its own point, in the solver's unit and in radians.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in crate::solver) struct Snap {
+pub(in crate::solver) struct SingularShift {
     pub by: Vec2<Double>,
     /// Whether arms that differ by rounding count as equal: their pivots coincide.
     pub equal_arms: bool,
@@ -39,10 +39,10 @@ pub(in crate::solver) struct Snap {
     pub pair: Option<Pair>,
 }
 
-impl Snap {
+impl SingularShift {
     /// Creates the shift that makes two pivots coincide.
-    pub(in crate::solver) fn of_meeting(by: Vec2<Double>) -> Snap {
-        Snap {
+    pub(in crate::solver) fn of_meeting(by: Vec2<Double>) -> SingularShift {
+        SingularShift {
             by,
             equal_arms: true,
             pair: None,
@@ -119,7 +119,7 @@ pub(super) fn size(u: Vec2<Series>) -> Series {
 }
 
 /// Returns a vector between pivots, shifted by a snap.
-pub(super) fn shifted(u: Vec2<Series>, snap: Snap, terms: usize) -> Vec2<Series> {
+pub(super) fn shifted(u: Vec2<Series>, snap: SingularShift, terms: usize) -> Vec2<Series> {
     u.map(|v| v.cut(terms)) + snap.by.map(Series::constant)
 }
 

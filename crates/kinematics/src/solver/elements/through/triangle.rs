@@ -40,11 +40,11 @@ impl InSeries for SeriesTriangle {
 
     fn height(&self) -> Height {
         let [d2, size] = squared(self.u);
-        let [least, most] = [self.least, self.most];
-        let slope = (most + least - d2 - d2).scaled(0.5);
+        let [minimum, maximum] = [self.least, self.most];
+        let slope = (maximum + minimum - d2 - d2).scaled(0.5);
         Height {
             square: self.square(),
-            size: ((size + least.majorant()) * (size + most.majorant())).scaled(0.25),
+            size: ((size + minimum.majorant()) * (size + maximum.majorant())).scaled(0.25),
             slopes: [slope * self.u.x, slope * self.u.y],
         }
     }

@@ -1,6 +1,6 @@
 //! Reads the action of each load at a state.
 
-use super::{Act, Acting, closing};
+use super::{PreparedLoads, ScaledLoad, closing};
 use crate::solver::forces::ForceState;
 use crate::solver::state::State;
 use crate::solver::{Order, Solver};
@@ -8,7 +8,7 @@ use crate::{LinkId, PointId, Vec2};
 
 /// The action of one load at a state.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Acted {
+pub struct LoadAction {
     /// Its forces with the points at which they act, in N in the ground's frame.
     pub forces: Vec<(PointId, Vec2)>,
     /// Its couples on links, in N m.
@@ -34,40 +34,45 @@ impl Solver {
     /// Returns the actions of the mechanism's loads, in their order, at a state solved at least to
     /// its velocities. Empty without velocities.
     #[must_use]
-    pub fn acted(&self, state: &State) -> Vec<Acted> {
+    pub fn acted(&self, state: &State) -> Vec<LoadAction> {
         let exists = state.has(Order::Velocity);
         let Some(balance) = self.balance.as_ref().filter(|_| exists) else {
             return Vec::new();
         };
-        let mut room = *balance.room(&self.engine);
+        let mut buffers = *balance.force_state(&self.engine);
         let loads = balance.acting.loads.iter();
         loads
-            .map(|load| balance.acting.one(load, state, &mut room))
+            .map(|load| balance.acting.one(load, state, &mut buffers))
             .collect()
     }
 }
 
-impl Acting {
-    fn one(&self, load: &Act, state: &State, room: &mut ForceState<f64>) -> Acted {
-        room.clear();
-        self.load(load, state, room);
-        let at = |point: PointId| (point, room.points[point.index()]);
-        let couple = |link: LinkId| (link, room.links[link.index()] * self.unit.hi);
+impl PreparedLoads {
+    fn one(&self, load: &ScaledLoad, state: &State, buffers: &mut ForceState<f64>) -> LoadAction {
+        buffers.clear();
+        self.load(load, state, buffers);
+        let at = |point: PointId| (point, buffers.points[point.index()]);
+        let couple = |link: LinkId| (link, buffers.links[link.index()] * self.unit.hi);
         let (forces, couples) = match load {
-            Act::Force { point, .. } | Act::Press { point, .. } => (vec![at(*point)], Vec::new()),
-            Act::Spring(spring) => (vec![at(spring.from), at(spring.to)], Vec::new()),
-            Act::Torque { link, .. } => (Vec::new(), vec![couple(*link)]),
-            Act::Torsion(spring) => {
+            ScaledLoad::Force { point, .. } | ScaledLoad::Press { point, .. } => {
+                (vec![at(*point)], Vec::new())
+            }
+            ScaledLoad::Spring(spring) => (vec![at(spring.from), at(spring.to)], Vec::new()),
+            ScaledLoad::Torque { link, .. } => (Vec::new(), vec![couple(*link)]),
+            ScaledLoad::Torsion(spring) => {
                 let links = [Some(spring.link), spring.to].into_iter().flatten();
                 (Vec::new(), links.map(couple).collect())
             }
         };
         let on = match load {
-            Act::Press { on, .. } => on.map(|(link, _)| link),
-            Act::Force { .. } | Act::Spring(_) | Act::Torque { .. } | Act::Torsion(_) => None,
+            ScaledLoad::Press { on, .. } => on.map(|(link, _)| link),
+            ScaledLoad::Force { .. }
+            | ScaledLoad::Spring(_)
+            | ScaledLoad::Torque { .. }
+            | ScaledLoad::Torsion(_) => None,
         };
         let stroke = match load {
-            Act::Press {
+            ScaledLoad::Press {
                 slide, end, stroke, ..
             } => {
                 let (distance, towards) =
@@ -78,9 +83,12 @@ impl Acting {
                     closes: towards > 0.0,
                 })
             }
-            Act::Force { .. } | Act::Spring(_) | Act::Torque { .. } | Act::Torsion(_) => None,
+            ScaledLoad::Force { .. }
+            | ScaledLoad::Spring(_)
+            | ScaledLoad::Torque { .. }
+            | ScaledLoad::Torsion(_) => None,
         };
-        Acted {
+        LoadAction {
             forces,
             couples,
             on,

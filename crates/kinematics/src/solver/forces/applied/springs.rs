@@ -1,7 +1,7 @@
 //! Evaluates springs: between two points along their line, and between two bodies about their
 //! angle.
 
-use super::Bears;
+use super::LoadReceiver;
 use crate::angle::TURN;
 use crate::solver::forces::TorquePart;
 use crate::solver::forces::profile::ReadyProfile;
@@ -90,7 +90,12 @@ impl LineSpring {
 
     /// Applies the forces that pull the two ends together. `unit` is the solver's length in metres.
     #[inline(always)]
-    pub(super) fn pull<T: Number>(&self, state: &State<T>, unit: T, forces: &mut impl Bears<T>) {
+    pub(super) fn pull<T: Number>(
+        &self,
+        state: &State<T>,
+        unit: T,
+        forces: &mut impl LoadReceiver<T>,
+    ) {
         let (a, b) = (
             state.points[self.from.index()],
             state.points[self.to.index()],
@@ -169,7 +174,7 @@ impl TorsionSpring {
         &self,
         state: &State<T>,
         unit: T,
-        forces: &mut impl Bears<T>,
+        forces: &mut impl LoadReceiver<T>,
     ) {
         let link = &state.links[self.link.index()];
         let to = self.to.map(|to| &state.links[to.index()]);
@@ -198,6 +203,6 @@ fn from_free<T: Number>(turn: Vec2<T>, free: Vec2<T>) -> T {
     if T::IS_CHEAP || half.exceeds(angle.abs()) {
         return angle;
     }
-    let whole = T::exactly(TURN.copysign(angle.nearest()));
-    angle.either(angle - whole)
+    let complete = T::exactly(TURN.copysign(angle.nearest()));
+    angle.either(angle - complete)
 }

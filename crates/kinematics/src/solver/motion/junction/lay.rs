@@ -2,7 +2,7 @@
 
 use crate::arithmetic::Series;
 use crate::solver::Order;
-use crate::solver::elements::{POSITION, Snap, StepOutcome, root};
+use crate::solver::elements::{POSITION, SingularShift, StepOutcome, root};
 use crate::solver::motion::change::Change;
 use crate::solver::motion::walk::Walker;
 use crate::solver::state::State;
@@ -14,7 +14,7 @@ impl Walker<'_> {
     /// number of terms.
     pub(super) fn coordinate_of(&self, at: Double, terms: usize) -> (Series, Vec2<Series>) {
         let engine = self.engine;
-        let place = if engine.turns {
+        let place = if engine.is_rotary {
             Series::angle(at)
         } else {
             Series::line(at, Double::exactly(engine.frame.scale))
@@ -24,7 +24,7 @@ impl Walker<'_> {
 
     /// Places steps in series, with the signs of the state. Returns `None` if one is singular or
     /// open.
-    pub(super) fn lay(
+    pub(super) fn place_in_series(
         &mut self,
         steps: std::ops::Range<usize>,
         at: f64,
@@ -36,7 +36,7 @@ impl Walker<'_> {
         for i in steps {
             let step = &engine.program.steps[i];
             let done = if let Some(dyad) = step.dyad() {
-                let plain = Snap::default();
+                let plain = SingularShift::default();
                 let square = dyad.square(q, plain, series);
                 let is_open = !(square.nearest() > 0.0);
                 let height = root(square, 0, self.state.signs[dyad.group()]);
@@ -57,7 +57,7 @@ impl Walker<'_> {
     /// Returns the driver's coordinate at a distance `by` from another, in radians or scaled
     /// lengths.
     pub(in crate::solver::motion) fn moved_exactly(&self, from: Double, by: Double) -> Double {
-        let unit = if self.engine.turns {
+        let unit = if self.engine.is_rotary {
             Double::DEGREES
         } else {
             Double::exactly(self.engine.frame.scale)
@@ -81,11 +81,11 @@ impl Walker<'_> {
         };
         let group = &exact.engine.program.coupled[index];
         // The group's inputs are also read in doubles.
-        self.aim_at(at);
+        self.predict_nearest(at);
         self.take_places(series);
         let toward = crossing.map(|crossing| {
-            let room = group.open(&mut self.state.scratch);
-            room.z.copy_from_slice(&crossing.z);
+            let buffers = group.open(&mut self.state.scratch);
+            buffers.z.copy_from_slice(&crossing.z);
             &crossing.rate[..]
         });
         if toward.is_none() {

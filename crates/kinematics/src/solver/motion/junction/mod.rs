@@ -14,12 +14,12 @@ mod standing;
 use super::change::Change;
 use super::walk::Walker;
 use crate::arithmetic::{Series, TERMS};
-use crate::solver::elements::{Dyad, POSITION, Snap, StepOutcome, root};
+use crate::solver::elements::{Dyad, POSITION, SingularShift, StepOutcome, root};
 use crate::solver::workspace::Workspace;
 use crate::{Double, Vec2};
 pub(super) use pair::PairFound;
 use pair::{Paired, paired};
-pub(super) use standing::Standing;
+pub(super) use standing::DyadSingularity;
 
 /// Number of terms of the first attempt.
 pub(super) const FIRST: usize = 16;
@@ -28,7 +28,7 @@ const MORE: usize = 8;
 /// Half widths of a step across two close change points, in radians or scaled lengths.
 const WIDTHS: [f64; 4] = [0.03, 0.018, 6e-3, 2e-3];
 /// Minimum number of known coefficients of every group.
-const WANTED: usize = 10;
+const MIN_KNOWN_COEFFICIENTS: usize = 10;
 
 /// Minimum number about two change points, so that the series reaches beyond both.
 const WANTED_BY_PAIR: usize = 20;
@@ -51,7 +51,7 @@ pub(super) struct Junction {
 struct SingularGroup {
     step: usize,
     group: usize,
-    snap: Snap,
+    snap: SingularShift,
     /// The distances from the coordinate at which the group's sign changes.
     turns: Vec<Double>,
     /// The maximum distance of the places at which the group is singular.
@@ -72,7 +72,11 @@ pub(super) struct Missed {
 
 impl SingularGroup {
     /// Creates a group singular at one place. The square of its height is of this order there.
-    fn at_one_place((step, group): (usize, usize), snap: Snap, order: usize) -> SingularGroup {
+    fn tolerances_at(
+        (step, group): (usize, usize),
+        snap: SingularShift,
+        order: usize,
+    ) -> SingularGroup {
         SingularGroup {
             step,
             group,
@@ -177,7 +181,8 @@ impl Walker<'_> {
                 let crossing = crossing.filter(|c| c.step == i);
                 if crossing.is_some() {
                     let group = engine.program.coupled[index].group;
-                    let fold = SingularGroup::at_one_place((i, group), Snap::default(), 2);
+                    let fold =
+                        SingularGroup::tolerances_at((i, group), SingularShift::default(), 2);
                     junction.fold(fold, self.sense);
                 }
                 self.follow(i, at.hi, q, crossing, &mut junction.series)
@@ -190,7 +195,11 @@ impl Walker<'_> {
             }
         }
         let is_pair = junction.folds.iter().any(|f| f.pair);
-        let wanted = if is_pair { WANTED_BY_PAIR } else { WANTED };
+        let wanted = if is_pair {
+            WANTED_BY_PAIR
+        } else {
+            MIN_KNOWN_COEFFICIENTS
+        };
         if junction.known() < wanted && terms + MORE <= TERMS {
             return Err(Refusal::Terms);
         }
@@ -212,21 +221,21 @@ impl Walker<'_> {
         if let Some(paired) = paired.filter(|_| !self.is_single(junction.at.hi)) {
             return self.lead_twice((step, dyad), &paired, q, junction);
         }
-        let (snap, order) = match self.standing(dyad, q, slack, &junction.series)? {
-            Standing::Regular => (Snap::default(), 0),
-            Standing::Missing { sine } => {
+        let (snap, order) = match self.singularity(dyad, q, slack, &junction.series)? {
+            DyadSingularity::Regular => (SingularShift::default(), 0),
+            DyadSingularity::Missing { sine } => {
                 junction.missed.push(Missed { group, sine });
-                (Snap::default(), 0)
+                (SingularShift::default(), 0)
             }
-            Standing::Singular { snap, order } => {
+            DyadSingularity::Singular { snap, order } => {
                 // While the pivots of one dyad coincide, it swings freely and carries those of the
                 // next along. Then there are more continuations than can be distinguished.
                 let has_met = |f: &SingularGroup| f.snap.equal_arms;
                 let swings = snap.equal_arms && junction.folds.iter().any(has_met);
-                if swings && dyad.is_afloat(&junction.series) {
+                if swings && dyad.has_moving_pivots(&junction.series) {
                     return Err(Refusal::End);
                 }
-                let fold = SingularGroup::at_one_place((step, group), snap, order);
+                let fold = SingularGroup::tolerances_at((step, group), snap, order);
                 junction.fold(fold, self.sense);
                 (snap, order)
             }
@@ -252,7 +261,7 @@ impl Walker<'_> {
         let group = dyad.group();
         let has_met = |f: &SingularGroup| f.snap.equal_arms;
         let swings = paired.snap.equal_arms && junction.folds.iter().any(has_met);
-        if swings && dyad.is_afloat(&junction.series) {
+        if swings && dyad.has_moving_pivots(&junction.series) {
             return Err(Refusal::End);
         }
         if let Some(sine) = paired.missed {

@@ -9,7 +9,7 @@ use super::SingularGroup;
 use crate::Double;
 use crate::Number;
 use crate::arithmetic::Series;
-use crate::solver::elements::{Dyad, Pair, Snap};
+use crate::solver::elements::{Dyad, Pair, SingularShift};
 use crate::solver::motion::walk::Walker;
 use crate::solver::state::State;
 
@@ -29,11 +29,11 @@ const DISCS: i32 = 16;
 /// the extremes' distance to the radius of convergence.
 const CORRECTIONS: usize = 30;
 /// Relative size of a correction in double-double that ends the iteration.
-const SETTLED: f64 = 1e-28;
+const MAX_LAST_CORRECTION: f64 = 1e-28;
 /// Distance within which two change points of one dyad are the same.
-const SAME: f64 = 1e-12;
+const EQUALITY_TOLERANCE: f64 = 1e-12;
 /// Number of terms with which a pair is searched.
-const FEW: usize = 14;
+const FEW_TERMS: usize = 14;
 /// Maximum number of moves of the centre.
 const MOVES: usize = 5;
 /// Maximum squared sine of a dyad that is almost in line at the reversal and needs a series.
@@ -49,7 +49,7 @@ const ROUNDING: f64 = 1e-27;
 #[derive(Clone, Debug)]
 pub(in crate::solver::motion) struct Paired {
     pub(super) pair: Pair,
-    pub(super) snap: Snap,
+    pub(super) snap: SingularShift,
     /// The distances from the centre at which the sign changes, in increasing order: two or none.
     pub(super) turns: Vec<Double>,
     /// The distance of the reversal from the centre.
@@ -123,21 +123,24 @@ impl Walker<'_> {
     /// Returns `true` if change points close to a coordinate are passed one by one.
     pub(super) fn is_single(&self, at: f64) -> bool {
         let last = self.singly;
-        last.is_some_and(|last| self.sense * self.engine.difference(last, at) < SAME)
+        last.is_some_and(|last| self.sense * self.engine.difference(last, at) < EQUALITY_TOLERANCE)
     }
 
     /// Returns `true` if the walk has already passed a pair of change points.
     pub(in crate::solver::motion) fn is_passed(&self, pair: &PairFound) -> bool {
         let engine = self.engine;
         let group = engine.group_of(pair.step);
-        group.is_some_and(|group| self.passages.has(engine, (group, pair.first), SAME))
+        group.is_some_and(|group| {
+            self.crossings
+                .has(engine, (group, pair.first), EQUALITY_TOLERANCE)
+        })
     }
 
     /// Returns the first dyad, up to `step`, that has two change points close to a coordinate.
     fn pair_about(&mut self, step: usize, centre: Double) -> Option<(usize, Paired)> {
         let engine = &self.exact?.engine;
         let is_end = self.engine.inwards(centre.hi) != 0.0;
-        let (q, direction) = self.coordinate_of(centre, FEW);
+        let (q, direction) = self.coordinate_of(centre, FEW_TERMS);
         let mut series = engine.state::<Series>(self.state.travels.len());
         for i in 0..=step {
             let paired = engine.program.steps[i]
@@ -147,7 +150,7 @@ impl Walker<'_> {
                 return Some((i, paired));
             }
             if i < step {
-                self.lay(i..i + 1, centre.hi, q, direction, &mut series)?;
+                self.place_in_series(i..i + 1, centre.hi, q, direction, &mut series)?;
             }
         }
         None
@@ -180,15 +183,15 @@ pub(super) fn paired(
     state: &State<Series>,
 ) -> Option<Paired> {
     let right = dyad.right_angle(q, state);
-    let plain = dyad.height(q, Snap::default(), state);
+    let plain = dyad.height(q, SingularShift::default(), state);
     if !(plain.square.nearest().abs() <= NEARLY_FLAT * right) {
         return None;
     }
     let [reach, _] = dyad.reach(state);
     let cubic = cubic(reach.derivative())?;
     let spread = spread(cubic);
-    let least = if is_end { 0.0 } else { SINGLE };
-    if !(least..=SPREAD).contains(&spread) {
+    let minimum = if is_end { 0.0 } else { SINGLE };
+    if !(minimum..=SPREAD).contains(&spread) {
         return None;
     }
     let within = spread.max(MERGED);
@@ -198,10 +201,10 @@ pub(super) fn paired(
         && dyad
             .pivots(state)
             .is_some_and(|u| is_small(u.x) && is_small(u.y));
-    let snap = Snap {
+    let snap = SingularShift {
         equal_arms: meets,
         pair: meets.then_some(pair),
-        ..Snap::default()
+        ..SingularShift::default()
     };
     let height = dyad.height(q, snap, state);
     let (rest, remainder) = height.square.divided(pair.squared());
@@ -261,7 +264,7 @@ fn cubic(rate: Series) -> Option<[Double; 3]> {
         }
         let spread = spread(lower);
         let mut sizes = by.iter().zip([3, 2, 1]);
-        if sizes.all(|(by, power)| by.abs().hi <= SETTLED * spread.powi(power)) {
+        if sizes.all(|(by, power)| by.abs().hi <= MAX_LAST_CORRECTION * spread.powi(power)) {
             break;
         }
     }

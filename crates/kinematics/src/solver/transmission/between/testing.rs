@@ -10,26 +10,26 @@ use super::*;
 /// allows.
 pub fn compare_extremes(solver: &Solver) -> u32 {
     let (mut compared, basis) = (0, Basis::new());
-    let mut work = solver.state();
-    let mut seen = solver.seen(&mut work);
+    let mut workspace = solver.state();
+    let mut seen = solver.observe_joints(&mut workspace);
     for joint in 0..seen.len() {
         for bracket in std::mem::take(&mut seen[joint].brackets) {
-            let sought = [Sought { joint, bracket }];
-            let sums = solver.sums(&basis, &sought, &seen, &mut work).pop();
+            let sought = [BracketedJoint { joint, bracket }];
+            let sums = solver.sums(&basis, &sought, &seen, &mut workspace).pop();
             let Some(sums) = sums.flatten() else { continue };
-            let told = solver
-                .extreme(&bracket, |at| Some(sums.look(at)))
+            let text = solver
+                .extreme(&bracket, |at| Some(sums.lines_at(at)))
                 .expect("the bracket has one");
             let exact = |at: f64| {
-                let condition = solver.solve(at, Order::Velocity, &mut work);
-                seen[joint].joint.look(condition, &work)
+                let condition = solver.solve(at, Order::Velocity, &mut workspace);
+                seen[joint].joint.lines_at(condition, &workspace)
             };
             let found = solver
                 .extreme(&bracket, exact)
                 .expect("the bracket has one");
-            let off = (told.sine * found.cosine - told.cosine * found.sine).abs();
+            let off = (text.sine * found.cosine - text.cosine * found.sine).abs();
             assert!(off < 1e-13, "{off:e}");
-            let off = (told.at - found.at).abs();
+            let off = (text.at - found.at).abs();
             assert!(off < 1e-8, "{off:e} at {}", found.at);
             compared += 1;
         }

@@ -83,7 +83,7 @@ fn area(knots: &[[f64; 2]], to: f64) -> f64 {
 }
 
 /// Returns springs of every kind on the last links and points of a scene, in random order.
-fn sprung(scene: &Scene, chance: &mut SeededRng) -> String {
+fn sprung(scene: &Scene, rng: &mut SeededRng) -> String {
     let mechanism = &scene.mechanism;
     let points: Vec<_> = mechanism.point_ids().collect();
     let named = |id| scene.point_name(id);
@@ -105,7 +105,7 @@ fn sprung(scene: &Scene, chance: &mut SeededRng) -> String {
     let ends: Vec<(&str, &str)> = ends.take(2).collect();
     let links: Vec<&str> = mechanism.link_ids().map(|id| scene.link_name(id)).collect();
     let size = mechanism.lengths().len() as f64 * 10.0;
-    let mut within = |low: f64, high: f64| chance.within(low, high);
+    let mut within = |low: f64, high: f64| rng.within(low, high);
     let mut springs = Vec::new();
     for (from, to) in ends {
         let ends = format!("from = \"{from}\"\nto = \"{to}\"");
@@ -141,7 +141,7 @@ fn sprung(scene: &Scene, chance: &mut SeededRng) -> String {
     for k in (1..springs.len()).rev() {
         springs.swap(
             k,
-            usize::try_from(chance.between(0, u32::try_from(k).unwrap())).unwrap(),
+            usize::try_from(rng.between(0, u32::try_from(k).unwrap())).unwrap(),
         );
     }
     springs
@@ -152,19 +152,19 @@ fn sprung(scene: &Scene, chance: &mut SeededRng) -> String {
 
 #[test]
 fn driver_work_equals_spring_energy() {
-    let mut chance = SeededRng::new(16);
+    let mut rng = SeededRng::new(16);
     let mut tried = 0;
     for preset in presets::all() {
-        let (bare, _) = of(preset.text);
-        if bare.mechanism.has_forces() {
+        let (plain, _) = of(preset.text);
+        if plain.mechanism.has_forces() {
             continue;
         }
         tried += 1;
-        let text = preset.text.to_owned() + &sprung(&bare, &mut chance);
+        let text = preset.text.to_owned() + &sprung(&plain, &mut rng);
         let (scene, solver) = of(&text);
         let duty = Duty::new(&scene.mechanism, &solver, None).unwrap();
         let cycle = &duty.cycle;
-        let scale = cycle.all.put_in.unwrap();
+        let scale = cycle.all.supplied.unwrap();
         assert!(scale > 0.0);
         assert!(cycle.has_converged(), "{}: {:e}", preset.name, cycle.error);
         let work = cycle.all.work().unwrap();
@@ -175,17 +175,17 @@ fn driver_work_equals_spring_energy() {
         );
         // Starts away from the ends, which can be dead points.
         let length = cycle.course.length();
-        let held = |way: f64| energy(&scene, &solver, cycle.coordinate(way));
+        let held = |travel: f64| energy(&scene, &solver, cycle.coordinate(travel));
         let first = length / 48.0;
         let (before, put_before) = (held(first).unwrap(), cycle.work(first).unwrap());
         for k in 1..24 {
-            let way = length * f64::from(k) / 24.0;
-            let Some(held) = held(way) else { continue };
-            let put = cycle.work(way).unwrap() - put_before;
+            let travel = length * f64::from(k) / 24.0;
+            let Some(held) = held(travel) else { continue };
+            let put = cycle.work(travel).unwrap() - put_before;
             let miss = (put - (held - before)).abs() / scale;
             assert!(
                 miss < 1e-9,
-                "{} after {way}: {put} for {held} less {before}",
+                "{} after {travel}: {put} for {held} less {before}",
                 preset.name
             );
         }
@@ -254,8 +254,8 @@ fn torsion_spring_on_crank_snaps_over_after_half_turn() {
     let duty = crank("[[springs]]\nlink = \"r2\"\nstiffness = 3\nangle = 30\n");
     near(duty.cycle.all.largest.map(|peak| peak.value), 3.0 * PI);
     near(duty.cycle.all.largest.map(|peak| peak.at), 210.0);
-    near(duty.cycle.all.put_in, 1.5 * PI * PI);
-    near(duty.cycle.all.given_back, 1.5 * PI * PI);
+    near(duty.cycle.all.supplied, 1.5 * PI * PI);
+    near(duty.cycle.all.returned, 1.5 * PI * PI);
     near(
         duty.step(75.0).effort(false).map(|effort| effort.torque),
         3.0 * PI / 4.0,
@@ -276,12 +276,12 @@ fn spring_work_depends_on_end_lengths() {
     let spring = |rest: &str| crank(&format!("[[springs]]\nfrom = \"D\"\nto = \"B\"\n{rest}\n"));
     // Compressed once a turn: 0.1 m at 600 N and 0.1 m at 200 N.
     let gas = spring("force = [[400, 600], [400, 200]]");
-    near(gas.cycle.all.put_in, 80.0);
-    near(gas.cycle.all.given_back, 80.0);
+    near(gas.cycle.all.supplied, 80.0);
+    near(gas.cycle.all.returned, 80.0);
     // 1/2 k (x2^2 - x1^2) + F x: k = 1000 N/m, stretched from 50 to 250 mm beyond 250 mm.
     let line = spring("stiffness = 1000\nlength = 250\npreload = 40");
     near(
-        line.cycle.all.put_in,
+        line.cycle.all.supplied,
         500.0 * (0.0625 - 0.0025) + 40.0 * 0.2,
     );
 }
