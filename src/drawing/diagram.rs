@@ -75,24 +75,24 @@ const HALF_TEXT: f64 = 4.5;
 const STYLE: StyleSheet = StyleSheet {
     light: "\
 .given{stroke:#222}
-.driven{stroke:#c81e24}
-.sought{stroke:#005fd7;stroke-dasharray:9 4}
+.driven{stroke:#a50e16}
+.sought{stroke:#0000ff;stroke-dasharray:9 4}
 .part{stroke:#666;stroke-width:1.4;stroke-dasharray:4 3}
 .head{stroke-dasharray:none}
-.arc{stroke:#826901;stroke-width:1.2}
+.arc{stroke:#845a00;stroke-width:1.2}
 .level{stroke:#999;stroke-width:1;stroke-dasharray:2 4}
 .pole{fill:#222}
-.of-arc{fill:#826901}
+.of-arc{fill:#845a00}
 ",
     dark: "\
 .given{stroke:#ddd}
-.driven{stroke:#ff6961}
-.sought{stroke:#5f87ff}
+.driven{stroke:#ffaca4}
+.sought{stroke:#87d7ff}
 .part{stroke:#aaa}
-.arc{stroke:#ebcb50}
+.arc{stroke:#deb43c}
 .level{stroke:#777}
 .pole{fill:#ddd}
-.of-arc{fill:#ebcb50}
+.of-arc{fill:#deb43c}
 ",
 };
 

@@ -22,7 +22,7 @@ path{stroke:#ddd}
 text{fill:#ddd}
 ";
 
-/// The appearance of an element on light paper. Colours are strings such as `005fd7`, `None` if not
+/// The appearance of an element on light paper. Colours are strings such as `0000ff`, `None` if not
 /// drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct SvgStyle {

@@ -212,6 +212,10 @@ fn drawing_gets_its_share_of_screen_and_fills_its_pane() {
 #[test]
 fn table_rows_have_hues_of_their_links() {
     every_frame(|name, (_, rows), session, place| {
+        if name == "scissor-lift" {
+            // Folded, its ten stages are only visible in a window that follows it.
+            session.press("f").paint();
+        }
         let dots = DrawingPane::of(session).inked(session);
         let drawn: BTreeSet<String> = dots
             .iter()
@@ -228,9 +232,8 @@ fn table_rows_have_hues_of_their_links() {
             "{rows_of:?}: {place}"
         );
         assert!(drawn.contains(&format!("{RED:?}")), "no driver: {place}");
-        // On the smallest screen, links of one row are hidden by the pins at their ends, and so are
-        // those of a scissor lift that has folded its ten stages.
-        if rows == 12 || name == "scissor-lift" {
+        // On the smallest screen, links of one row are hidden by the pins at their ends.
+        if rows == 12 {
             return;
         }
         for hue in &hued {

@@ -16,7 +16,7 @@ fn workbench(preset: &str, glyphs: Glyphs, colours: Colours, cols: u16, rows: u1
 fn arrows_are_shown_with_their_scale() {
     let arrows = |glyphs| {
         Session::new(preset("four-bar"), glyphs, 80, 24)
-            .press("v A")
+            .press("f v A")
             .body()
     };
     let shown = arrows(Glyphs::Ascii);
@@ -32,7 +32,7 @@ fn arrows_are_shown_with_their_scale() {
         of_characters[..above(&of_characters)],
         of_dots[..above(&of_dots)]
     );
-    assert!(above(&of_characters) >= 5, "{shown}");
+    assert!(above(&of_characters) >= 6, "{shown}");
     for screen in [&shown, &dotted] {
         assert_shown(screen, &["v 1000 mm/s ="]);
         assert_shown(screen, &["a 20000 mm/s^2 ="]);
@@ -72,13 +72,13 @@ fn coupler_curves_are_shown() {
     assert_dotted(&curve, &traced(Glyphs::Braille)[1]);
     // On a small screen, a leg shows the curve of its foot in the space available.
     let mut leg = Session::new(preset("jansen-leg"), Glyphs::Ascii, 40, 13);
-    let shown = leg.body();
+    let shown = leg.press("f").body();
     let plain = leg.press("T").body();
     assert_shown(&shown, &["trace T", "m 15.0000 60.000"]);
     let points = differences(&plain, &shown)
         .into_iter()
         .filter(|c| ".:'".contains(c.3));
-    assert!(points.count() >= 4, "{shown}");
+    assert!(points.count() >= 8, "{shown}");
 }
 
 #[test]

@@ -30,7 +30,7 @@ const HIDDEN: i32 = 500;
 /// Cost of a change of sides.
 const CHANGE: i32 = 600;
 /// Cost of another side than the one that is shown when the plan begins.
-const EXAMINED_FRACTIONS: i32 = 4000;
+const EXAMINED_FRACTIONS: i32 = 2000;
 /// Cost per character of a planned name that hides part of a bar.
 const OVER_BAR: i32 = 100;
 /// Number of steps around those without a place for a name, over which it is left out.

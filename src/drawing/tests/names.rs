@@ -41,7 +41,7 @@ fn covering(figure: &Figure, view: &WorldView, glyphs: Glyphs, labels: &Labels) 
 }
 
 /// Of this many names in frames, at most one hides a part of a bar or has no place for a frame.
-const MAX_COVERING: usize = 100;
+const MAX_COVERING: usize = 150;
 
 /// Removes single frames without the name, between two frames with it on one side, and returns their
 /// number.

@@ -325,7 +325,9 @@ impl Palette {
 mod tests {
     use super::super::theme::{self, ScreenPart};
     use super::*;
-    use crate::drawing::{LINK_HUES, Role};
+    use crate::drawing::{Extents, Figure, LINK_HUES, Role, WorldView, svg};
+    use crate::scene::{Scene, presets};
+    use crate::solver::Solver;
 
     const BLACK: Color = Color::Rgb(0, 0, 0);
     const WHITE: Color = Color::Rgb(255, 255, 255);
@@ -588,6 +590,25 @@ mod tests {
                 "{hue:?}: {:?}",
                 hue.dark_variant()
             );
+        }
+    }
+
+    /// Printed drawings use the hues of the screen.
+    #[test]
+    fn svg_links_have_hues_of_the_screen() {
+        let preset = presets::find("four-bar").expect("it is there");
+        let scene = Scene::parse(preset.text, preset.name).expect("it reads");
+        let solver = Solver::new(&scene.mechanism).expect("it moves");
+        let view = WorldView::fit(&Extents::of(&scene, &solver), 9, 4, 2.0);
+        let document = svg(&Figure::new(), &view, "hues", &[]);
+        for (theme, style) in [(Theme::Light, 0), (Theme::Dark, 1)] {
+            let sheet = document.split("@media").nth(style).expect("there are two");
+            for hue in 0..LINK_HUES {
+                let named = theme::role(Role::Link(hue)).fg.and_then(Hue::hue_of_name);
+                let [r, g, b] = exact(named.expect("links have hues").colour(theme, true));
+                let rule = format!(".hue{hue}{{stroke:#{r:02x}{g:02x}{b:02x}");
+                assert!(sheet.contains(&rule), "{theme:?}: {rule}");
+            }
         }
     }
 
