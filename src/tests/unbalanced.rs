@@ -88,9 +88,10 @@ const ARGUMENTS: &str = "KRANK_TEST_UNBALANCED";
 
 /// Runs the program with a falsified solver in a separate process.
 fn krank(arguments: &str) -> Output {
-    let test = "tests::unbalanced::the_program";
+    let (_, module) = module_path!().split_once("::").unwrap();
+    let test = format!("{module}::run_program_child");
     Command::new(std::env::current_exe().unwrap())
-        .args(["--exact", test, "--ignored", "--nocapture"])
+        .args(["--exact", &test, "--ignored", "--nocapture"])
         .env(ARGUMENTS, arguments)
         .output()
         .unwrap()
@@ -98,7 +99,7 @@ fn krank(arguments: &str) -> Output {
 
 #[test]
 #[ignore = "started by the test below"]
-fn the_program() {
+fn run_program_child() {
     let Ok(arguments) = std::env::var(ARGUMENTS) else {
         return;
     };

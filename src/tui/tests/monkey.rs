@@ -34,17 +34,18 @@ const CHILD_VARIABLE: &str = "KRANK_MONKEY_CAGE";
 
 #[test]
 fn monkey_actions_keep_workbench_valid() {
-    caged("tui::tests::monkey::in_its_cage");
+    caged("run_monkey_child");
 }
 
-/// Runs another test in a separate process and folder.
+/// Runs another test of this module in a separate process and folder.
 #[allow(clippy::print_stdout, reason = "the figures are to be read")]
-fn caged(test: &str) {
-    let name = test.replace("::", "-");
+fn caged(name: &str) {
+    let (_, module) = module_path!().split_once("::").unwrap();
+    let test = format!("{module}::{name}");
     let cage = std::env::temp_dir().join(format!("krank-{name}-{}", std::process::id()));
     std::fs::create_dir_all(&cage).unwrap();
     let done = Command::new(std::env::current_exe().unwrap())
-        .args(["--exact", test, "--ignored", "--nocapture"])
+        .args(["--exact", &test, "--ignored", "--nocapture"])
         .current_dir(&cage)
         .env(CHILD_VARIABLE, "1")
         .env("HOME", &cage)
@@ -447,12 +448,12 @@ fn check_text(text: &str, glyphs: Glyphs, frame: &str) {
 /// Feeds arbitrary bytes to the parser of terminal input and to the workbench behind it.
 #[test]
 fn fuzz_keys_in_separate_process() {
-    caged("tui::tests::monkey::fuzz_the_keys");
+    caged("run_fuzz_child");
 }
 
 #[test]
 #[ignore = "started by the test above, in a folder of its own"]
-fn fuzz_the_keys() {
+fn run_fuzz_child() {
     if std::env::var_os(CHILD_VARIABLE).is_none() {
         return;
     }
