@@ -3,10 +3,10 @@
 //! shell.
 
 #[cfg(feature = "tui")]
-mod still;
+mod picture_protocol;
 
 #[cfg(feature = "tui")]
-pub use still::{PictureChoice, PictureProtocol};
+pub use picture_protocol::{PictureChoice, PictureProtocol};
 
 use crate::drawing::Glyphs;
 use crate::wording::words;

@@ -87,13 +87,13 @@ mod capability;
 pub mod cli;
 pub mod drawing;
 mod files;
-pub mod handover;
 pub mod import;
 mod manual;
 pub mod page;
 mod pixels;
 pub mod report;
 pub mod scene;
+pub mod script_export;
 pub mod synthesis;
 pub mod task_file;
 #[cfg(test)]

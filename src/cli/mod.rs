@@ -3,8 +3,8 @@
 mod choice;
 mod columns;
 mod commands;
+mod external_values;
 mod failure;
-mod foreign;
 mod formats;
 mod help;
 mod language;
@@ -14,7 +14,7 @@ mod place;
 #[cfg(feature = "tui")]
 mod progress;
 #[cfg(not(feature = "tui"))]
-#[path = "absent_progress.rs"]
+#[path = "no_progress.rs"]
 mod progress;
 mod rows;
 mod screen;

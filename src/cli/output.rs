@@ -1,7 +1,7 @@
 //! Writes results to standard output or to a file.
 
 use crate::cli::failure::Failure;
-use crate::files::{Output, places};
+use crate::files::{Output, directories};
 use crate::scene::sanitized;
 use crate::wording::words;
 use clap::Args;
@@ -60,7 +60,7 @@ pub(super) fn write_scene(path: Option<&Path>, text: &str) -> Result<(), Failure
 
 /// Returns the folder that holds the old and new text while a file is written in place.
 pub(super) fn records() -> Option<PathBuf> {
-    places::records(places::environment)
+    directories::records(directories::environment)
 }
 
 fn to_file<T>(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<T>) -> io::Result<T> {

@@ -1,8 +1,8 @@
 //! Draws vectors to scale: the closed polygon of a loop's vectors, head to tail, and velocities or
 //! accelerations from one pole.
 
+use super::extents::Extents;
 use super::figure::{Figure, Role, Shape};
-use super::reach::Extents;
 use super::render::{Glyphs, render};
 use super::view::WorldView;
 use crate::page::{Artwork, StyleSheet, TextAnchor};

@@ -5,10 +5,10 @@
 //! joins two bodies and carries no load, one arrow shows the force on the link that comes first.
 
 use super::bounds::Bounds;
+use super::extents::Extents;
 use super::figure::{Figure, Role, Shape};
 use super::legend::LegendEntry;
 use super::overlay::has_rates;
-use super::reach::Extents;
 use super::scale::{self, ArrowScale, MovingArrow};
 use super::view::WorldView;
 use crate::quantity::DriverState;

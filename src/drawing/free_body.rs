@@ -1,9 +1,9 @@
 //! Draws the free-body diagram of a link.
 
+use super::extents::Extents;
 use super::figure::{Figure, Role, Shape};
 use super::force_arrows::rounded;
 use super::outline::{self, Corner};
-use super::reach::Extents;
 use super::roles::{link_roles, roles};
 use crate::scene::Scene;
 use crate::solver::State;

@@ -2,10 +2,10 @@
 
 mod stops;
 
+use super::extents::Extents;
 use super::figure::{Figure, Role, Shape};
-use super::lit;
+use super::highlight;
 use super::outline::{self, Corner};
-use super::reach::Extents;
 use super::roles::{link_roles, roles};
 use crate::quantity::Subject;
 use crate::scene::{Scene, Vector, VectorKind};
@@ -45,7 +45,7 @@ pub fn linkage(scene: &Scene, extents: &Extents, state: &State, layers: Layers) 
     let assembled = state.condition() != Condition::NoAssembly;
     let highlighted = layers
         .highlighted
-        .and_then(|highlighted| lit::shown_as(highlighted, &scene.mechanism));
+        .and_then(|highlighted| highlight::shown_as(highlighted, &scene.mechanism));
     let mut sketch = LinkageSketch {
         roles: roles(&scene.mechanism),
         links: link_roles(&scene.mechanism),
@@ -375,7 +375,7 @@ impl LinkageSketch<'_> {
     /// Adds the name of a part if it is wanted or highlighted; a highlighted name is in brackets.
     fn name(&mut self, part: Subject, is_wanted: bool, at: Vec2, name: &str, role: Role) {
         let (text, role) = match self.highlighted {
-            Some(highlighted) if highlighted == part => (lit::bracketed(name), Role::Lit),
+            Some(highlighted) if highlighted == part => (highlight::bracketed(name), Role::Lit),
             _ if is_wanted => (name.to_owned(), role),
             _ => return,
         };

@@ -2,12 +2,12 @@
 //! arrows to one scale. The motion is solved once; every frame then draws from the result.
 
 use super::bounds::Bounds;
-use super::course::{Course, TRAIL, course, ends, paced_course};
+use super::extents::Extents;
 use super::figure::{Figure, Role, Shape};
 use super::force_arrows::ForceArrows;
 use super::ghosts::add_moved;
 use super::legend::LegendEntry;
-use super::reach::Extents;
+use super::motion_samples::{Course, TRAIL, course, ends, paced_course};
 use super::scale::{self, ArrowScale, MovingArrow};
 use super::view::WorldView;
 use crate::scene::Scene;

@@ -1,7 +1,7 @@
 //! Scales arrows by one factor over the whole motion.
 
 use super::bounds::Bounds;
-use super::reach::Extents;
+use super::extents::Extents;
 use crate::Vec2;
 
 /// The longest arrow as a fraction of the diagonal of all the linkage's positions.

@@ -1,11 +1,11 @@
 //! The window of a drawing: maps world points to cells.
 
-mod along;
+mod following;
 
 use super::bounds::Bounds;
-use super::reach::{Extents, Margin};
+use super::extents::{Extents, Margin};
 use crate::Vec2;
-pub(super) use along::WindowZoom;
+pub(super) use following::WindowZoom;
 
 /// A window of `cols` x `rows` cells on the world, with the same scale along both axes.
 ///

@@ -10,9 +10,9 @@
 //! old text, then new text
 //! ```
 
-use super::draft::{DraftFile, next_numbers};
-use super::guard::open_file;
+use super::bounded_read::open_file;
 use super::lock::{self, LockOutcome};
+use super::temporary::{DraftFile, next_numbers};
 use crate::wording::words;
 use rustix::fs::OFlags;
 use std::ffi::OsString;

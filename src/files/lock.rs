@@ -1,7 +1,7 @@
 //! Advisory file locks (flock), which the system releases when a process ends in any way.
 
 use super::WriteError;
-use super::guard::open_file;
+use super::bounded_read::open_file;
 use rustix::fs::{FlockOperation, OFlags, flock};
 use rustix::io::Errno;
 use std::fs::File;

@@ -16,40 +16,41 @@
 //! | `places` | krank's own folders |
 
 #[cfg(unix)]
-mod draft;
-#[cfg(not(unix))]
-mod elsewhere;
-mod growing;
+mod bounded_read;
+pub(crate) mod directories;
 #[cfg(unix)]
-mod guard;
+mod fingerprint;
 #[cfg(unix)]
 mod in_place;
 #[cfg_attr(not(unix), path = "no_lock.rs")]
 mod lock;
 #[cfg(unix)]
+mod metadata;
+#[cfg(not(unix))]
+mod non_unix;
+#[cfg(unix)]
 mod output;
-pub(crate) mod places;
 mod reading;
-#[cfg(unix)]
-mod rights;
-mod same;
-#[cfg(unix)]
-mod stamp;
+mod row_file;
+mod same_file;
 #[cfg(unix)]
 mod target;
+#[cfg(unix)]
+mod temporary;
 
+#[cfg(feature = "tui")]
+pub(crate) use bounded_read::{from_home, open_to_read, read_file};
+#[cfg(feature = "tui")]
+pub(crate) use fingerprint::Stamp;
 #[cfg(not(unix))]
-pub(crate) use elsewhere::{Output, recover_all};
-pub(crate) use growing::{AppendFile, ResumableFile};
-#[cfg(feature = "tui")]
-pub(crate) use guard::{from_home, open_to_read, read_file};
+pub(crate) use non_unix::{Output, recover_all};
 pub(crate) use reading::{limited, read_any_file, read_without_waiting};
-pub(crate) use same::is_same_file;
-#[cfg(feature = "tui")]
-pub(crate) use stamp::Stamp;
+pub(crate) use row_file::{AppendFile, ResumableFile};
+pub(crate) use same_file::is_same_file;
 #[cfg(feature = "tui")]
 pub(crate) use {
-    draft::DraftFile, in_place::create_private_folder, lock::is_held, output::Saving, output::save,
+    in_place::create_private_folder, lock::is_held, output::Saving, output::save,
+    temporary::DraftFile,
 };
 #[cfg(unix)]
 pub(crate) use {in_place::recover_all, output::Output};

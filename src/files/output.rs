@@ -1,14 +1,14 @@
 //! Writes files atomically: afterwards a file is complete or unchanged.
 
 use super::WriteError;
-use super::draft::DraftFile;
 #[cfg(feature = "tui")]
-use super::guard;
-use super::guard::open_file;
+use super::bounded_read;
+use super::bounded_read::open_file;
+use super::fingerprint::Stamp;
 use super::in_place::{create_private_folder, write_into};
 use super::lock::{self, LockOutcome};
-use super::stamp::Stamp;
 use super::target::Target;
+use super::temporary::DraftFile;
 use rustix::fs::OFlags;
 use std::fs::{File, Metadata};
 use std::io::{self, ErrorKind, Write};
@@ -271,7 +271,7 @@ pub(crate) fn save(
     let target = Target::find(&path)?;
     let before = Stamp::of(&path);
     let old = match &target {
-        Target::File(path, _) => Some(guard::read_file(path, saving.most)?),
+        Target::File(path, _) => Some(bounded_read::read_file(path, saving.most)?),
         Target::New(_) => None,
         Target::Stream(path) => return Err(Target::no_file(path)),
     };

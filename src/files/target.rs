@@ -63,7 +63,7 @@ impl Target {
     pub(super) fn no_file(path: &Path) -> super::WriteError {
         let kind = fs::metadata(path).map(|found| found.file_type());
         super::WriteError::NoFile(match kind {
-            Ok(kind) if !kind.is_file() => super::guard::no_file(kind),
+            Ok(kind) if !kind.is_file() => super::bounded_read::no_file(kind),
             _ => words().is_no_file_of_its_own(),
         })
     }

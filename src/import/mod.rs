@@ -14,7 +14,7 @@ mod pmks;
 mod pmks_plus;
 mod pylinkage;
 mod pyslvs;
-mod settle;
+mod reduce;
 mod writer;
 
 use crate::scene::{MAX_FILE_SIZE, Scene, sanitized};
@@ -157,7 +157,7 @@ pub fn import(bytes: &[u8], name: &str) -> Result<Imported, ImportError> {
     if is_address(text) && text.lines().skip(1).any(is_address) {
         drawing.remarks.add("", words().import_other_addresses());
     }
-    settle::settle(&mut drawing);
+    reduce::settle(&mut drawing);
     let mut remarks = std::mem::take(&mut drawing.remarks);
     hold_inputs(&drawing, &mut remarks);
     let names = names::assign(&drawing, &mut remarks);

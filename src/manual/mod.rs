@@ -3,23 +3,23 @@
 //! The topics are compiled in. `krank help TOPIC` and the workbench show the same text. Parts with another source are
 //! included from there, such as the keys of a scene and the notation.
 
-#[cfg(feature = "tui")]
-mod fold;
 mod layout;
+#[cfg(feature = "tui")]
+mod line_folding;
 mod markdown;
 mod search;
 mod table;
-mod web;
+mod website;
 
 use crate::document::with_ascii_letters;
 use crate::wording::{Language, Wording, Words, words};
-#[cfg(feature = "tui")]
-pub(crate) use fold::{folded, joined};
 pub(crate) use layout::{LineKind, lines};
 #[cfg(feature = "tui")]
 pub(crate) use layout::{ManualLine, plain};
+#[cfg(feature = "tui")]
+pub(crate) use line_folding::{folded, joined};
 pub(crate) use search::{FoundTopic, SearchWords};
-pub(crate) use web::site;
+pub(crate) use website::site;
 
 /// A topic of the manual.
 #[derive(Debug)]

@@ -18,10 +18,10 @@ mod line;
 mod markdown;
 mod math;
 mod prose;
-mod spelled;
 mod style;
 mod svg;
 mod table;
+mod terminal_text;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -37,12 +37,12 @@ pub(crate) use columns::ColumnLayout;
 pub(crate) use html::html_document;
 pub use line::{Line, Span, TextRole};
 pub(crate) use math::UNIT;
-pub use spelled::TextStyle;
 pub(crate) use style::StyleSheet;
 pub use svg::SvgGround;
 pub(crate) use svg::marked_up;
 pub(crate) use table::with_unit;
 pub use table::{Cell, Head, Rest, Row, Setting, Table, Units, UnprovedDigits};
+pub use terminal_text::TextStyle;
 #[cfg(feature = "tui")]
 pub(crate) use words::cut;
 pub(crate) use words::wrapped;

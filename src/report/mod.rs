@@ -6,14 +6,14 @@
 //! terminal can show them.
 
 mod accuracy;
-mod beside;
 mod check;
 mod cycle;
 mod designs;
+mod document;
 mod exercise;
+mod external_comparison;
 mod forces;
 mod motor;
-mod paper;
 mod sweep;
 mod synthesis;
 mod tables;
@@ -27,7 +27,6 @@ pub use accuracy::{
     Accuracy, StudyMeasure, TIME_DIGITS, accuracy_notes, error_text, method_name, time_text,
     unfit_text,
 };
-pub use beside::{ForeignFigures, Measured, NoFigures};
 pub use check::{Check, near_misses, stop_before, stop_name};
 pub use cycle::{CycleReport, FollowedColumn, WorstPlace, usual_columns};
 pub use designs::{
@@ -35,15 +34,16 @@ pub use designs::{
     summary::DesignSummary,
     table::DesignTable,
 };
+pub use document::{Report, ReportFormat};
 pub use exercise::{
     AnswerFile, AnsweredRow, FileRemarks, GradedAnswers, GradedFigure, InvalidCell, NoAnswers,
     answer_key, blank_answers, class_csv, class_page, is_blank, named_again,
 };
+pub use external_comparison::{ForeignFigures, Measured, NoFigures};
 pub use forces::{
-    Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking, least::LeastNormReactions,
+    Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking, least_norm::LeastNormReactions,
 };
-pub use motor::{MotorReport, MotorRequest, RamReport, timed::TimedMotorReport};
-pub use paper::{Report, ReportFormat};
+pub use motor::{MotorReport, MotorRequest, RamReport, over_time::TimedMotorReport};
 pub use sweep::{
     Sweep, SweepOutcome,
     columns::{Columns, ExtraColumns},

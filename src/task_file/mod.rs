@@ -16,7 +16,7 @@ mod examples;
 mod functions;
 mod keys;
 mod kinds;
-mod wishes;
+mod preferences;
 
 pub use examples::ExampleTask;
 
@@ -122,7 +122,7 @@ fn task_file(reader: &mut Reader<'_>, root: &Entries<'_>, origin: &str) -> Optio
     let note = scene::line(reader, "note", file.get("note"));
     let unit = scene::unit(reader, file.get("unit"));
     reader.named.length = (unit.symbol(), unit.tenths_of_mm());
-    let preferences = wishes::read_preferences(reader, file);
+    let preferences = preferences::read_preferences(reader, file);
     let (four_bars, slider_cranks) = linkages(reader, file);
     let kind = kind(reader, file)?;
     if let Some(linkages) = file.get("linkages") {

@@ -45,7 +45,7 @@ pub use workbench::Workbench;
 
 use crate::capability::TerminalProfile;
 use crate::drawing::Glyphs;
-use crate::files::places;
+use crate::files::directories;
 use crate::scene::Scene;
 use crate::solver::Solver;
 use crate::synthesis::SynthesisSettings;
@@ -213,7 +213,8 @@ pub fn run(opened: OpenedScene, options: &Options) -> Result<(), Error> {
         if options.idle && options.config.tour && views::fits_views(size) {
             workbench.app().tour_on_first_start();
         }
-        let state = places::folder_of("XDG_STATE_HOME", ".local/state", places::environment);
+        let state =
+            directories::folder_of("XDG_STATE_HOME", ".local/state", directories::environment);
         match state {
             Some(state) => workbench.app().recover_in(&state.join("recovery")),
             None => workbench.app().recover_nowhere(),

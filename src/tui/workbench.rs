@@ -1,6 +1,6 @@
 //! The workbench without its terminal: it receives keys, times and sizes, and paints frames.
 
-mod still;
+mod pixel_image;
 
 use super::app::{App, Effect, View};
 use super::config::Config;
@@ -11,11 +11,11 @@ use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::tui::commands::key::Key;
 use crate::tui::commands::mouse::Mouse;
+use pixel_image::Still;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Size;
 use std::path::Path;
 use std::time::Duration;
-use still::Still;
 
 /// A workbench that shows a scene and paints frames for a terminal owned by the caller.
 ///

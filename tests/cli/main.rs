@@ -10,10 +10,10 @@ mod cycle;
 mod draw;
 mod exercise;
 mod explain;
+mod exports;
 #[cfg(target_os = "linux")]
 mod files;
 mod forces;
-mod handover;
 mod help;
 mod import;
 mod language;
@@ -37,7 +37,7 @@ mod table;
 mod tolerance;
 mod turns;
 mod tutorial;
-mod web;
+mod website;
 
 use assert_cmd::Command;
 use std::path::{Path, PathBuf};

@@ -1,8 +1,8 @@
 //! Tests error bounds in machines of every topology, against the same states in double-double
 //! arithmetic.
 
-use crate::chance::TestRng;
 use crate::grow::{Machine, machine};
+use crate::random::TestRng;
 use crate::typed::short;
 use krank::quantity::{self, Aspect, Share, Subject};
 use krank::solver::{Condition, GroupKind, Order, Solver, Workspace};

@@ -2,7 +2,7 @@
 //! slides and guides of earlier parts. The pose is drawn first and the lengths are measured in it,
 //! so that every machine can be assembled.
 
-use crate::chance::TestRng;
+use crate::random::TestRng;
 use krank::{
     Body, Builder, Driver, Input, LinkId, Load, Mechanism, PointId, Profile, SlideId, Vec2, angle,
 };

@@ -8,18 +8,18 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod bounds;
-mod chance;
 mod grow;
 mod newton_euler;
+mod random;
 #[path = "../support/typed.rs"]
 mod typed;
 
-use chance::TestRng;
 use grow::{Machine, machine};
 use krank::scene::Scene;
 use krank::solver::{Condition, GroupKind, Order, Solver, State};
 use krank::{Input, Slide, Slider};
 use newton_euler::{Compared, Open};
+use random::TestRng;
 use std::collections::BTreeMap;
 
 /// Number of machines in an ordinary run.

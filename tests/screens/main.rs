@@ -26,11 +26,11 @@ mod forces;
 #[cfg(feature = "tui")]
 mod frames;
 #[cfg(feature = "tui")]
-mod gathering;
-#[cfg(feature = "tui")]
 mod glyphs;
 #[cfg(feature = "tui")]
 mod habits;
+#[cfg(feature = "tui")]
+mod help;
 #[cfg(feature = "tui")]
 mod light;
 #[cfg(feature = "tui")]
@@ -52,6 +52,8 @@ mod scene_files;
 #[cfg(feature = "tui")]
 mod screen;
 #[cfg(feature = "tui")]
+mod staged_edits;
+#[cfg(feature = "tui")]
 mod tables;
 #[cfg(feature = "tui")]
 mod terminal;
@@ -62,10 +64,8 @@ mod tour;
 #[cfg(feature = "tui")]
 mod trust;
 #[cfg(feature = "tui")]
-mod way;
-#[cfg(feature = "tui")]
-mod whole;
-#[cfg(feature = "tui")]
 mod words;
+#[cfg(feature = "tui")]
+mod workbench;
 #[cfg(feature = "tui")]
 mod working;

@@ -1,7 +1,7 @@
 //! Finds the reasons why a linkage does not do its task, from the signs of its assembly and the
 //! range of its crank.
 
-use super::way::{self, Way};
+use super::crank_motion::{self, Way};
 use super::{PinConstraint, Preferences, Proposal};
 use kinematics::angle::{degrees, unit};
 use kinematics::solver::Range;
@@ -95,18 +95,18 @@ pub(super) fn crank_motion(
         Range::Limited { low, high } => Some((low, high)),
     };
     let (found, mut turns_back) = match (&way.turned, limits) {
-        (Some(turned), limits) => (way::given(turned, limits), None),
+        (Some(turned), limits) => (crank_motion::given(turned, limits), None),
         (None, Some(limits)) => {
-            let found = way::swinging(&angles, limits);
+            let found = crank_motion::swinging(&angles, limits);
             let reached: Vec<f64> = found.iter().map_while(|at| *at).collect();
-            (found, way::turns_back(&reached))
+            (found, crank_motion::turns_back(&reached))
         }
         (None, None) if !preferences.ordered => {
-            let at = way::anyhow(&angles);
+            let at = crank_motion::anyhow(&angles);
             (at.into_iter().map(Some).collect(), None)
         }
         (None, None) => {
-            let Way { at, turns_back } = way::turning(&angles, preferences.sense);
+            let Way { at, turns_back } = crank_motion::turning(&angles, preferences.sense);
             (at.into_iter().map(Some).collect(), turns_back)
         }
     };

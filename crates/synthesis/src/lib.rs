@@ -17,6 +17,7 @@
 
 mod candidate;
 mod cognates;
+mod crank_motion;
 mod defects;
 #[cfg(test)]
 mod driven_functions;
@@ -34,7 +35,6 @@ mod run;
 mod task;
 #[cfg(test)]
 mod tests;
-mod way;
 
 pub use candidate::{Candidate, CandidateFigures, UnmetPreference, is_inside};
 pub use defects::TaskDefect;

@@ -6,7 +6,7 @@ use crate::cli::output::{OutputArgs, file, write_text};
 use crate::cli::place::note_near_misses;
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene};
-use crate::handover::{ScriptLanguage, script};
+use crate::script_export::{ScriptLanguage, script};
 use crate::wording::{Words, words};
 use clap::Args;
 

@@ -3,8 +3,8 @@
 use crate::Vec2;
 use crate::cli::choice::{OptionValue, OrAuto, one_of};
 use crate::cli::columns::{figures, named};
+use crate::cli::external_values::measured;
 use crate::cli::failure::{Failure, note};
-use crate::cli::foreign::measured;
 use crate::cli::output::{OutputArgs, write_text};
 use crate::cli::picture::{self, ASPECT, GLYPHS, Size};
 use crate::cli::place::note_near_misses;

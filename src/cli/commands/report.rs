@@ -1,8 +1,8 @@
 //! `krank report`: writes the solution of one state as a document.
 
 use crate::cli::choice::{OptionValue, one_of};
+use crate::cli::external_values::foreign;
 use crate::cli::failure::Failure;
-use crate::cli::foreign::foreign;
 use crate::cli::output::{OutputArgs, file, write_text};
 use crate::cli::place::{PlaceArgs, check_nothing_hidden, note_near_misses, out_of_reach, place};
 use crate::cli::screen::TextScreen;

@@ -1,8 +1,8 @@
 //! `krank sweep`: writes values row by row over the motion.
 
 use crate::cli::columns::figures;
+use crate::cli::external_values::measured;
 use crate::cli::failure::{Failure, note};
-use crate::cli::foreign::measured;
 use crate::cli::formats::{FigureArgs, OutputFormat};
 use crate::cli::output::{OutputArgs, write_to};
 use crate::cli::place::{

@@ -3,7 +3,7 @@
 use crate::cli::failure::{Failure, print_text};
 use crate::cli::output::write_text;
 use crate::cli::screen::TextScreen;
-use crate::files::{from_home, places, read_file};
+use crate::files::{directories, from_home, read_file};
 use crate::scene::MAX_FILE_SIZE;
 use crate::tui::{self, Config};
 use crate::wording::{Language, words};
@@ -32,7 +32,7 @@ fn is_absent(error: &io::Error) -> bool {
 
 /// Returns the path of the configuration, if any.
 fn place(named: Option<&Path>) -> Option<PathBuf> {
-    let env = places::environment;
+    let env = directories::environment;
     // The shell does not expand `~` in `--config=~/krank.toml`.
     let intended = |path: &Path| {
         path.to_str()

@@ -10,7 +10,7 @@ use crate::cli::output::write_text;
 use crate::cli::picture::GLYPHS;
 use crate::cli::screen::judgement;
 use crate::drawing::Glyphs;
-use crate::files::places;
+use crate::files::directories;
 use crate::scene::sanitized;
 use crate::tui::{Options, Terminal, Theme};
 use crate::wording::{Language, words};
@@ -148,7 +148,7 @@ fn place(variable: &str, below_home: &str, file: &str) -> String {
     let set = env::var_os(variable).map(PathBuf::from);
     // The XDG specification requires relative paths to be ignored.
     let folder = set.filter(|path| path.is_absolute()).or_else(|| {
-        let home = places::environment("HOME").filter(|home| home.is_absolute())?;
+        let home = directories::environment("HOME").filter(|home| home.is_absolute())?;
         Some(home.join(below_home))
     });
     let Some(folder) = folder else {

@@ -8,7 +8,7 @@ mod diagnose;
 #[cfg(feature = "tui")]
 mod open;
 #[cfg(not(feature = "tui"))]
-#[path = "absent.rs"]
+#[path = "unavailable.rs"]
 mod open;
 
 pub(super) use args::WorkbenchArgs;

@@ -8,9 +8,9 @@
 //! side a name may still move by a few cells.
 
 use super::{Align, INERTIA, LabelPlace, Labels, SEATS, cell_of, cover_for, names, origin, width};
+use crate::drawing::extents::Extents;
 use crate::drawing::figure::{Figure, Role};
 use crate::drawing::raster::Raster;
-use crate::drawing::reach::Extents;
 use crate::drawing::render::{Glyphs, render_bare};
 use crate::drawing::view::WorldView;
 

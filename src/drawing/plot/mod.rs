@@ -21,8 +21,8 @@ mod frame;
 mod layout;
 mod map;
 mod paint;
-mod paper;
 mod path;
+mod svg_plot;
 #[cfg(test)]
 mod tests;
 mod ticks;

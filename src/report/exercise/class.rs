@@ -1,6 +1,6 @@
 //! Formats the results of a class: a row for each student.
 
-use super::blank::InvalidCell;
+use super::answer_file::InvalidCell;
 use super::graded::{GradedAnswers, GradedFigure};
 use crate::page::{Page, Table};
 use crate::report::text::csv_dialect::{CsvDialect, CsvSheet};

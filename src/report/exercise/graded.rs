@@ -1,6 +1,6 @@
 //! Grades the answers of one student.
 
-use super::blank::{AnswerFile, InvalidCell};
+use super::answer_file::{AnswerFile, InvalidCell};
 use crate::page::{Page, Setting, Table};
 use crate::quantity::Quantity;
 use crate::report::text::encoding::TextEncoding;

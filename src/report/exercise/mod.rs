@@ -1,16 +1,16 @@
 //! Exercises on paper and in spreadsheets: requested values, answer files, and grading.
 
-mod asked;
-mod blank;
+mod answer_file;
 mod class;
 mod graded;
+mod requested_values;
 mod row_names;
 mod sheet;
 
-pub use asked::answer_key;
-pub use blank::{AnswerFile, AnsweredRow, InvalidCell, NoAnswers, blank_answers, is_blank};
+pub use answer_file::{AnswerFile, AnsweredRow, InvalidCell, NoAnswers, blank_answers, is_blank};
 pub use class::{class_csv, class_page, named_again};
 pub use graded::{FileRemarks, GradedAnswers, GradedFigure};
+pub use requested_values::answer_key;
 
 #[cfg(test)]
 mod tests;

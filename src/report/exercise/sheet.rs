@@ -2,7 +2,7 @@
 
 use crate::page::{Content, Facts, Page, Table};
 use crate::report::check::{CheckedScene, inputs_given};
-use crate::report::paper::{Report, ReportedState};
+use crate::report::document::{Report, ReportedState};
 use crate::report::text::number::{concise, without_noughts};
 use crate::scene::{Measure, Scene, Value, ValueOwner};
 use crate::solver::{Order, Solver, State};

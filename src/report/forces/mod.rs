@@ -1,11 +1,11 @@
 //! Collects the forces of one state: the driver's effort, reactions of joints and guides, the load
 //! on the frame, and the residuals of two checks.
 
-pub(in crate::report) mod least;
+pub(in crate::report) mod least_norm;
 pub(in crate::report) mod page;
 
 use crate::quantity::{Aspect, Catalogue, Hidden, Share, Subject, value};
-use crate::report::forces::least::LeastNormReactions;
+use crate::report::forces::least_norm::LeastNormReactions;
 use crate::report::tables::ProvedState;
 use crate::report::tables::entry::{Entry, PlaneVector};
 use crate::scene::Scene;

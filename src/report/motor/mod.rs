@@ -2,8 +2,8 @@
 //! ram.
 
 pub(in crate::report) mod csv;
+pub(in crate::report) mod over_time;
 pub(in crate::report) mod page;
-pub(in crate::report) mod timed;
 
 use crate::quantity::Catalogue;
 use crate::report::motor::csv::{step_cells, step_heads};

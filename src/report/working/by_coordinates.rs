@@ -1,11 +1,11 @@
 //! Derives vectors between two points of one body from their coordinates: length, and angle to the
 //! body.
 
-use super::draft::{Context, Draft};
+use super::context::{Context, Draft};
 use super::expression::{Expression, Function};
+use super::group_unknowns::{ProblemForm, Stage};
 use super::sides::{Side, SideReading, SideShape};
 use super::solution::angle_sum;
-use super::stages::{ProblemForm, Stage};
 use super::symbols;
 use crate::page::UNIT;
 use crate::wording::words;

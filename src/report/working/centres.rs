@@ -2,7 +2,7 @@
 //! Kennedy's theorem, or from the velocity of a point.
 
 use super::Working;
-use super::draft::Context;
+use super::context::Context;
 use super::sides::Turns;
 use super::symbols::of_point;
 use crate::scene::Scene;

@@ -1,10 +1,10 @@
 //! Converts the loop equations of a scene to a chain of dependent values.
 
 use super::Working;
-use super::draft::Context;
+use super::context::Context;
+use super::group_unknowns::LoopUnknown;
 use super::polygon::Term;
 use super::sides::{Locks, SideShape, Turns};
-use super::stages::LoopUnknown;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
 use crate::study::{ChainGroup, LoopSum, SolutionChain, UnknownKind, UnknownVector, VectorPart};

@@ -1,7 +1,7 @@
 //! Writes the check: the residuals of the loops, and the differences between the solution and the
 //! solver's state.
 
-use super::draft::{Context, Draft};
+use super::context::{Context, Draft};
 use super::equations::{EquationTerm, LoopSide, Multiplier};
 use super::figures::WrittenSum;
 use crate::page::UNIT;

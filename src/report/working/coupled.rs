@@ -1,10 +1,10 @@
 //! Writes a coupled group: its unknowns, and the data of the last Newton step.
 
-use super::draft::{Context, Draft};
+use super::context::{Context, Draft};
 use super::expression::{Expression, Function};
+use super::group_unknowns::Stage;
 use super::sides::{Side, SideShape};
 use super::solution::turn;
-use super::stages::Stage;
 use super::symbols;
 use crate::page::UNIT;
 use crate::solver::{Newton, NewtonRow, NewtonUnknown};

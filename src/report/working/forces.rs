@@ -1,6 +1,6 @@
 //! Writes the forces: loads, every link and pin in turn, and the driver.
 
-use super::draft::{Context, Draft};
+use super::context::{Context, Draft};
 use super::expression::Expression;
 use super::figures::WrittenSum;
 use super::free_body::{free_body, largest};

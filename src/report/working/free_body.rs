@@ -1,7 +1,7 @@
 //! Writes the free body of a link: the forces on it, and its three equations of motion with
 //! numbers.
 
-use super::draft::{Context, Draft};
+use super::context::{Context, Draft};
 use super::expression::{Expression, Function};
 use super::figures::WrittenSum;
 use super::forces::point_name;

@@ -1,12 +1,12 @@
 //! Solves dyads with a guide, and vectors that close a loop alone: the quadratic of an angle and a
 //! position, the arm that slides through a pin, two guides, and a sum.
 
-use super::draft::Draft;
+use super::context::Draft;
 use super::equations::{Heading, Multiplier, known};
 use super::expression::{Expression, Function};
 use super::figures::Figures;
-use super::place::pieces;
 use super::polygon::Term;
+use super::positions::pieces;
 use super::solution::{DyadArm, Solution, turn};
 use crate::Vec2;
 use crate::page::UNIT;

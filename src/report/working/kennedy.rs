@@ -4,7 +4,7 @@
 use super::centres::{
     CentreBasis, CentreLine, CentrePlace, LinkCentre, centres, coordinate, longest, named, symbol,
 };
-use super::draft::{Context, Draft};
+use super::context::{Context, Draft};
 use super::expression::{Expression, Function};
 use super::figures::Figures;
 use super::symbols::{self, of_point};

@@ -1,6 +1,6 @@
 //! Interpolates forces over a coordinate, linearly between two knots.
 
-use super::draft::{Context, Draft};
+use super::context::{Context, Draft};
 use super::expression::Expression;
 use crate::Profile;
 use crate::page::UNIT;

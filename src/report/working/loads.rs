@@ -1,7 +1,7 @@
 //! Writes the laws of loads (the factor over the driver, the curve of a press), and the part of the
 //! driver's effort against each load.
 
-use super::draft::{Context, Draft};
+use super::context::{Context, Draft};
 use super::expression::Expression;
 use super::forces::{kind, point_name};
 use super::knots::{line_at, on_line};

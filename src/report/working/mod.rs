@@ -11,39 +11,39 @@ mod by_coordinates;
 mod centres;
 mod chain;
 mod check;
-mod collected;
+mod collected_terms;
+mod context;
 mod coupled;
-mod cut_free;
-mod draft;
 mod equations;
 mod expression;
 mod figures;
 mod forces;
 mod free_body;
+mod free_body_drawing;
+mod group_unknowns;
 mod guided;
+mod introduction;
 mod kennedy;
 mod knots;
 mod loads;
 mod loop_finder;
 mod methods;
-mod opening;
 mod pins;
-mod place;
 mod point_parts;
 mod points;
 mod polygon;
+mod positions;
 mod rates;
 mod reactions;
 mod sides;
 mod solution;
 mod springs;
-mod stages;
 mod symbols;
 mod triangle;
 mod vectors;
 
 pub use centres::InstantCentre;
-pub use draft::Agreement;
+pub use context::Agreement;
 pub use methods::{Guess, GuessError, PositionMethod, WorkedMethod};
 pub use point_parts::{PointMotion, PointParts};
 pub use symbols::WorkingNotation;
@@ -52,10 +52,10 @@ pub use vectors::{LoopVector, LoopVectors, VectorFigure};
 use crate::page::Page;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
-use draft::{Context, Draft};
+use context::{Context, Draft};
 use figures::Figures;
+use group_unknowns::{Schedule, Stage};
 use polygon::Polygon;
-use stages::{Schedule, Stage};
 
 /// The structure of a scene's working, computed once: its loops, and the unknowns of each group in
 /// them.
@@ -110,12 +110,12 @@ type WritePart = fn(&Context<'_>, &mut Draft);
 
 /// The functions that write the parts, in order.
 const PARTS: [(WorkingPart, WritePart); 12] = [
-    (WorkingPart::Opening, opening::heading),
-    (WorkingPart::Polygons, opening::polygons),
-    (WorkingPart::PositionTable, opening::position_table),
-    (WorkingPart::UnitVectors, opening::unit_vectors),
-    (WorkingPart::Equations, place::equations),
-    (WorkingPart::Positions, place::solutions),
+    (WorkingPart::Opening, introduction::heading),
+    (WorkingPart::Polygons, introduction::polygons),
+    (WorkingPart::PositionTable, introduction::position_table),
+    (WorkingPart::UnitVectors, introduction::unit_vectors),
+    (WorkingPart::Equations, positions::equations),
+    (WorkingPart::Positions, positions::solutions),
     (WorkingPart::Velocities, |context, draft| {
         rates::rates(context, draft, Order::Velocity);
     }),
@@ -135,7 +135,7 @@ impl Working {
         let plan = solver.plan();
         let polygon = Polygon::of(scene, plan);
         let schedule = Schedule::of(scene, plan, &polygon);
-        let stages = stages::stages(plan, &polygon, &schedule);
+        let stages = group_unknowns::stages(plan, &polygon, &schedule);
         Working {
             polygon,
             schedule,

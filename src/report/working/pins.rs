@@ -1,6 +1,6 @@
 //! Writes the equilibrium of pins with a load: how the adjacent links share it.
 
-use super::draft::{Context, Draft};
+use super::context::{Context, Draft};
 use super::figures::WrittenSum;
 use super::forces::{components, kind, point_name};
 use super::free_body::{BodyForce, guided, is_joint, pin_name};

@@ -1,7 +1,7 @@
 //! Velocities and accelerations of points with their components, for vector diagrams.
 
 use super::Working;
-use super::draft::Context;
+use super::context::Context;
 use super::points::{PointBasis, earliest, places, seat};
 use super::symbols::of_point;
 use crate::scene::Scene;

@@ -1,7 +1,7 @@
 //! Writes velocities and accelerations of joints, centres of mass and further points: by tangential
 //! and normal components about a pivot or another joint of the link, or along a guide.
 
-use super::draft::{Context, Draft};
+use super::context::{Context, Draft};
 use super::expression::{Expression, Function};
 use super::sides::Turns;
 use super::solution::angle_sum;

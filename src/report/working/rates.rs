@@ -1,14 +1,14 @@
 //! Writes velocities and accelerations: the differentiated loop equations, multiplied by the unit
 //! vector that eliminates one unknown, and solved with numbers.
 
-use super::draft::{Context, Draft};
+use super::context::{Context, Draft};
 use super::equations::{
     EquationTerm, Heading, LoopSide, Multiplier, coefficient, in_figures, in_numbers, in_symbols,
     known, solved_for,
 };
-use super::place::loop_heading;
+use super::group_unknowns::{LoopUnknown, ProblemForm, Stage};
+use super::positions::loop_heading;
 use super::sides::{SideShape, Turns};
-use super::stages::{LoopUnknown, ProblemForm, Stage};
 use super::symbols;
 use crate::page::UNIT;
 use crate::report::Entry;

@@ -1,13 +1,13 @@
 //! A loop prepared for solving: the sum of its known sides, and its arms.
 
-use super::draft::{Context, Draft};
+use super::context::{Context, Draft};
 use super::equations::{EquationTerm, LoopSide, Multiplier, in_figures, in_symbols, known};
 use super::expression::Expression;
 use super::figures::{Figures, WrittenSum};
-use super::place::single;
+use super::group_unknowns::{ProblemForm, Stage};
 use super::polygon::{Loop, Term};
+use super::positions::single;
 use super::sides::{Side, SideShape, Turns};
-use super::stages::{ProblemForm, Stage};
 use crate::page::UNIT;
 use crate::solver::Order;
 use crate::{Vec2, angle};

@@ -1,6 +1,6 @@
 //! Writes the laws of springs with numbers.
 
-use super::draft::{Context, Draft};
+use super::context::{Context, Draft};
 use super::expression::Expression;
 use super::forces::point_name;
 use super::knots::{line_at, on_line};

@@ -1,7 +1,7 @@
 //! Solves a dyad of two angles: the triangle of both arms and the line between their pivots, as in
 //! the lecture.
 
-use super::draft::Draft;
+use super::context::Draft;
 use super::expression::{Expression, Function};
 use super::figures::Figures;
 use super::polygon::Term;

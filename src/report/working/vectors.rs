@@ -2,8 +2,8 @@
 //! vector and for drawn polygons.
 
 use super::Working;
-use super::draft::Context;
-use super::opening::sum_text;
+use super::context::Context;
+use super::introduction::sum_text;
 use super::polygon::{Loop, Term};
 use super::sides::{Side, SideReading, SideShape};
 use super::symbols;

@@ -5,7 +5,7 @@ use super::{App, BackTarget};
 use crate::report::Tables;
 use crate::tui::figures::sheet::Sheet;
 use crate::tui::player::compared_scene::ComparedScene;
-use crate::tui::views::picker::list::{PickerTarget, Purpose};
+use crate::tui::views::scene_picker::list::{PickerTarget, Purpose};
 use crate::wording::words;
 
 /// The scene compared with the open one.

@@ -6,7 +6,7 @@ use super::{App, Mode, View};
 use crate::scene::{Measure, Value, coordinate_key};
 use crate::tui::commands::action::{Action, SceneAction};
 use crate::tui::commands::line::EditLine;
-use crate::tui::document::edited::{self, EditedScene};
+use crate::tui::document::edit_result::{self, EditedScene};
 use crate::tui::document::history::Deed;
 use crate::tui::figures::format::coordinate;
 use crate::wording::words;
@@ -136,8 +136,8 @@ impl App {
             .iter()
             .any(|(value, _)| value.measure == Measure::Start);
         let edited = match reopens {
-            true => edited::reopened(&self.player.open_scene, &whole_text),
-            false => edited::keeping(&self.player.open_scene, &whole_text),
+            true => edit_result::reopened(&self.player.open_scene, &whole_text),
+            false => edit_result::keeping(&self.player.open_scene, &whole_text),
         };
         match edited {
             Ok(edited) => {
@@ -170,7 +170,7 @@ impl App {
     /// another one than the text. The record is an edit of its own.
     fn record_shown_assembly(&mut self) {
         if self.document.editor.history.is_empty()
-            && !edited::opens_in_shown_assembly(&self.player.open_scene)
+            && !edit_result::opens_in_shown_assembly(&self.player.open_scene)
         {
             self.record_assembly(words().assembly());
         }
@@ -260,7 +260,7 @@ impl App {
             return;
         };
         let name = name.to_owned();
-        match edited::reopened(&self.player.open_scene, &text) {
+        match edit_result::reopened(&self.player.open_scene, &text) {
             Ok(edited) => {
                 let history = &mut self.document.editor.history;
                 if is_undo {

@@ -12,7 +12,7 @@ use crate::tui::commands::key::Key;
 use crate::tui::document::writing::{SavedContent, Text};
 use crate::tui::figures::copying::ShownTables;
 use crate::tui::figures::format::coordinate;
-use crate::tui::player::explained::{DIGITS, Explained};
+use crate::tui::player::solution_cache::{DIGITS, Explained};
 use crate::tui::terminal::clipboard;
 use crate::wording::words;
 

@@ -7,10 +7,10 @@ use crate::tui::document::writing::{Prompt, Question};
 use crate::tui::figures::search::NameSearch;
 use crate::tui::player::assembly_list::AssemblyList;
 use crate::tui::views::help::text::Help;
-use crate::tui::views::offer::list::Offer;
 use crate::tui::views::palette::list::CommandList;
-use crate::tui::views::picker::list::Picker;
 use crate::tui::views::plots::list::PlotList;
+use crate::tui::views::recovery_offer::list::Offer;
+use crate::tui::views::scene_picker::list::Picker;
 
 /// The input mode, which receives the keys.
 #[derive(Debug, Default)]

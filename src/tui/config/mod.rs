@@ -8,7 +8,7 @@ pub use template::template;
 use crate::capability::{Colours, PictureChoice};
 use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Entries, Reader};
 use crate::drawing::{Blocks, Glyphs};
-use crate::files::places;
+use crate::files::directories;
 use crate::nearest::did_you_mean;
 use crate::report::{CellSeparator, CsvDialect, DecimalMark};
 use crate::tui::appearance::palette::Theme;
@@ -137,7 +137,7 @@ impl Config {
     /// environment variables XDG_CONFIG_HOME and HOME.
     #[must_use]
     pub fn path(env: impl Fn(&str) -> Option<PathBuf>) -> Option<PathBuf> {
-        let folder = places::folder_of("XDG_CONFIG_HOME", ".config", env)?;
+        let folder = directories::folder_of("XDG_CONFIG_HOME", ".config", env)?;
         Some(folder.join("config.toml"))
     }
 

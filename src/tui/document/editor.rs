@@ -2,8 +2,8 @@
 
 use crate::scene::{Measure, Scene, Value};
 use crate::tui::commands::list::moved;
-use crate::tui::document::gathered::{DroppedEdits, StagedEdits};
 use crate::tui::document::history::History;
+use crate::tui::document::staged_edits::{DroppedEdits, StagedEdits};
 use std::collections::HashMap;
 
 /// A step for nudging a value: 1, 2 or 5 times a power of ten, in the value's own unit.

@@ -1,6 +1,6 @@
 //! Computations on a background thread, with progress, cancelling and a result.
 
-use crate::tui::document::clerk::{JobOwner, JobRunner};
+use crate::tui::document::io_thread::{JobOwner, JobRunner};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::time::Duration;

@@ -1,17 +1,17 @@
 //! The scene as text: edits with undo, its file, and recovery of unsaved edits. The `clerk` module
 //! runs file operations on a background thread.
 
-pub(crate) mod clerk;
 pub(crate) mod difference;
 pub(crate) mod disk;
-pub(crate) mod edited;
+pub(crate) mod edit_result;
 pub(crate) mod editor;
-pub(crate) mod gathered;
 pub(crate) mod history;
+pub(crate) mod io_thread;
 pub(crate) mod job;
 pub(crate) mod opening;
 pub(crate) mod recovery;
 pub(crate) mod saving;
+pub(crate) mod staged_edits;
 pub(crate) mod writing;
 
 use crate::scene::Scene;

@@ -9,8 +9,8 @@ use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::tui::OpenedScene;
 use crate::tui::figures::format::short;
 use crate::tui::figures::sheet::Sheet;
-use crate::tui::player::edition::SceneRevision;
 use crate::tui::player::open_scene::{OpenScene, solved};
+use crate::tui::player::scene_version::SceneRevision;
 use crate::wording::words;
 use crate::{Ball, DriverMoment, Input};
 

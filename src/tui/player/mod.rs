@@ -3,13 +3,13 @@
 pub(crate) mod assembly_list;
 pub(crate) mod compared_scene;
 pub(crate) mod cost;
+pub(crate) mod current_results;
 pub(crate) mod driver_range;
-pub(crate) mod edition;
-pub(crate) mod explained;
-pub(crate) mod live;
 pub(crate) mod next_singularity;
 pub(crate) mod open_scene;
 pub(crate) mod playback;
+pub(crate) mod scene_version;
+pub(crate) mod solution_cache;
 pub(crate) mod steps;
 pub(crate) mod timetable;
 pub(crate) mod watched_method;
@@ -17,9 +17,9 @@ pub(crate) mod watched_method;
 use super::OpenedScene;
 use crate::tui::figures::format::rounded;
 use driver_range::OutOfRange;
-use edition::SceneRevision;
 use open_scene::OpenScene;
 use playback::{Playback, Track};
+use scene_version::SceneRevision;
 use std::time::Duration;
 use steps::StepLadder;
 

@@ -11,7 +11,7 @@ use crate::solver::{AssemblyChoice, Condition, GroupId, Order, Solver, State, Wo
 use crate::tui::figures::sheet::Sheet;
 use crate::tui::player::cost::Cost;
 use crate::tui::player::driver_range::DriverRange;
-use crate::tui::player::edition::SceneRevision;
+use crate::tui::player::scene_version::SceneRevision;
 use crate::tui::player::timetable::Timetable;
 use crate::tui::{OpenedScene, Origin};
 use std::borrow::Cow;

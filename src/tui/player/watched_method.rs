@@ -1,6 +1,6 @@
 //! Keeps the iterations of a watched method at the current state.
 
-use super::explained::Explained;
+use super::solution_cache::Explained;
 use crate::page::Page;
 use crate::report::{Guess, PositionMethod, WorkedMethod, Working};
 use crate::solver::{Order, Workspace};

@@ -1,6 +1,6 @@
 //! Abstracts the terminal and clock of a session, so that tests can simulate them.
 
-use super::still::StillSequence;
+use super::image_escapes::StillSequence;
 use super::tty::{Tty, Wake};
 use ratatui::layout::Size;
 use std::io;

@@ -8,7 +8,10 @@ mod about;
 mod base64;
 pub(crate) mod clipboard;
 mod console;
-mod intake;
+#[cfg_attr(not(target_os = "linux"), path = "no_watch.rs")]
+mod file_watch;
+pub(crate) mod image_escapes;
+mod input_thread;
 mod keyboard;
 mod line;
 mod painter;
@@ -17,10 +20,7 @@ mod sgr;
 mod signals;
 #[cfg(test)]
 mod slow_line;
-pub(crate) mod still;
 mod tty;
-#[cfg_attr(not(target_os = "linux"), path = "no_watch.rs")]
-mod watch;
 
 pub use about::Terminal;
 pub(crate) use console::Console;

@@ -1,8 +1,8 @@
 //! Simulates a terminal on a slow line, with a simulated clock: only waiting takes time.
 
 use super::console::Console;
+use super::image_escapes::StillSequence;
 use super::rate_limit::{QUESTION, RateLimit};
-use super::still::StillSequence;
 use super::tty::Wake;
 use ratatui::layout::Size;
 use std::collections::VecDeque;

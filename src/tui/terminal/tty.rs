@@ -1,6 +1,8 @@
 //! Takes over the terminal, waits for its events, and restores its original state.
 
-use super::intake::{
+use super::file_watch::Watch;
+use super::image_escapes::StillSequence;
+use super::input_thread::{
     InputDescriptors, InputQueue, IntakeEvent, RESTORE_TIMEOUT, SharedIntake, TerminalRestore,
     is_gone,
 };
@@ -9,8 +11,6 @@ use super::line::ConnectionKind;
 use super::queue;
 use super::rate_limit::{QUESTION, RateLimit};
 use super::signals::{self, SignalEvent, Signals};
-use super::still::StillSequence;
-use super::watch::Watch;
 use crate::capability::{Capability, Colours};
 use crate::tui::Error;
 use crate::tui::commands::key::Key;

@@ -15,7 +15,7 @@ use crate::tui::commands::keymap::Keymap;
 use crate::tui::commands::mouse::{Mouse, MouseEventKind};
 use crate::tui::document::opening;
 use crate::tui::terminal::{Keyboard, TerminalInput};
-use crate::tui::views::picker::list::PickerTarget;
+use crate::tui::views::scene_picker::list::PickerTarget;
 use crate::tui::views::tour::screens::SCREENS;
 use crate::tui::{Origin, Theme, Workbench, views};
 use ratatui::layout::{Position, Size};

@@ -19,15 +19,15 @@ pub(crate) mod layout;
 pub(crate) mod lengths;
 pub(crate) mod motion;
 pub(crate) mod motor;
-pub(crate) mod offer;
 mod page;
 pub(crate) mod palette;
 mod pane;
-pub(crate) mod picker;
 pub(crate) mod plots;
 mod popup;
 mod question;
+pub(crate) mod recovery_offer;
 mod scene;
+pub(crate) mod scene_picker;
 pub(crate) mod state;
 mod status;
 mod table;
@@ -105,7 +105,7 @@ pub(crate) fn urgent(app: &App) -> [Rect; 2] {
     let overlay = match app.mode() {
         Mode::Help(help) => help::placed(app, help, body(area)),
         Mode::Tour(number) => tour::placed(app, *number, body(area)),
-        Mode::Recovery(found) => offer::placed(found, body(area)),
+        Mode::Recovery(found) => recovery_offer::placed(found, body(area)),
         Mode::Unsaved(_) | Mode::Confirm(_) => question::placed(app, body(area)),
         Mode::Palette(_) => palette::placed(body(area)),
         _ => Rect::ZERO,
@@ -144,7 +144,7 @@ fn draw(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
         return;
     }
     if let Mode::AssemblyChoice(picker) = app.mode() {
-        picker::render(app, picker, area, buffer);
+        scene_picker::render(app, picker, area, buffer);
         status::render(app, area, buffer);
         return;
     }
@@ -158,7 +158,7 @@ fn draw(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     match app.mode() {
         Mode::Help(help) => help::render(app, help, body(area), buffer),
         Mode::Tour(number) => tour::render(app, *number, body(area), buffer),
-        Mode::Recovery(found) => offer::render(app, found, body(area), buffer),
+        Mode::Recovery(found) => recovery_offer::render(app, found, body(area), buffer),
         Mode::Unsaved(_) | Mode::Confirm(_) => {
             question::render(app, status::mode(app), body(area), buffer);
         }
@@ -318,7 +318,7 @@ fn on_top(app: &App) -> (usize, usize) {
     let body = body(area);
     match app.mode() {
         Mode::Help(help) => help::extent(app, help, body),
-        Mode::AssemblyChoice(picker) => picker::extent(picker, middle(area)),
+        Mode::AssemblyChoice(picker) => scene_picker::extent(picker, middle(area)),
         Mode::Palette(palette) => palette::extent(palette, body),
         Mode::Candidates if let Some(list) = app.candidates() => {
             candidates::extent(list, middle(area))

@@ -4,7 +4,7 @@
 use super::accuracy::MethodWatch;
 use super::accuracy::study_run::{StudyRun, Ticker};
 use super::lengths::LengthsStudy;
-use super::motion::followed::FollowedPoints;
+use super::motion::tracked_points::FollowedPoints;
 use super::motion::viewport::Viewport;
 use super::motor::study::MotorStudy;
 use super::plots::curves::Plots;
@@ -12,9 +12,9 @@ use super::{View, forces};
 use crate::tui::figures::cursor::Cursor;
 use crate::tui::figures::force_figures::ForceFigures;
 use crate::tui::figures::search::FoundLine;
-use crate::tui::player::explained::Explained;
-use crate::tui::player::live::LiveResult;
+use crate::tui::player::current_results::LiveResult;
 use crate::tui::player::open_scene::OpenScene;
+use crate::tui::player::solution_cache::Explained;
 
 /// The state of all views.
 #[derive(Debug)]

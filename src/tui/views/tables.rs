@@ -20,7 +20,7 @@ use crate::tui::commands::action::{Action, TablesAction};
 use crate::tui::figures::cursor::visible_lines;
 use crate::tui::figures::rows::subject_of;
 use crate::tui::figures::sheet::{COMPUTED_MARK, SheetPart, TableLine};
-use crate::tui::views::motion::followed;
+use crate::tui::views::motion::tracked_points;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
@@ -135,7 +135,7 @@ fn mark(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buff
         return;
     };
     let chosen = *part == SheetPart::Points && {
-        let points = followed::moving(app.open_scene().scene(), *part, *row);
+        let points = tracked_points::moving(app.open_scene().scene(), *part, *row);
         points
             .iter()
             .any(|(point, _)| app.views.followed.contains(*point))

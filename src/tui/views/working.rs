@@ -11,7 +11,7 @@ use super::pane::{Copied, Pane};
 use crate::page::{Line, Page};
 use crate::tui::app::{App, View};
 use crate::tui::commands::action::Action;
-use crate::tui::player::explained::Explained;
+use crate::tui::player::solution_cache::Explained;
 use crate::wording::words;
 use ratatui::layout::Rect;
 

@@ -16,14 +16,14 @@ mod ball;
 mod constant;
 mod decimal;
 mod double;
+mod double_double_ball;
 mod dual;
-mod halves;
 mod lanes;
 mod machine;
 mod number;
 pub(crate) mod plane;
 mod series;
-mod sharp;
+mod split_factors;
 mod vec2;
 
 pub use ball::Ball;
@@ -32,14 +32,14 @@ pub use constant::Constant;
 pub(crate) use constant::{DOUBLE_DOUBLE_ERROR, typed_radius};
 pub use decimal::Decimal;
 pub use double::Double;
+pub use double_double_ball::Sharp;
 pub use dual::Dual;
-pub(crate) use halves::{Halves, Product};
 pub use lanes::{LANES, Lanes};
 pub use machine::vectorized;
 pub(crate) use machine::{Fusing, fused, plainly};
 pub use number::Number;
 pub(crate) use series::{Series, TERMS};
-pub use sharp::Sharp;
+pub(crate) use split_factors::{Halves, Product};
 pub use vec2::Vec2;
 
 /// The unit roundoff of a double, 2^-53: half an ulp of 1.

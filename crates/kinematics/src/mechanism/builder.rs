@@ -1,6 +1,6 @@
 //! Builds a mechanism element by element and checks each by itself.
 
-use super::ranks::NameRanks;
+use super::name_ranks::NameRanks;
 use super::{
     Body, Defect, Defects, Driver, ElementId, Input, InputTable, Limit, LimitId, LimitOf, Link,
     LinkId, Load, Mechanism, Member, Parts, Point, PointId, PolarPosition, Slide, SlideId, Slider,

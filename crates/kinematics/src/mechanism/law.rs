@@ -5,8 +5,8 @@
 //! from there.
 
 mod arcs;
+mod dwell_times;
 mod peaks;
-mod stays;
 
 pub use peaks::MotionPeaks;
 

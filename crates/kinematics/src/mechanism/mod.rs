@@ -13,8 +13,8 @@ mod law;
 mod lengths;
 mod limit;
 mod load;
+mod name_ranks;
 mod polar;
-mod ranks;
 mod spline;
 mod tolerances;
 
@@ -244,7 +244,7 @@ struct Parts {
     decimals: bool,
     rounded: bool,
     converted_rates: bool,
-    ranks: ranks::NameRanks,
+    ranks: name_ranks::NameRanks,
     typed_rates: Option<[Double; 2]>,
 }
 

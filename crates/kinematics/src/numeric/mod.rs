@@ -17,17 +17,17 @@
 //! accurate as any root. From values alone, its position is known to half of the digits only,
 //! because a function is flat there.
 
-mod chance;
 pub mod chebyshev;
 mod evolution;
 mod lowest;
 mod polynomial;
+mod random;
 mod root;
-mod turns;
+mod sampled_extrema;
 
-pub use chance::SeededRng;
 pub use evolution::mutate;
 pub use lowest::{MinimumError, lowest};
 pub use polynomial::polynomial_roots;
+pub use random::SeededRng;
 pub use root::{RootError, few_decimals, root, roots};
-pub use turns::turns;
+pub use sampled_extrema::turns;

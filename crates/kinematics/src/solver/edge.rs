@@ -5,8 +5,8 @@
 //! of the end they cannot even decide whether it closes. The steps before the first coupled group
 //! are then run in double-double from the typed decimals, and the values are rounded once.
 
-use super::demand::PlacedPart;
 use super::exact::Exact;
+use super::pruning::PlacedPart;
 use super::state::{Condition, LinkState, PointState, State, TravelState};
 use super::{Order, Solver, Workspace};
 use crate::{Double, Lanes, Number};

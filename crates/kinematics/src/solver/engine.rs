@@ -2,12 +2,12 @@
 
 use super::change_point::ChangePointCrossings;
 use super::coupled::{Coupled, Scratch};
-use super::demand::{Marks, PlacedPart, prune};
 use super::elements::{ACCELERATION, POSITION, Step, StepOutcome, VELOCITY};
-use super::following::{Following, InputMotion};
 use super::frame::Frame;
+use super::further_inputs::{Following, InputMotion};
 use super::motion::Folded;
 use super::plan::{Gauge, Program, WatchedConstraint};
+use super::pruning::{Marks, PlacedPart, prune};
 use super::state::{Condition, LinkState, PointState, Rates, State, TravelState};
 use super::workspace::Workspace;
 use super::{Demand, Order};

@@ -4,8 +4,8 @@
 //! links locked on slides, which keep their angles to each other. A link with k joints gives 2 (k -
 //! 1) equations, a slot one. Points that are not joints have no equations: they ride on a link.
 
-use super::following::Following;
 use super::frame::Frame;
+use super::further_inputs::Following;
 use crate::{
     Body, Constant, ElementId, Input, Length, Link, LinkId, Mechanism, PointId, SlideId, Slider,
     Vec2,

@@ -3,8 +3,8 @@
 use super::coupled::Coupled;
 use super::elements::Step;
 use super::fault::Fault;
-use super::following::Following;
 use super::frame::Frame;
+use super::further_inputs::Following;
 use super::network::Network;
 use crate::mechanism::id;
 use crate::{Constant, ElementId, LinkId, Mechanism, PointId, SlideId, Vec2};

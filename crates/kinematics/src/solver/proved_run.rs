@@ -1,10 +1,10 @@
 //! Runs steps in double-double with error bounds, from the typed decimals, coupled groups included.
 
 use super::coupled::Views;
-use super::demand::PlacedPart;
 use super::elements::{ACCELERATION, POSITION, Step, StepOutcome};
 use super::engine::Engine;
 use super::exact::Exact;
+use super::pruning::PlacedPart;
 use super::state::{LinkState, PointState, State};
 use super::workspace::Workspace;
 use crate::arithmetic::Sharp;

@@ -1,9 +1,9 @@
 //! Holds the result of a solve: kinematic coefficients inside, values in the scene's units outside.
 
 use super::Order;
-use super::demand::Marks;
 use super::forces::ForceState;
 use super::frame::Frame;
+use super::pruning::Marks;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 use std::sync::Arc;
 

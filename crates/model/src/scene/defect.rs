@@ -1,10 +1,10 @@
 //! Converts the builder's defects to diagnostics that name the elements as the file does.
 
-use super::draft::SceneDraft;
 use super::elements::link::DraftLink;
 use super::elements::slide::{DraftSlide, DraftSlider};
 use super::inputs::input::DraftInput;
 use super::numbers::reader::{Name, Reader, quoted};
+use super::raw_elements::SceneDraft;
 use crate::document::Diagnostic;
 use crate::wording::words;
 use crate::{Defect, LinkId, PointId, SlideId};

@@ -44,17 +44,17 @@
 //! [`Scene::explain`] reports them in the same form.
 
 mod accuracy;
-mod acting;
 mod defect;
-mod draft;
 mod elements;
 mod inputs;
 mod keys;
+mod loads;
 mod names;
 mod numbers;
 #[cfg(test)]
 #[path = "../../../../src/scene/presets.rs"]
 pub mod presets;
+mod raw_elements;
 mod resolve;
 mod rewrite;
 mod syntax;
@@ -62,8 +62,6 @@ mod table;
 mod values;
 
 pub use crate::document::{Diagnostic, Diagnostics, Label, is_harmful, sanitized};
-#[doc(hidden)]
-pub use draft::{line, unit};
 #[doc(hidden)]
 pub use inputs::input::coordinate_key;
 pub use inputs::motor::Motor;
@@ -80,8 +78,10 @@ pub use numbers::numeral::{are_thousands, with_point};
 pub use numbers::parameters::Parameter;
 #[doc(hidden)]
 pub use numbers::rate::Degree;
-pub use numbers::typed::ValueError;
+pub use numbers::typed_number::ValueError;
 pub use numbers::unit::Unit;
+#[doc(hidden)]
+pub use raw_elements::{line, unit};
 pub use rewrite::Precision;
 #[doc(hidden)]
 pub use rewrite::{figure, key, toml_string};
@@ -202,7 +202,7 @@ impl Scene {
         let mut reader = Reader::new(text);
         let root = document::parse(&mut reader, syntax::fix);
         let scene = root.as_ref().and_then(|root| {
-            let draft = draft::read(&mut reader, root);
+            let draft = raw_elements::read(&mut reader, root);
             let resolved = resolve::resolve(&mut reader, &draft)?;
             let figures = draft.figures.into_iter();
             Some(Scene {
@@ -233,7 +233,7 @@ impl Scene {
             scene.tolerances = scene.in_order_of_names(tolerances);
             scene
         });
-        let scene = scene.filter(|scene| numbers::worked::measures_fit(&mut reader, scene));
+        let scene = scene.filter(|scene| numbers::formula_values::measures_fit(&mut reader, scene));
         scene.ok_or_else(|| reader.into_diagnostics(origin))
     }
 

@@ -1,9 +1,9 @@
 //! The common namespace of points, links, slides and vectors.
 
-use super::draft::SceneDraft;
 use super::elements::slide::DraftSlider;
 use super::keys;
 use super::numbers::reader::{ByteSpan, Name, Reader, quoted};
+use super::raw_elements::SceneDraft;
 use crate::document::Diagnostic;
 use crate::expression;
 use crate::nearest::did_you_mean;

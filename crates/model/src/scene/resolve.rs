@@ -1,16 +1,16 @@
 //! Resolves the names of a draft and builds the mechanism.
 
 use super::accuracy::deviations::ToleranceResolver;
-use super::draft::SceneDraft;
 use super::elements::limits::LimitPlaces;
 use super::elements::link::DraftLink;
+use super::elements::link_points::Sighted;
 use super::elements::points::PlacedPoint;
 use super::elements::redundant;
-use super::elements::sighted::Sighted;
 use super::elements::slide::{DraftSlide, DraftSlider};
 use super::inputs::input::DraftInput;
 use super::names::{NameKind, Names};
 use super::numbers::reader::{ByteSpan, Name, Reader};
+use super::raw_elements::SceneDraft;
 use super::{TextPlaces, Vector, VectorKind, defect};
 use crate::document::Diagnostic;
 use crate::nearest::nearest;

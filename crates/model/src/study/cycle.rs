@@ -1,7 +1,7 @@
 //! Integrates the velocities through many cycles and measures the error in the last one.
 
+use super::method_cost::{Stopwatch, Tally};
 use super::rk4::Rk4;
-use super::tally::{Stopwatch, Tally};
 use super::{PASS, SAMPLES};
 use crate::solver::{DriftMethod, Methods, Range};
 use std::time::Duration;

@@ -93,7 +93,7 @@ pub(super) fn mark_best(methods: &mut [Finding]) {
         Some([figures.time?.median, figures.errors?.position])
     };
     let costs: Vec<_> = methods.iter().map(cost).collect();
-    for (finding, best) in methods.iter_mut().zip(super::front::front(&costs)) {
+    for (finding, best) in methods.iter_mut().zip(super::pareto_front::front(&costs)) {
         finding.best = best;
     }
 }

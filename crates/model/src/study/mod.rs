@@ -13,13 +13,13 @@ mod design;
 mod excursion;
 mod exercise;
 mod findings;
-mod front;
 mod grading;
 mod iterations;
+mod method_cost;
 pub mod motor;
+mod pareto_front;
 mod rk4;
 mod spread;
-mod tally;
 mod tolerance;
 
 pub use crate::solver::{Method, Start, Unsuitable};
@@ -52,9 +52,9 @@ pub use tolerance::{
 
 use crate::solver::{Deviation, Methods, Range, Runner, Solver};
 use cycle::IntegrationCycle;
+use method_cost::{Stopwatch, Tally};
 use std::hint::black_box;
 use std::time::Duration;
-use tally::{Stopwatch, Tally};
 
 /// Default number of positions, per 360 degrees or over the range.
 pub const DEFAULT_POSITIONS: u32 = 3600;

@@ -20,7 +20,7 @@
 use super::lines::solved;
 use super::linkage::FunctionLinkage;
 use super::refine::FunctionDesign;
-use super::wanted::{FunctionLaw, TargetFunction};
+use super::task::{FunctionLaw, TargetFunction};
 use super::{ExactDesigns, law_angles};
 use nalgebra::{Complex, DVector};
 

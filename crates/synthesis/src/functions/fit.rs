@@ -1,6 +1,6 @@
 //! Fits datums and scales to the positions of the pins.
 
-use super::wanted::wrapped;
+use super::task::wrapped;
 
 /// Returns the indices in ascending order of x.
 pub(super) fn in_order(xs: &[f64]) -> Vec<usize> {

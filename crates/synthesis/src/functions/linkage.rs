@@ -181,7 +181,7 @@ mod tests {
                 if (above.short == 0.0) != (below.short == 0.0) || numbers[2].abs() < 0.05 {
                     continue;
                 }
-                let slope = super::super::wanted::wrapped(above.output - below.output) / step / 2.0;
+                let slope = super::super::task::wrapped(above.output - below.output) / step / 2.0;
                 let size = 1.0 + here.by[i].abs().powi(3);
                 assert!((slope - here.by[i]).abs() < 1e-5 * size, "{round} {i}");
                 let slope = (above.short - below.short) / step / 2.0;

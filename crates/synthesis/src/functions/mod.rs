@@ -35,10 +35,10 @@ mod search;
 mod slide;
 mod spacing;
 mod stages;
+mod task;
 #[cfg(test)]
 mod tests;
 mod trigonometric;
-mod wanted;
 
 pub use run::{FunctionRun, MaxError};
 pub use spacing::chebyshev_pairs;
@@ -47,7 +47,7 @@ use super::{FunctionTask, Output, PinConstraint, Proposal, Proposals};
 use kinematics::Vec2;
 use refine::FunctionDesign;
 use stages::Stages;
-use wanted::TargetFunction;
+use task::TargetFunction;
 
 /// Linkages count as one if all their pins differ by less than this part of the size.
 const EQUALITY_TOLERANCE: f64 = 1e-7;

@@ -7,7 +7,7 @@
 //! would meet every pair.
 
 use super::linkage::FunctionLinkage;
-use super::wanted::{FunctionLaw, TargetFunction, wrapped};
+use super::task::{FunctionLaw, TargetFunction, wrapped};
 use crate::Output;
 use nalgebra::{SMatrix, SVector};
 

@@ -2,7 +2,7 @@
 
 use super::fit::{fitted, in_order};
 use super::linkage::FunctionLinkage;
-use super::wanted::{FunctionLaw, TargetFunction, wrapped};
+use super::task::{FunctionLaw, TargetFunction, wrapped};
 use crate::{FunctionTask, Output, PinConstraint, Proposal};
 use kinematics::Vec2;
 use kinematics::numeric::lowest;

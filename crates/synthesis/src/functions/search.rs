@@ -8,7 +8,7 @@
 
 use super::refine::FunctionDesign;
 use super::stages::Stages;
-use super::wanted::TargetFunction;
+use super::task::TargetFunction;
 use super::{ExactDesigns, MAX_RELATIVE_RMS, exact};
 use crate::Output;
 use std::f64::consts::{PI, TAU};

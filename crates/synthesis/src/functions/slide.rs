@@ -31,8 +31,8 @@
 use super::lines::{SAMPLES, solved};
 use super::linkage::FunctionLinkage;
 use super::refine::FunctionDesign;
+use super::task::{FunctionLaw, TargetFunction};
 use super::trigonometric::zeros;
-use super::wanted::{FunctionLaw, TargetFunction};
 use super::{ExactDesigns, law_angles};
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;

@@ -18,7 +18,7 @@
 use super::evolution::{Raw, SearchTarget};
 use super::linear::{LinkagePlace, Projection};
 use super::shape::{LinkageForm, LinkageShape};
-use super::wanted::{GivenPivots, TargetPath};
+use super::task::{GivenPivots, TargetPath};
 use kinematics::{Vec2, angle};
 use nalgebra::{DMatrix, DVector};
 

@@ -2,7 +2,7 @@
 
 use super::descent::Fit;
 use super::shape::LinkageForm;
-use super::wanted::{GivenPivots, TargetPath};
+use super::task::{GivenPivots, TargetPath};
 use kinematics::Vec2;
 
 /// Linkages count as one if their pivots and pins agree within this part of their largest distance.

@@ -5,7 +5,7 @@
 
 use super::linear::Projection;
 use super::shape::{LinkageForm, LinkageShape};
-use super::wanted::{GivenPivots, PathPart, TargetPath};
+use super::task::{GivenPivots, PathPart, TargetPath};
 use kinematics::numeric::{SeededRng, mutate};
 
 /// Maximum number of genes: three ratios, the first angle, the whole turn, and two for its

@@ -13,7 +13,7 @@
 //! given, P - D = s (a e - g) + z u, with both s = (D - A) / g.
 
 use super::shape::LinkageShape;
-use super::wanted::{GivenPivots, TargetPath};
+use super::task::{GivenPivots, TargetPath};
 use kinematics::{Vec2, angle};
 
 /// The placement of a linkage of known shape.

@@ -23,11 +23,11 @@ mod distinct;
 mod evolution;
 mod linear;
 mod order;
+mod preferences;
 mod shape;
+mod task;
 #[cfg(test)]
 mod tests;
-mod wanted;
-mod wishes;
 
 use super::{PathTask, PinConstraint, Preferences, Proposal, Proposals};
 use descent::Fit;
@@ -35,7 +35,7 @@ use distinct::{Ranked, chosen};
 use evolution::{Evolution, SearchTarget};
 use kinematics::{angle, parallel};
 use shape::LinkageForm;
-use wanted::{GivenPivots, TargetPath};
+use task::{GivenPivots, TargetPath};
 
 /// Number of points used by the evolution; the descent uses all.
 const ROUGH_POINTS: usize = 36;

@@ -6,7 +6,7 @@
 //! by how fast the tracer leaves its foot.
 
 use super::descent::Fit;
-use super::wanted::TargetPath;
+use super::task::TargetPath;
 
 /// Maximum factor by which sorting may increase the mean square. A larger increase is not noise but
 /// another order.

@@ -1,7 +1,7 @@
 //! Combines two dyads into a linkage, and selects the most promising distinct linkages.
 
 use super::dyad::FullDyad;
-use super::guidance::Guidance;
+use super::dyad_equations::Guidance;
 use crate::{PinConstraint, Proposal};
 use kinematics::{Vec2, angle};
 

@@ -13,8 +13,8 @@
 //! [`Form`](form::Form): n poses give n - 1. A pivot at infinity is the normal of a slide, so that
 //! slides need no separate equations.
 
+use super::dyad_equations::Guidance;
 use super::form;
-use super::guidance::Guidance;
 use super::space::{self, Triple};
 use crate::{PinConstraint, PosedDyad};
 use kinematics::{Double, Vec2};

@@ -6,8 +6,8 @@
 //! where the fourth equation changes its sign along the curve.
 
 use super::dyad::FullDyad;
+use super::dyad_equations::Guidance;
 use super::form::{self, Form};
-use super::guidance::Guidance;
 use super::space;
 use super::trace::CurveSpot;
 use super::{five, four};

@@ -11,8 +11,8 @@
 //! digit of the quartic.
 
 use super::dyad::FullDyad;
+use super::dyad_equations::Guidance;
 use super::form::{self, Form};
-use super::guidance::Guidance;
 use super::polynomial::{self, PlaneCubic};
 use super::space::{self, Triple};
 use kinematics::{Double, Vec2};

@@ -15,8 +15,8 @@
 //! cos^2(s / 2)`, both roots y together are one smooth closed piece, s from 0 to 360 degrees.
 
 use super::dyad::FullDyad;
+use super::dyad_equations::Guidance;
 use super::form::{self, Form};
-use super::guidance::Guidance;
 use super::polynomial::{self, PlaneCubic};
 use super::space::{self, Triple};
 use super::trace::{self, CurveSpot, Piece};

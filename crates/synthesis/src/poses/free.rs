@@ -1,7 +1,7 @@
 //! Finds the dyads if none is given.
 
 use super::dyad::FullDyad;
-use super::guidance::Guidance;
+use super::dyad_equations::Guidance;
 use super::{family, five, four, three};
 use crate::{OpenReason, PinConstraint, PoseTask, PosedDyad};
 use kinematics::Vec2;

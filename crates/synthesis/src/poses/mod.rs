@@ -21,12 +21,12 @@
 
 mod choice;
 mod dyad;
+mod dyad_equations;
 mod family;
 mod five;
 mod form;
 mod four;
 mod free;
-mod guidance;
 mod polynomial;
 mod space;
 #[cfg(test)]
@@ -37,9 +37,9 @@ mod trace;
 use super::{OpenReason, PoseTask, PosedDyad, Proposal, Proposals};
 use choice::DyadPairing;
 use dyad::FullDyad;
+use dyad_equations::Guidance;
 use free::Free;
 pub(crate) use free::PoseReach;
-use guidance::Guidance;
 use kinematics::Vec2;
 
 /// Proposes linkages through the poses of a task: four-bars, slider-cranks or both, with all given

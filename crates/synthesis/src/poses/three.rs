@@ -5,8 +5,8 @@
 //! Free values come from grids: the result is a selection.
 
 use super::dyad::FullDyad;
+use super::dyad_equations::Guidance;
 use super::form;
-use super::guidance::Guidance;
 use super::space;
 use crate::PoseTask;
 use kinematics::{Double, Vec2};

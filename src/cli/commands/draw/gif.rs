@@ -1,7 +1,7 @@
 //! Writes one turn as an animated GIF.
 
+use super::animation_steps::{self, RATE};
 use super::svg::unpainted;
-use super::turn::{self, RATE};
 use super::{DrawFormat, DrawnScene, FormatOption};
 use crate::cli::failure::Failure;
 use crate::drawing::{self, Glyphs, Labels, WorldView};
@@ -27,7 +27,7 @@ const WIDTH: u16 = 800;
 const TYPICAL: usize = 4;
 
 fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
-    let turn = turn::places(drawn);
+    let turn = animation_steps::places(drawn);
     // The last position is the first of the next turn.
     let coordinates = &turn[..turn.len() - 1];
     let typical = coordinates

@@ -1,14 +1,14 @@
 //! `krank draw`: draws the linkage at one driver coordinate, or along its motion, in one of several
 //! formats.
 
-mod cast;
+mod animation_steps;
+mod asciicast;
 mod dxf;
 mod format;
 mod gif;
 mod png;
 mod svg;
 mod text;
-mod turn;
 
 use crate::PointId;
 use crate::cli::choice::{OrAuto, one_of};
@@ -193,7 +193,7 @@ static FORMATS: [&DrawFormat; 6] = [
     &dxf::FORMAT,
     &png::FORMAT,
     &self::gif::FORMAT,
-    &cast::FORMAT,
+    &asciicast::FORMAT,
 ];
 
 /// Returns an error if the command line has an option that its format does not support.
@@ -277,7 +277,7 @@ impl<'a> DrawnScene<'a> {
         // On its side, a name stays where the frame before had it. After a turn, the first frame of
         // an animation equals its last one.
         let mut raster = drawing::Raster::new();
-        for at in turn::places(self) {
+        for at in animation_steps::places(self) {
             labels.go(&self.links, at);
             drawing::render_into(&figure_at(at), view, glyphs, &mut labels, &mut raster);
         }

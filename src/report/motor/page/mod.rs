@@ -1,7 +1,7 @@
 //! Formats the motor over a cycle as a page.
 
-mod ram;
-mod telling;
+mod facts;
+mod ram_motion;
 
 use crate::page::{Page, Row, Table, TextStyle};
 use crate::report::cycle::page::indented;
@@ -9,7 +9,7 @@ use crate::report::motor::{MotorReport, NOTHING};
 use crate::report::text::number::{concise, significant};
 use crate::study::motor::{Cycle, DriveEffort, Duty, DutyError, MotorDemand, Peak};
 use crate::wording::words;
-use telling::{
+use facts::{
     cleaned, columns_of, facts, figure, indented_facts, is_constant, known, none, rough, rule_text,
     trimmed, verdict,
 };

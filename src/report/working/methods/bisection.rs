@@ -1,9 +1,9 @@
 //! Writes the table of a bisection.
 
-use super::super::draft::{Context, Draft};
+use super::super::context::{Context, Draft};
+use super::super::group_unknowns::{ProblemForm, Stage};
 use super::super::solution::Solution;
-use super::super::stages::{ProblemForm, Stage};
-use super::guess::Guesses;
+use super::initial_values::Guesses;
 use super::problem::longest;
 use super::reduced::{ReducedLoop, figure};
 use crate::page::UNIT;

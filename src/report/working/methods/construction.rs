@@ -1,10 +1,10 @@
 //! Writes the construction with compass and ruler, step by step, and the values read from it.
 
-use super::super::draft::{Context, Draft};
+use super::super::context::{Context, Draft};
+use super::super::group_unknowns::{ProblemForm, Stage};
 use super::super::polygon::{Loop, Term};
 use super::super::solution::Solution;
-use super::super::stages::{ProblemForm, Stage};
-use super::paper::{DrawingSheet, read_off};
+use super::drawing_scale::{DrawingSheet, read_off};
 use super::{groups_with_unknowns, heading};
 use crate::wording::words;
 use crate::{Vec2, angle};

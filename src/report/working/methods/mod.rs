@@ -2,24 +2,24 @@
 
 mod bisection;
 mod construction;
-mod guess;
+mod drawing_scale;
+mod initial_values;
 mod newton;
-mod paper;
 mod problem;
 mod reduced;
 
-pub use guess::{Guess, GuessError};
+pub use initial_values::{Guess, GuessError};
 pub(super) use problem::kind;
 
-use super::draft::{Context, Draft};
-use super::stages::{ProblemForm, Stage};
-use super::{Working, WorkingNotation, opening};
+use super::context::{Context, Draft};
+use super::group_unknowns::{ProblemForm, Stage};
+use super::{Working, WorkingNotation, introduction};
 use crate::page::Page;
 use crate::scene::Scene;
 use crate::solver::{Solver, State};
 use crate::study::ErrorCurve;
 use crate::wording::words;
-use guess::Guesses;
+use initial_values::Guesses;
 
 /// A method for positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,8 +64,8 @@ impl Working {
             return Ok(WorkedMethod::of(page));
         }
         let mut draft = Draft::default();
-        opening::heading(&context, &mut draft);
-        opening::polygons(&context, &mut draft);
+        introduction::heading(&context, &mut draft);
+        introduction::polygons(&context, &mut draft);
         draft.page.part(method.title());
         draft.page.text(method.how());
         Ok(method.work(&context, draft, &guesses))

@@ -1,10 +1,10 @@
 //! Writes the table of Newton-Raphson iterations.
 
-use super::super::draft::{Context, Draft};
+use super::super::context::{Context, Draft};
 use super::super::equations::{Multiplier, in_figures, in_symbols};
-use super::super::place::pieces;
-use super::super::stages::Stage;
-use super::guess::{Guesses, format_unknowns};
+use super::super::group_unknowns::Stage;
+use super::super::positions::pieces;
+use super::initial_values::{Guesses, format_unknowns};
 use super::problem::{LoopProblem, kind};
 use crate::page::Head;
 use crate::report::error_text;

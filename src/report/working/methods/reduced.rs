@@ -1,13 +1,13 @@
 //! Reduces a loop of two unknowns to one equation in one unknown: the squared length of an arm
 //! eliminates the other.
 
-use super::super::draft::{Context, Draft};
+use super::super::context::{Context, Draft};
 use super::super::expression::Expression;
 use super::super::figures::Figures;
+use super::super::group_unknowns::{LoopUnknown, ProblemForm, Stage};
 use super::super::polygon::Term;
 use super::super::sides::{SideShape, Turns};
 use super::super::solution::{DyadArm, Solution};
-use super::super::stages::{LoopUnknown, ProblemForm, Stage};
 use crate::page::UNIT;
 use crate::study::{UnknownKind, half_turn};
 use crate::wording::words;

@@ -1,6 +1,6 @@
 //! A link of a group with its forces, known and unknown.
 
-use super::super::draft::{Context, Draft};
+use super::super::context::{Context, Draft};
 use super::super::figures::WrittenSum;
 use super::super::free_body::BodyForce;
 use crate::page::UNIT;

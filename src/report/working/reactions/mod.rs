@@ -7,7 +7,7 @@ mod body;
 mod reduced;
 mod system;
 
-use super::draft::{Context, Draft};
+use super::context::{Context, Draft};
 use super::forces::point_name;
 use super::free_body::BodyJoint::{Driver, Guide, Pin};
 use super::free_body::{BodyForce, guided, on_link};

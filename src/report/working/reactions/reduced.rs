@@ -1,7 +1,7 @@
 //! Solves dyads and the crank: one or two equations without their outer reactions, solved by
 //! Cramer's rule.
 
-use super::super::draft::{Context, Draft};
+use super::super::context::{Context, Draft};
 use super::super::expression::Expression;
 use super::super::figures::{Figures, WrittenSum};
 use super::super::forces::point_name;

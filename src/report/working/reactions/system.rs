@@ -1,6 +1,6 @@
 //! Writes a group with coupled reactions: the equations of all its links together, with numbers.
 
-use super::super::draft::{Context, Draft};
+use super::super::context::{Context, Draft};
 use super::super::figures::{WrittenSum, factor};
 use super::super::forces::point_name;
 use super::super::free_body::{BodyForce, BodyJoint};

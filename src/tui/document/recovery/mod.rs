@@ -5,23 +5,23 @@
 //! ended. A session without edits has a file too, so that others see it.
 
 mod record;
-mod subject;
+mod scene_id;
 
 pub(crate) use record::SessionRun;
 
 use crate::files::{DraftFile, create_private_folder, is_held, limited, open_to_read};
 use crate::scene::MAX_FILE_SIZE;
 use crate::tui::Origin;
-use crate::tui::document::gathered::StagedEdits;
+use crate::tui::document::staged_edits::StagedEdits;
 use crate::wording::words;
 use record::{MAX_HEADER_LEN, Record, sum};
+use scene_id::RecoverySubject;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::SystemTime;
-use subject::RecoverySubject;
 
 /// Maximum number of files read.
 const MAX_FILES: usize = 1000;

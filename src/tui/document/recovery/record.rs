@@ -14,8 +14,8 @@
 //! ```
 
 use super::UnsavedEdits;
-use super::subject::{Identity, RecoverySubject};
-use crate::tui::document::gathered::StagedEdits;
+use super::scene_id::{Identity, RecoverySubject};
+use crate::tui::document::staged_edits::StagedEdits;
 use rustix::system::uname;
 use std::fmt::Write;
 use std::fs;

@@ -118,7 +118,10 @@ fn dragging_far_end_changes_only_link_length() {
     drag(&mut workbench, from, &[along * -30.0 + along.perp() * 12.0]);
     let length = workbench.app().editor().named("leg length").unwrap().number;
     let half = 0.5 * high.hypot(0.5 * high);
-    assert!((length - 143.2).abs() <= half, "{length}, half a cell {half}");
+    assert!(
+        (length - 143.2).abs() <= half,
+        "{length}, half a cell {half}"
+    );
     let knee = workbench.app().editor().named("leg knee x").unwrap().number;
     assert_eq!(knee, 86.6);
     // The end cannot pass the other end, and a message says so.

@@ -17,7 +17,7 @@ use crate::report::{Accuracy, PositionMethod, StudyMeasure};
 use crate::study::Findings;
 use crate::tui::app::{App, View};
 use crate::tui::commands::action::Action;
-use crate::tui::player::live::LiveResult;
+use crate::tui::player::current_results::LiveResult;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::player::watched_method::WatchedMethod;
 use crate::tui::views::accuracy::study_run::Phase;

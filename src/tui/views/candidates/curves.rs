@@ -1,8 +1,8 @@
 //! Draws the centre and circle point curves of four poses, the dyad under the cursor, and the
 //! linkage made from two dyads.
 
+use super::curve_cursor::CurveWalk;
 use super::list::CandidateList;
-use super::walk::CurveWalk;
 use super::{in_lines, print_facts};
 use crate::Vec2;
 use crate::drawing::{self, Extents, Figure, Layers, Role, Shape};

@@ -1,8 +1,8 @@
 //! The candidates of a task: the running search, the list, and the motion of the candidate under
 //! the cursor.
 
-use super::shown::ShownCandidate;
-use super::walk::CurveWalk;
+use super::curve_cursor::CurveWalk;
+use super::display::ShownCandidate;
 use crate::report::{CandidateRow, SynthesisReport};
 use crate::synthesis::{
     Candidate, PinConstraint, PosedDyad, SceneTitles, Synthesis, SynthesisSettings, scene_text,

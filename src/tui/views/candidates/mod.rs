@@ -11,12 +11,12 @@
 //! wiper-1      Enter take  space play  Left Right points
 //! ```
 
+pub(crate) mod curve_cursor;
 mod curves;
+mod display;
 pub(crate) mod list;
-mod shown;
-pub(crate) mod walk;
 
-use super::picker::{PickerAreas, arrange, paragraph};
+use super::scene_picker::{PickerAreas, arrange, paragraph};
 use super::{columns, cut, list_rows, middle, print, print_line, print_right, row, split};
 use crate::drawing::{self, Layers, Shape};
 use crate::page::wrapped;
@@ -25,10 +25,10 @@ use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::player::open_scene::shown as shown_text;
 use crate::wording::words;
+use display::ShownCandidate;
 use list::{CandidateList, CandidatesPage};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect, Size};
-use shown::ShownCandidate;
 
 /// Widths of the list, its margins included: with the values only, and with the unmet preferences
 /// behind them.

@@ -6,9 +6,9 @@
 //! | space        play or pause    |
 //! ```
 
-mod finding;
 pub(crate) mod keys;
 mod page;
+mod search;
 pub(crate) mod text;
 
 use super::popup::{self, BORDER};

@@ -1,7 +1,7 @@
 //! Keeps the state of the help: the list of keys or a topic of the manual, the scroll position, and the search in them.
 
 use super::keys::groups;
-use super::{finding, page};
+use super::{page, search};
 use crate::manual::{self, SearchWords, TOPICS, Topic};
 use crate::tui::app::View;
 use crate::tui::commands::action;
@@ -133,7 +133,7 @@ impl Help {
         let text = search.line.text();
         let (words, is_asked) = (SearchWords::new(text), !text.trim().is_empty());
         let found = match is_asked {
-            true => finding::next(&words, after.unwrap_or(from), columns, keymap),
+            true => search::next(&words, after.unwrap_or(from), columns, keymap),
             false => None,
         };
         if is_next && found.is_some() {

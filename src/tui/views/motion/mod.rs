@@ -2,8 +2,8 @@
 
 mod arrangement;
 mod cycle_line;
-pub(crate) mod followed;
-mod lens;
+mod framing;
+pub(crate) mod tracked_points;
 pub(crate) mod viewport;
 
 use super::pane::{Copied, Pane};
@@ -17,7 +17,7 @@ use crate::report::perpendicular_up;
 use crate::tui::app::{App, Mode, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, MotionAction};
-use crate::tui::player::edition::SceneRevision;
+use crate::tui::player::scene_version::SceneRevision;
 use crate::tui::views::motion::viewport::ViewportSetting;
 use crate::wording::words;
 use arrangement::arrange;

@@ -10,10 +10,10 @@ use crate::drawing::{
 use crate::quantity::Subject;
 use crate::scene::Scene;
 use crate::solver::{Order, State};
-use crate::tui::player::edition::SceneRevision;
 use crate::tui::player::open_scene::OpenScene;
-use crate::tui::views::motion::followed::FollowedPoints;
-use crate::tui::views::motion::lens::ViewportState;
+use crate::tui::player::scene_version::SceneRevision;
+use crate::tui::views::motion::framing::ViewportState;
+use crate::tui::views::motion::tracked_points::FollowedPoints;
 use crate::wording::words;
 
 /// Number of ghosts, which show the linkage at other positions of its motion.

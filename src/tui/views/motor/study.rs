@@ -11,8 +11,8 @@ use crate::report::{CsvDialect, MotorReport, MotorRequest, TimedMotorReport, cur
 use crate::scene::Scene;
 use crate::solver::{Order, Solver};
 use crate::study::motor::{NoTimedDuty, TimedDuty};
-use crate::tui::player::edition::SceneRevision;
 use crate::tui::player::open_scene::OpenScene;
+use crate::tui::player::scene_version::SceneRevision;
 
 /// The motor study of a scene, empty until the view is shown.
 #[derive(Debug, Default)]

@@ -12,8 +12,8 @@ use crate::scene::Scene;
 use crate::solver::{Order, Solver};
 use crate::study::ToleranceStudy;
 use crate::tui::player::compared_scene::ComparedScene;
-use crate::tui::player::edition::SceneRevision;
 use crate::tui::player::open_scene::OpenScene;
+use crate::tui::player::scene_version::SceneRevision;
 use crate::tui::views::plots::excursion_note::ExcursionNote;
 use crate::wording::words;
 

@@ -3,8 +3,8 @@
 use crate::page::Page;
 use crate::quantity::Catalogue;
 use crate::report::brief_cycle;
-use crate::tui::player::edition::SceneRevision;
 use crate::tui::player::open_scene::OpenScene;
+use crate::tui::player::scene_version::SceneRevision;
 
 /// Stroke, turns, time ratio, dwell and rate of a quantity, one line each, and the full summary as
 /// a page.

@@ -10,7 +10,7 @@ use crate::tui::document::writing::{Prompt, Question, SavedContent};
 use crate::tui::figures::format::{coordinate, rounded};
 use crate::tui::player::next_singularity::ahead;
 use crate::tui::player::open_scene::{OpenScene, shown};
-use crate::tui::views::picker::list::Purpose;
+use crate::tui::views::scene_picker::list::Purpose;
 use crate::wording::words;
 
 /// Numbers of turns from here on are shown with an exponent.

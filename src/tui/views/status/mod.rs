@@ -8,8 +8,8 @@
 
 mod facts;
 mod hints;
+mod long_message;
 mod prompts;
-mod told;
 mod writer;
 
 use super::{columns, cut, row};
@@ -19,10 +19,10 @@ use crate::tui::appearance::theme::ScreenPart;
 use crate::tui::player::open_scene::shown;
 use crate::wording::words;
 pub(super) use facts::mode;
+use long_message::MessageLines;
+pub(super) use long_message::broken;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use told::MessageLines;
-pub(super) use told::broken;
 use writer::Writer;
 
 /// Maximum and minimum width of a scene's name. It is cut, sooner on short lines, and left out if

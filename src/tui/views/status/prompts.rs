@@ -11,8 +11,8 @@ use crate::tui::commands::line::EditLine;
 use crate::tui::player::open_scene::shown;
 use crate::tui::views::candidates::fits_both;
 use crate::tui::views::candidates::list::CandidatesPage;
-use crate::tui::views::picker::list::{Picker, PickerTarget};
-use crate::tui::views::picker::preview::Preview;
+use crate::tui::views::scene_picker::list::{Picker, PickerTarget};
+use crate::tui::views::scene_picker::preview::Preview;
 use crate::tui::views::{columns, cut};
 use crate::wording::words;
 

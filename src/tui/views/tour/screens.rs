@@ -1,7 +1,7 @@
 //! The texts of the tour: five screens that explain krank's display and its keys. They are shown
 //! next to the workbench, whose keys for the motion keep working.
 
-use crate::files::places;
+use crate::files::directories;
 use crate::page;
 use crate::tui::app::View;
 use crate::tui::commands::action::Action;
@@ -124,7 +124,7 @@ pub(crate) fn wrapped(text: &str, width: usize, roomy: bool) -> Vec<String> {
 /// Returns `true` at the first start and records it. Returns `false` if it cannot be recorded,
 /// because a tour at every start would be a nuisance.
 pub(crate) fn is_first_start(env: impl Fn(&str) -> Option<PathBuf>) -> bool {
-    let Some(folder) = places::folder_of("XDG_STATE_HOME", ".local/state", env) else {
+    let Some(folder) = directories::folder_of("XDG_STATE_HOME", ".local/state", env) else {
         return false;
     };
     fs::create_dir_all(&folder).is_ok() && File::create_new(folder.join(MARK)).is_ok()

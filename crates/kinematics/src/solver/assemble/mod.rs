@@ -5,7 +5,7 @@
 //! two placements coincide and positions cannot distinguish them. The motion is then started next
 //! to that coordinate.
 
-mod closely;
+mod double_double_placement;
 mod open;
 mod request;
 mod roots;
@@ -13,13 +13,13 @@ mod roots;
 pub(super) use request::Request;
 
 use super::Order;
-use super::demand::PlacedPart;
 use super::elements::{Step, StepOutcome};
 use super::engine::Engine;
 use super::exact::Exact;
 use super::fault::Fault;
 use super::network::Network;
 use super::plan::{AssemblyChoice, Group, Plan};
+use super::pruning::PlacedPart;
 use super::state::{Condition, State};
 use super::workspace::Workspace;
 use crate::{Mechanism, PointId, Vec2};

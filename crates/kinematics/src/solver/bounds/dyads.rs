@@ -1,14 +1,14 @@
 //! Bounds the dyads on circles and on rails of the ground.
 
-use super::aim::arm_vector;
 use super::errors::Errors;
 use super::influence::Influences;
-use super::limb::LinkVector;
+use super::link_vector::LinkVector;
+use super::loaded_state::{Bodies, Places};
 use super::meeting::{ArmClosure, meet};
 use super::off::PointOff;
-use super::places::{Bodies, Places};
 use super::rail::Rail;
 use super::shape::{LinkShape, stretch};
+use super::two_point_link::arm_vector;
 use crate::Ball;
 use crate::arithmetic::U;
 use crate::arithmetic::plane::{Plane, Simd, both, f64x2, f64x4, number, others};

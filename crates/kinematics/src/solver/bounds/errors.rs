@@ -6,9 +6,9 @@
 
 use super::driver::IntendedCoordinate;
 use super::influence::Influences;
-use super::limb::SUM;
+use super::link_vector::SUM;
+use super::loaded_state::{Bodies, Places};
 use super::off::{Enclosed, LinkOff, PointOff};
-use super::places::{Bodies, Places};
 use crate::arithmetic::plane::{Fallback, Simd, f64x2};
 use crate::arithmetic::{DOUBLE_DOUBLE_ERROR, Sharp, U};
 use crate::solver::Workspace;

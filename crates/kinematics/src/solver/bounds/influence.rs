@@ -10,11 +10,11 @@
 //! widen freely, so short chains have no rows. A row is kept only until the last step that reads
 //! it.
 
-use super::limb::SUM;
+use super::link_vector::SUM;
 use crate::solver::coupled::Coupled;
-use crate::solver::demand::PlacedPart;
 use crate::solver::elements::Step;
 use crate::solver::plan::Program;
+use crate::solver::pruning::PlacedPart;
 use crate::{LinkId, PointId, Vec2};
 use std::f64::consts::SQRT_2;
 use std::ops::Range;

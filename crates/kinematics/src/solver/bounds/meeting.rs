@@ -34,7 +34,7 @@
 //! next is thus known as a multiple of R before R is.
 
 use super::influence::Influences;
-use super::limb::{ArmChange, Drift, LinkVector, RESIDUAL, Turned};
+use super::link_vector::{ArmChange, Drift, LinkVector, RESIDUAL, Turned};
 use super::off::{LinkOff, PointOff, rounding};
 use crate::arithmetic::plane::Plane;
 use crate::solver::elements::{ACCELERATION, VELOCITY};

@@ -17,30 +17,30 @@
 //! are computed from the decimals. The bounds hold for the assembly near the computed value. They
 //! rely on a correctly rounded square root and on an arctangent accurate to an ulp.
 
-mod aim;
-mod carried;
+mod dependent_points;
 mod driver;
 mod dyads;
 mod edge;
 mod errors;
 mod influence;
-mod limb;
+mod link_vector;
+mod loaded_state;
 mod meeting;
+mod near_limit_dyad;
 mod off;
-mod places;
 mod rail;
 mod shape;
-mod stretched;
+mod two_point_link;
 
 pub(super) use errors::Errors;
 
 use super::coupled::{Scratch, Views};
-use super::demand::PlacedPart;
 use super::elements::{
     ACCELERATION, Aim, Crank, Dyad, Lock, POSITION, Ride, Spin, Step, StepOutcome, VELOCITY,
 };
 use super::engine::Engine;
 use super::forces::Balance;
+use super::pruning::PlacedPart;
 use super::state::{Condition, LinkState, PointState, State};
 use super::{Order, Solver, Workspace};
 use crate::arithmetic::plane::Simd;
@@ -48,8 +48,8 @@ use crate::arithmetic::{Fusing, Sharp, fused, plainly};
 use crate::{Ball, Double, Number, Vec2};
 use driver::CrankDirection;
 pub(super) use driver::IntendedCoordinate;
+use loaded_state::Bodies;
 use off::LinkOff;
-use places::Bodies;
 
 /// An unbounded ball, for unknown values.
 const UNKNOWN: Ball = Ball {

@@ -1,8 +1,8 @@
 //! Holds errors in the machine's vectors, of one or two points or links at once.
 
 use super::errors::{LinkError, PointError};
-use super::limb::SUM;
-use super::places::{Bodies, Places};
+use super::link_vector::SUM;
+use super::loaded_state::{Bodies, Places};
 use crate::arithmetic::INFLATION;
 use crate::arithmetic::plane::{Plane, Simd, both, f64x2, f64x4, halves, number, paired, vector};
 use crate::solver::state::{LinkState, PointState};

@@ -1,7 +1,7 @@
 //! Computes the distance of a computed point from a rail of the ground.
 
-use super::limb::RESIDUAL;
-use super::places::Places;
+use super::link_vector::RESIDUAL;
+use super::loaded_state::Places;
 use crate::arithmetic::plane::{Plane, Simd, f64x2, number, vector};
 use crate::{Constant, Vec2};
 

@@ -1,9 +1,9 @@
 //! Converts blocks of unknowns to elementary steps. Unknowns that follow directly from known ones
 //! are computed first, then dyads are recognised, and the remainder is coupled.
 
-mod beside;
 mod dyads;
 mod guides;
+mod redundant_parts;
 
 use super::coupled::{self, Coupled};
 use super::elements::{Aim, Arm, Crank, Elbow, Lock, Push, Ride, Spin, Step, Timed};

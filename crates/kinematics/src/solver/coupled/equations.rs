@@ -2,7 +2,7 @@
 //! spots.
 
 use super::{Base, Bearing, Coupled, GroupEquation, GroupScratch, Spot, SpotMotion, Turning};
-use crate::solver::following::{Following, InputMotion};
+use crate::solver::further_inputs::{Following, InputMotion};
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Number, Vec2};
 

@@ -9,23 +9,23 @@ mod equations;
 mod exact_fold;
 mod exchange;
 
+mod double_double_refinement;
+mod exact_meeting;
 mod levenberg_marquardt;
+mod newton_system;
 mod reactions;
-mod readout;
 mod series;
 mod singular;
-mod twice;
-mod unfolding;
 
 pub(super) use comparison::ClosingCondition;
 pub(super) use curve_tracing::{EQUALITY_TOLERANCE, distance};
 pub(super) use enclose::Views;
-pub use readout::{Newton, NewtonRow, NewtonUnknown};
+pub use newton_system::{Newton, NewtonRow, NewtonUnknown};
 
-use super::demand::PlacedPart;
-use super::following::Following;
+use super::further_inputs::Following;
 use super::lu;
 use super::network::{ClassId, Network};
+use super::pruning::PlacedPart;
 use super::state::State;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 use build::GroupMaker;

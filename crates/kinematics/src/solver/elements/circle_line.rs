@@ -7,14 +7,14 @@
 //! ```
 
 use super::line::{Chord, GuideAt};
-use super::through::{Cut, FEW_TERMS, SingularShift, turned};
+use super::singular_series::{Cut, FEW_TERMS, SingularShift, turned};
 use super::{
     ACCELERATION, Arm, BackwardPass, Dyad, Element, FRAMES, GuideLine, POSITION, RelativeMotion,
     StepOutcome, Stretching, TwoAssemblies, VELOCITY, sum,
 };
 use crate::arithmetic::{Series, TERMS};
-use crate::solver::demand::PlacedPart;
 use crate::solver::forces::{ArmSite, ForceState, LineReaction, Site};
+use crate::solver::pruning::PlacedPart;
 use crate::solver::state::{LinkState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, PointId, Vec2};

@@ -1,14 +1,14 @@
 //! Solves the dyad RRP on the ground: a [`CircleLine`](super::CircleLine) whose line is fixed.
 
 use super::line::Chord;
-use super::through::{Cut, FEW_TERMS, SingularShift, turned};
+use super::singular_series::{Cut, FEW_TERMS, SingularShift, turned};
 use super::{
     ACCELERATION, Arm, BackwardPass, Dyad, Element, FRAMES, POSITION, RelativeMotion, StepOutcome,
     Stretching, TwoAssemblies, VELOCITY,
 };
 use crate::arithmetic::{Series, TERMS};
-use crate::solver::demand::PlacedPart;
 use crate::solver::forces::{ArmSite, ForceState, LineReaction, Site};
+use crate::solver::pruning::PlacedPart;
 use crate::solver::state::{LinkState, PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, PointId, Vec2};

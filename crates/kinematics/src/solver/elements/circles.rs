@@ -6,14 +6,14 @@
 //! |e| = b, |f| = c       e.V = e.V_P, f.V = f.V_Q       e x f = s h: twice the area of the triangle
 //! ```
 
-use super::through::{SeriesTriangle, SingularShift, ZERO, between, shifted};
+use super::singular_series::{SeriesTriangle, SingularShift, ZERO, between, shifted};
 use super::{
     ACCELERATION, Arm, BackwardPass, Dyad, Element, POSITION, REACH_SLACK, StepOutcome,
     TwoAssemblies, VELOCITY, triangle_reserve,
 };
 use crate::arithmetic::{Series, TERMS};
-use crate::solver::demand::PlacedPart;
 use crate::solver::forces::{ArmSite, ForceState, Site};
+use crate::solver::pruning::PlacedPart;
 use crate::solver::state::{LinkState, PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, PointId, Vec2};

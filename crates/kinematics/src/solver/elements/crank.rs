@@ -1,9 +1,9 @@
 //! Places the driven link and its points: the driver's coordinate is the link's angle.
 
-use super::ride::RideBackward;
+use super::riding_point::RideBackward;
 use super::{Element, NoBackwardPass, StepOutcome};
-use crate::solver::demand::PlacedPart;
 use crate::solver::forces::Site;
+use crate::solver::pruning::PlacedPart;
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Constant, Input, LinkId, Number, PointId, Vec2};
 

@@ -1,14 +1,14 @@
 //! Solves the dyad RRR with a driven arm: a cylinder between moving links.
 
-use super::through::{SeriesTriangle, SingularShift, between, shifted};
+use super::singular_series::{SeriesTriangle, SingularShift, between, shifted};
 use super::{
     ACCELERATION, Arm, BackwardPass, Dyad, Element, FRAMES, POSITION, REACH_SLACK, RelativeMotion,
     StepOutcome, Stretching, TwoAssemblies, VELOCITY, settled, triangle_reserve,
 };
 use crate::arithmetic::{Series, TERMS};
-use crate::solver::demand::PlacedPart;
-use crate::solver::following::{Following, InputMotion};
 use crate::solver::forces::{ArmSite, ForceState, Site};
+use crate::solver::further_inputs::{Following, InputMotion};
+use crate::solver::pruning::PlacedPart;
 use crate::solver::state::{LinkState, PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};

@@ -1,12 +1,12 @@
 //! Defines the common interface of the dyads with two assemblies.
 
-use super::through::{FEW_TERMS, Height, InSeries, SingularShift, between, squared};
+use super::singular_series::{FEW_TERMS, Height, InSeries, SingularShift, between, squared};
 use super::{
     CircleLine, CircleRail, Circles, Cylinder, Element, RelativeMotion, StepOutcome, Stretching,
     Swing, sum,
 };
 use crate::arithmetic::{Series, TERMS};
-use crate::solver::demand::PlacedPart;
+use crate::solver::pruning::PlacedPart;
 use crate::solver::state::{LinkState, State};
 use crate::{Double, LinkId, Number, PointId, Vec2};
 

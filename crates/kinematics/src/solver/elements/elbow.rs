@@ -1,9 +1,9 @@
 //! Places a link that an input turns against another link, which carries the motor.
 
 use super::{BackwardPass, Element, StepOutcome};
-use crate::solver::demand::PlacedPart;
-use crate::solver::following::{Following, InputMotion};
 use crate::solver::forces::{ForceState, Site};
+use crate::solver::further_inputs::{Following, InputMotion};
+use crate::solver::pruning::PlacedPart;
 use crate::solver::state::{LinkState, State};
 use crate::{LinkId, Number, Vec2};
 

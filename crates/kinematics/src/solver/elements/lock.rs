@@ -1,8 +1,8 @@
 //! Places a link that keeps its angle to another link.
 
 use super::{BackwardPass, Element, StepOutcome};
-use crate::solver::demand::PlacedPart;
 use crate::solver::forces::{ForceState, Site};
+use crate::solver::pruning::PlacedPart;
 use crate::solver::state::State;
 use crate::{Constant, LinkId, Number, Vec2};
 

@@ -7,49 +7,49 @@
 //! assemblies is also a variant of [`Dyad`] and has a class in [`super::plan`]. Its recognition
 //! names the slide and the links through which it holds its joint.
 
-mod aim;
 mod arm;
 mod circle_line;
 mod circle_rail;
 mod circles;
 mod crank;
 mod cylinder;
+mod driven_link;
+mod driven_slide;
 mod dyad;
+mod dyad_extension;
 mod elbow;
 mod line;
 mod lines;
+mod link_direction;
 mod lock;
-mod push;
-mod ride;
+mod riding_point;
+mod singular_series;
 mod slide_readout;
-mod stretching;
-mod swing;
-mod through;
-mod timed;
+mod swinging_arm;
 
-pub(super) use aim::Aim;
 pub(super) use arm::Arm;
 pub(super) use circle_line::CircleLine;
 pub(super) use circle_rail::CircleRail;
 pub(super) use circles::Circles;
 pub(super) use crank::{Crank, Spin};
 pub(super) use cylinder::Cylinder;
+pub(super) use driven_link::Timed;
+pub(super) use driven_slide::Push;
 pub(super) use dyad::Dyad;
+pub(super) use dyad_extension::{FRAMES, RelativeMotion, Stretching, settled, sum};
 pub(super) use elbow::Elbow;
 pub(super) use line::GuideLine;
 pub(super) use lines::Lines;
+pub(super) use link_direction::Aim;
 pub(super) use lock::Lock;
-pub(super) use push::Push;
-pub(super) use ride::Ride;
+pub(super) use riding_point::Ride;
+pub(super) use singular_series::{Height, Pair, SingularShift, ZERO, root};
 pub(super) use slide_readout::SlideReadout;
-pub(super) use stretching::{FRAMES, RelativeMotion, Stretching, settled, sum};
-pub(super) use swing::Swing;
-pub(super) use through::{Height, Pair, SingularShift, ZERO, root};
-pub(super) use timed::Timed;
+pub(super) use swinging_arm::Swing;
 
 use super::coupled::Coupled;
-use super::demand::PlacedPart;
 use super::forces::{ForceState, Site};
+use super::pruning::PlacedPart;
 use super::state::State;
 use super::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, Vec2};

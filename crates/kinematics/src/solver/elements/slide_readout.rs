@@ -1,8 +1,8 @@
 //! Computes a slide's position and rates along its guide.
 
 use super::{Element, GuideLine, NoBackwardPass, StepOutcome};
-use crate::solver::demand::PlacedPart;
 use crate::solver::forces::Site;
+use crate::solver::pruning::PlacedPart;
 use crate::solver::state::{LinkState, State, TravelState};
 use crate::{Number, PointId, SlideId, Vec2};
 

@@ -4,14 +4,14 @@
 //! Internally lengths are the solver's and forces are in newtons, so couples are in newtons times
 //! the solver's length. A factor converts these to N m when they are read.
 
-mod acted;
+mod load_actions;
 mod springs;
 
-pub use acted::{LoadAction, PressStroke};
+pub use load_actions::{LoadAction, PressStroke};
 
 use super::TorquePart;
 use super::profile::ReadyProfile;
-use super::slots::{Slot, Slots};
+use super::storage::{Slot, Slots};
 use super::stroke::Stroke;
 use crate::solver::frame::Frame;
 use crate::solver::state::{Sliding, State};

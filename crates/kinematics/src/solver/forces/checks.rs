@@ -14,7 +14,7 @@
 //! no error.
 
 use super::applied::LoadReceiver;
-use super::slots::Slot;
+use super::storage::Slot;
 use super::{Balance, Extent, ForceState, Residual, TorquePart};
 use crate::solver::state::{PointState, State};
 use crate::{Ball, LinkId, Number, PointId, Vec2};

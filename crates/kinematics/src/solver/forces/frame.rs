@@ -2,7 +2,7 @@
 //! guides.
 
 use super::ForceState;
-use super::slots::{Slot, Slots};
+use super::storage::{Slot, Slots};
 use crate::solver::state::State;
 use crate::{Body, Input, Mechanism, Number, PointId, SlideId, Slider, Vec2};
 

@@ -3,30 +3,30 @@
 mod applied;
 mod checks;
 mod frame;
-mod least;
-mod locked;
+mod least_norm;
+mod lock_couples;
 mod open;
 mod profile;
 mod reactions;
 mod read;
 mod site;
-mod slots;
+mod storage;
 mod stroke;
 #[cfg(any(test, feature = "testing"))]
 pub(super) mod testing;
 
 pub use applied::{LoadAction, PressStroke};
 pub use checks::{ForceCheck, WithheldReason};
-pub use least::LeastNorm;
+pub use least_norm::LeastNorm;
 pub use open::Indeterminate;
 pub use read::Residual;
 pub(super) use site::{ArmSite, LegSite, LineReaction, Site};
-pub(super) use slots::{Slot, Slots};
+pub(super) use storage::{Slot, Slots};
 
 use super::coupled::Scratch;
 use super::elements::Pass;
 use super::engine::Engine;
-use super::following::Following;
+use super::further_inputs::Following;
 use super::network::Network;
 use super::state::{Condition, State};
 use super::{Order, Solver, Workspace};
@@ -34,7 +34,7 @@ use crate::arithmetic::Sharp;
 use crate::{Ball, Input, LinkId, Number, PointId, SlideId, Slider, StrokeEnd, Vec2};
 use applied::{LoadReceiver, PreparedLoads};
 use frame::GroundConnections;
-use locked::Locked;
+use lock_couples::Locked;
 use open::Open;
 use std::sync::Arc;
 use stroke::Stroke;

@@ -6,7 +6,7 @@
 
 use super::ForceState;
 use super::site::{ArmSite, LineReaction};
-use super::slots::Slot;
+use super::storage::Slot;
 use crate::solver::elements::GuideLine;
 use crate::solver::state::State;
 use crate::{LinkId, Number, PointId, Vec2};

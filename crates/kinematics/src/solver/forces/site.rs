@@ -1,6 +1,6 @@
 //! Describes an element for the backward pass: the slots of the forces that pass through it.
 
-use super::slots::{Slot, Slots};
+use super::storage::{Slot, Slots};
 use crate::solver::elements::{Arm, Pass, Step};
 use crate::solver::network::Network;
 use crate::solver::plan::{GuideConstraint, Program};

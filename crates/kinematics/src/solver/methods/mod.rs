@@ -5,12 +5,12 @@
 //! program. Residuals, rates and matrices of all methods therefore come from one source.
 
 mod deviation;
-mod drift;
+mod integration;
 mod method;
 mod runner;
 
 pub use deviation::Deviation;
-pub use drift::DriftMethod;
+pub use integration::DriftMethod;
 pub use method::{Method, Start, Unsuitable};
 pub use runner::Runner;
 

@@ -1,7 +1,7 @@
 //! Stores states of the coupled groups along the motion, so that any coordinate can be solved
 //! without a history.
 
-use super::walk::SAMPLES;
+use super::tracking::SAMPLES;
 use crate::solver::engine::Engine;
 use crate::solver::workspace::Workspace;
 

@@ -2,7 +2,7 @@
 //! coordinate, and the motion beyond it with all groups that are singular there.
 
 use super::junction::{DyadSingularity, Junction, PairFound};
-use super::walk::Walker;
+use super::tracking::Walker;
 use crate::Double;
 use crate::numeric::root;
 use crate::solver::Order;

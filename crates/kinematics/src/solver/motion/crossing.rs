@@ -2,7 +2,7 @@
 //! coordinate, and the motion beyond it.
 
 use super::change::{Change, approaches};
-use super::walk::Walker;
+use super::tracking::Walker;
 use crate::Double;
 use crate::solver::Order;
 use crate::solver::coupled::{Correction, Crossing};

@@ -8,7 +8,7 @@
 //! ([`super::proved_ends`]).
 
 use super::proved_ends::BoundedEnd;
-use super::walk::Walker;
+use super::tracking::Walker;
 use super::{Folded, Stretched};
 use crate::Double;
 use crate::numeric::root;

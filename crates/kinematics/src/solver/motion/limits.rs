@@ -3,7 +3,7 @@
 
 use super::change::ReachExtreme;
 use super::junction::DyadSingularity;
-use super::walk::{SAMPLES, WalkSample, Walker};
+use super::tracking::{SAMPLES, WalkSample, Walker};
 use super::{NearMiss, ONE_MISS};
 use crate::Double;
 use crate::numeric::root;

@@ -7,12 +7,12 @@ mod ends;
 mod junction;
 mod limits;
 mod proved_ends;
-mod stopped;
-mod walk;
+mod stops;
+mod tracking;
 
 pub(super) use anchors::{Anchors, positive_remainder};
 pub(super) use proved_ends::sign_change;
-pub use stopped::EndStop;
+pub use stops::EndStop;
 
 use super::angle_turn;
 use super::change_point::ChangePointCrossings;
@@ -23,7 +23,7 @@ use super::plan::GroupId;
 use super::workspace::Workspace;
 use crate::angle::TURN;
 use proved_ends::BoundedEnd;
-use walk::{MAX_SLIDE_TRAVEL, MAX_TURNS, Walker};
+use tracking::{MAX_SLIDE_TRAVEL, MAX_TURNS, Walker};
 
 /// The range that the driver can cover from the scene's assembly.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,7 +5,7 @@
 //! sides of the end are proved to differ. The fold of a coupled group is bounded by its own
 //! equations.
 
-use super::walk::Walker;
+use super::tracking::Walker;
 use crate::arithmetic::{Sharp, half_ulp};
 use crate::numeric::root;
 use crate::solver::Order;

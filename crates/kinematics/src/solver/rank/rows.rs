@@ -1,8 +1,8 @@
 //! Writes the constraints as dense rows over the coordinates of joints and the directions of links.
 //! The module documentation of `rank` has the derivations.
 
-use crate::solver::following::InputMotion;
 use crate::solver::frame::Frame;
+use crate::solver::further_inputs::InputMotion;
 use crate::solver::network::{ClassId, GROUND, Network, ScalarEquation, ScalarUnknown};
 use crate::{Body, Input, LinkId, PointId, SlideId, Vec2, angle};
 use nalgebra::DMatrix;

@@ -1,9 +1,9 @@
 #![doc = include_str!("../../guide/transmission.md")]
 
-mod between;
+mod interval_extrema;
 
 #[cfg(any(test, feature = "testing"))]
-pub use between::testing::compare_extremes;
+pub use interval_extrema::testing::compare_extremes;
 
 use super::elements::Step;
 use super::engine::Engine;
@@ -12,7 +12,7 @@ use super::plan::GroupId;
 use super::state::{Condition, State};
 use super::{Order, Range, Solver, Workspace};
 use crate::{LinkId, PointId, Vec2};
-use between::{Bracket, ExtremeFunction};
+use interval_extrema::{Bracket, ExtremeFunction};
 
 /// Tolerance for cosines estimated by parabolas between samples: brackets worse than the best
 /// sample by no more than this are examined.

@@ -7,7 +7,7 @@ mod span;
 mod tests;
 
 use super::clock::{Clock, paced};
-use super::hidden::Hidden;
+use super::withheld::Hidden;
 use super::{Catalogue, Quantity};
 use crate::angle::unwrap_near;
 use crate::scene::Scene;

@@ -6,12 +6,12 @@
 //! `[vectors]` would define.
 
 use crate::Vec2;
-use crate::scene::acting::loads::DraftLoad;
-use crate::scene::draft::SceneDraft;
 use crate::scene::elements::link::DraftLink;
 use crate::scene::elements::points::DraftVector;
 use crate::scene::elements::slide::DraftSlider;
 use crate::scene::inputs::input::DraftInput;
+use crate::scene::loads::loads::DraftLoad;
+use crate::scene::raw_elements::SceneDraft;
 use std::collections::HashMap;
 use std::collections::HashSet;
 

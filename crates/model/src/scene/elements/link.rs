@@ -3,8 +3,8 @@
 use crate::Vec2;
 use crate::document::{self, Diagnostic, WrittenValue};
 use crate::scene::accuracy::deviations::{self, DraftTolerance};
+use crate::scene::elements::link_points;
 use crate::scene::elements::points::PlacedPoint;
-use crate::scene::elements::sighted;
 use crate::scene::keys;
 use crate::scene::numbers::reader::{ByteSpan, Name, Reader, quoted};
 use crate::scene::table::KeyTable;
@@ -194,20 +194,20 @@ fn link_points<'v>(
     let (of, what) = (&table.of, table.what(reader, "points"));
     for (name, value) in reader.entries(&what, "{ A = [0, 0] }", points) {
         let what = format!("{} {}", words().point_in(of), quoted(name.text));
-        let place = sighted::place(reader, &what, &name, value);
+        let place = link_points::place(reader, &what, &name, value);
         link.points.push(PlacedPoint::read_as(name, place));
     }
-    sighted::compute_polar_points(reader, of, link);
+    link_points::compute_polar_points(reader, of, link);
     points.get_ref().is_table()
 }
 
 fn link_mass<'v>(reader: &mut Reader<'_>, table: &KeyTable<'v>, link: &mut DraftLink<'v>) {
     if let (Some(com), Some(name)) = (table.get("com"), table.key("com")) {
         let what = table.what(reader, "com");
-        let place = sighted::place(reader, &what, &name, com);
+        let place = link_points::place(reader, &what, &name, com);
         let mut com = PlacedPoint::read_as(name, place);
         if let Some(sighted) = &com.sighted {
-            com.read = sighted::compute_centre(reader, &table.of, sighted, link);
+            com.read = link_points::compute_centre(reader, &table.of, sighted, link);
         }
         link.com = Some(com);
     }

@@ -3,8 +3,8 @@
 pub(super) mod frame;
 pub(super) mod limits;
 pub(super) mod link;
+pub(super) mod link_points;
 pub(super) mod points;
 pub(super) mod redundant;
-pub(super) mod sighted;
 pub(super) mod slide;
 pub(super) mod view;

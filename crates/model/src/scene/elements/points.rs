@@ -2,7 +2,7 @@
 
 use crate::Vec2;
 use crate::document::WrittenValue;
-use crate::scene::elements::sighted::{ReadPlace, Sighted};
+use crate::scene::elements::link_points::{ReadPlace, Sighted};
 use crate::scene::numbers::reader::{Name, Reader, quoted};
 use crate::wording::words;
 

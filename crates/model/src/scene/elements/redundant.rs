@@ -2,10 +2,10 @@
 
 use crate::Vec2;
 use crate::document::{Diagnostic, WrittenValue};
-use crate::scene::draft::SceneDraft;
 use crate::scene::elements::points::PlacedPoint;
 use crate::scene::keys;
 use crate::scene::numbers::reader::{ByteSpan, Reader};
+use crate::scene::raw_elements::SceneDraft;
 use crate::wording::words;
 
 const EXAMPLE: &str = "{ misfit = 1e-4 }";

@@ -1,9 +1,9 @@
 //! Reads the inputs that follow the driver.
 
 use crate::document::{Diagnostic, WrittenValue};
-use crate::scene::acting::profile;
 use crate::scene::inputs::input::{DraftInput, seat};
 use crate::scene::keys;
+use crate::scene::loads::profile;
 use crate::scene::numbers::rate::RateKind;
 use crate::scene::numbers::reader::{ByteSpan, Name, Reader};
 use crate::scene::resolve::Resolver;

@@ -2,9 +2,9 @@
 
 use crate::document::{Diagnostic, WrittenValue, items};
 use crate::nearest::did_you_mean;
-use crate::scene::acting::profile;
 use crate::scene::elements::limits::DraftEnds;
 use crate::scene::keys;
+use crate::scene::loads::profile;
 use crate::scene::numbers::reader::{ByteSpan, Reader};
 use crate::scene::table::KeyTable;
 use crate::wording::words;

@@ -3,8 +3,8 @@
 //! hull of the slopes from all sides. This is Goldstein's condition, with the gradient sampling of
 //! Burke, Lewis and Overton.
 
-use super::hold::{ActiveConstraints, multipliers};
-use super::judge::{DesignEvaluator, EvaluatedDesign};
+use super::active_constraints::{ActiveConstraints, multipliers};
+use super::projection::{DesignEvaluator, EvaluatedDesign};
 use nalgebra::{DMatrix, DVector};
 
 /// Step of differences, relative to the distance at which slopes are sampled, so that none crosses

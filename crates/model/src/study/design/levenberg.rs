@@ -6,7 +6,7 @@
 //! enough for Newton's convergence in the last steps. Damping keeps each step short, so that the
 //! search finds a solution near its start.
 
-use super::judge::is_finite;
+use super::projection::is_finite;
 use super::{GoalSearch, GoalSense};
 use crate::study::NoFigure;
 use nalgebra::{DMatrix, DVector};

@@ -22,6 +22,7 @@
 //! kink          optimality where the figure has no derivative
 //! ```
 
+mod active_constraints;
 #[cfg(test)]
 mod best_tests;
 mod evaluation;
@@ -29,14 +30,13 @@ mod exact_slopes;
 mod goal;
 #[cfg(test)]
 mod goal_tests;
-mod hold;
-mod judge;
 mod kink;
 mod lengths;
 mod levenberg;
 mod optimise;
 mod plan;
 mod polish;
+mod projection;
 mod run;
 mod solve;
 #[cfg(test)]

@@ -9,8 +9,8 @@
 //! by much more than that. The best design is polished. Equal seeds give equal designs, for any
 //! number of cores.
 
-use super::judge::{DesignEvaluator, DesignProjection, DesignScore, NONE};
 use super::polish::{Polished, polished};
+use super::projection::{DesignEvaluator, DesignProjection, DesignScore, NONE};
 use super::{DesignFigures, DesignPlan, Goal, PlanAxis};
 use crate::numeric::{SeededRng, mutate};
 use crate::parallel;

@@ -3,11 +3,11 @@
 //! BFGS update). Each step is projected back onto the constraints, until the first-order conditions
 //! of Karush, Kuhn and Tucker hold.
 
-use super::hold::ActiveSet;
-use super::judge::{
+use super::active_constraints::ActiveSet;
+use super::kink::KinkSampling;
+use super::projection::{
     DIFFERENCE, DesignEvaluator, DesignProjection, DesignSlopes, EvaluatedDesign, is_finite,
 };
-use super::kink::KinkSampling;
 use nalgebra::{DMatrix, DVector};
 
 /// Maximum number of steps, of steps at kinks, and of halvings of a step that does not improve.

@@ -20,29 +20,29 @@
 
 #[cfg(test)]
 mod break_tests;
-mod breaks;
 mod cycle_figure;
+mod discontinuities;
 mod evaluated;
+mod extrema;
+mod largest_rate;
+mod periodic_reference;
 mod plateau;
-mod quickest;
 mod sampler;
-mod seam;
 mod strokes;
 #[cfg(test)]
 mod tests;
-mod turning;
 
 pub use cycle_figure::{CycleFigure, UnknownCycleFigure};
 pub use evaluated::CycleFigures;
-pub(crate) use seam::FigureSeams;
+pub(crate) use periodic_reference::FigureSeams;
 pub use strokes::{DwellStretch, TimeRatio};
 
 use crate::angle::TURN;
 use crate::expression::DirectionCut;
 use crate::quantity::Quantity;
 use crate::solver::{Range, Solver};
+use extrema::ExtremaSet;
 use sampler::{MotionSampler, SampledFigure, SlopeSource};
-use turning::ExtremaSet;
 
 /// A place and the value of a quantity there.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! Finds the plateaus of a quantity at its extrema.
 
+use super::extrema::ExtremaSet;
 use super::sampler::{MotionSampler, SampledFigure};
-use super::turning::ExtremaSet;
 use super::{ExtremumPlace, FigurePlace};
 use crate::solver::Range;
 

@@ -1,6 +1,6 @@
 //! Finds the dimensions of a scene and their relations.
 
-use super::agreeable::{agreeable, exactly};
+use super::round_numbers::{agreeable, exactly};
 use crate::numeric::SeededRng;
 use crate::scene::{Measure, Scene, Value, ValueOwner};
 use std::collections::{HashMap, HashSet};

@@ -4,18 +4,18 @@
 //! fully if the original did, and the same assembly. Its position is well away from dead points and
 //! change points.
 
-mod agreeable;
 mod dimensions;
-mod likeness;
+mod motion_kind;
+mod round_numbers;
 
 use crate::Input;
 use crate::numeric::SeededRng;
 use crate::scene::{Measure, Scene, Value, ValueOwner};
 use crate::solver::{Condition, Order, Solver};
-use agreeable::agreeable;
+use round_numbers::agreeable;
 
 use dimensions::{DimensionSpread, Dimensions};
-use likeness::{MotionKind, is_lively, margins, places};
+use motion_kind::{MotionKind, is_lively, margins, places};
 
 /// The number of attempts and the variation of dimensions. If lengths have relations that random
 /// changes break, the whole scene is scaled.

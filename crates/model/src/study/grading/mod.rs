@@ -4,21 +4,21 @@
 //! was then rounded early, or it is consequential. The verdict names the earlier answer.
 
 mod chain;
-mod explained;
-mod misread;
+mod comparison;
+mod follow_through;
+mod misread_values;
 mod points;
-mod verdict;
-mod written;
+mod written_numbers;
 
 pub use chain::{ChainGroup, ChainSlot, ChainValues, SolutionChain};
-pub use misread::{MisreadValue, SheetScene};
+pub use comparison::{FigureVerdict, RoundedEarly};
+pub use misread_values::{MisreadValue, SheetScene};
 pub use points::LinkPoints;
-pub use verdict::{FigureVerdict, RoundedEarly};
-pub use written::WrittenFigure;
+pub use written_numbers::WrittenFigure;
 
 use crate::quantity::{Quantity, known_unit, unit_factor};
+use comparison::{MIN_COUNT, Truth};
 use points::{AnsweredVector, VectorSlot};
-use verdict::{MIN_COUNT, Truth};
 
 /// A required value.
 #[derive(Clone, Debug, PartialEq)]

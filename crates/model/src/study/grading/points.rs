@@ -1,6 +1,6 @@
 //! Explains the motion of a point by the answers for other points of its link.
 
-use super::verdict::{FigureVerdict, MAX_COUNT, MIN_COUNT, RoundedEarly, Truth};
+use super::comparison::{FigureVerdict, MAX_COUNT, MIN_COUNT, RoundedEarly, Truth};
 use super::{AnswerKey, RequiredValue, WrittenFigure};
 use crate::quantity::{Aspect, Quantity, Subject};
 use crate::{PointId, Vec2};

@@ -1,8 +1,8 @@
 //! The results of a cycle.
 
-use super::course::CyclePath;
+use super::cycle_travel::CyclePath;
 use super::periodic::{Means, Periodic, periodic};
-use super::pieces::{Pieces, Sampler, SmoothPiece};
+use super::torque_pieces::{Pieces, Sampler, SmoothPiece};
 use super::{CHANNELS, DriverUnits, Effort, MOMENT, TORQUES};
 use crate::Vec2;
 use crate::numeric::chebyshev::{Basis, crossings};

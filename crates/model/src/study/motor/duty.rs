@@ -1,7 +1,7 @@
 //! The driving torque of a mechanism over a cycle.
 
-use super::course::CyclePath;
 use super::cycle::{Cycle, CycleShaking, DriveEffort};
+use super::cycle_travel::CyclePath;
 use super::flywheel::MotorFit;
 use super::source::{CycleSource, Step};
 use super::{DriverUnits, marks};

@@ -1,9 +1,9 @@
 //! Finds the places in a cycle where a load has a kink or jumps, and the number of turns after
 //! which all loads repeat.
 
-use super::bends::SpringBends;
-use super::course::CyclePath;
+use super::cycle_travel::CyclePath;
 use super::ram::{Ram, RamEnd};
+use super::spring_kinks::SpringBends;
 use crate::angle::TURN;
 use crate::solver::{Range, Solver};
 use crate::{Input, Load, Mechanism, Profile};

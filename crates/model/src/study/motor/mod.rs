@@ -20,21 +20,21 @@
 //! modules solve no mechanism themselves: the results are those of any function of the coordinate,
 //! and the solver is called in one place.
 
-mod bends;
-mod course;
 mod cycle;
+mod cycle_travel;
 mod duty;
 mod flywheel;
 mod guide;
 mod marks;
+mod over_time;
 mod periodic;
-mod pieces;
 mod ram;
 mod source;
-mod timed;
+mod spring_kinks;
+mod torque_pieces;
 
-pub use course::CyclePath;
 pub use cycle::{Cycle, CycleShaking, DriveEffort, Fluctuation, Peak, Rule};
+pub use cycle_travel::CyclePath;
 pub use duty::{Duty, DutyError, is_within};
 pub use flywheel::{
     Geared, MAX_FLUCTUATION, MotorDemand, MotorFit, SMALL_FLUCTUATION, fluctuation_with,
@@ -43,9 +43,9 @@ pub use flywheel::{
 pub use guide::SlidePassing;
 pub(in crate::study) use marks::bends_within as load_bends;
 pub use marks::repeats;
+pub use over_time::{NoTimedDuty, TimedDuty, TimedInstant, TimedPart, TimedPeak};
 pub use ram::{Dwell, NoRam, Ram, RamEnd, rams};
 pub use source::Step;
-pub use timed::{NoTimedDuty, TimedDuty, TimedInstant, TimedPart, TimedPeak};
 
 use crate::Vec2;
 

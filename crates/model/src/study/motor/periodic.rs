@@ -4,7 +4,7 @@
 //! (Trefethen and Weideman 2014, The exponentially convergent trapezoidal rule, SIAM Review 56).
 //! The number of places is doubled until two rules agree.
 
-use super::pieces::Sampler;
+use super::torque_pieces::Sampler;
 use super::{CHANNELS, MOMENT, TORQUES};
 
 /// The means of the channels and of their squares; the squares of the force's components add up to

@@ -1,7 +1,7 @@
 //! Solves the driving torque in one state of a cycle.
 
 use super::Effort;
-use super::course::CyclePath;
+use super::cycle_travel::CyclePath;
 use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::{Mechanism, Vec2};
 

@@ -5,7 +5,7 @@
 //! at its own places. A value need not be monotonic, for example next to a dead centre, or if its
 //! formula has a kink.
 
-use super::worst::ObservedRange;
+use super::worst_case::ObservedRange;
 
 /// Rounding error of a value, relative to its range over the box.
 const ROUNDING: f64 = 1e-9;

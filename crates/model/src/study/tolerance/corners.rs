@@ -5,7 +5,7 @@ use super::ToleranceStudy;
 use super::contributions::Slopes;
 use super::edge::EdgeSearch;
 use super::machines::{CornerEffort, of_all_corners, of_derivatives};
-use super::worst::{WorstCase, WorstKind};
+use super::worst_case::{WorstCase, WorstKind};
 use crate::Ball;
 use crate::solver::State;
 

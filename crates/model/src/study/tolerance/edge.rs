@@ -9,7 +9,7 @@
 
 use super::machines::Machines;
 use super::tolerance_box::ToleranceBox;
-use super::worst::{WorstCase, WorstKind};
+use super::worst_case::{WorstCase, WorstKind};
 
 /// The measures of the surfaces, relative to the nominal measure, which is limited to 1/100.
 const LEVELS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];

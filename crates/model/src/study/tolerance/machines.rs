@@ -5,7 +5,7 @@ use super::box_grid::BoxGrid;
 use super::edge::along_ray;
 use super::search::Search;
 use super::tolerance_box::ToleranceBox;
-use super::worst::{ObservedRange, WorstCase, WorstKind};
+use super::worst_case::{ObservedRange, WorstCase, WorstKind};
 use crate::solver::LoopKind;
 
 /// Builds machines and evaluates values of each.

@@ -12,22 +12,22 @@ mod band;
 mod box_grid;
 mod contributions;
 mod corners;
+mod cycle_tolerance;
+mod driver_place;
 mod edge;
 mod machines;
-mod place;
 mod samples;
 mod search;
 #[cfg(test)]
 mod tests;
 mod tolerance_box;
-mod whole;
-mod worst;
+mod worst_case;
 
 pub use band::{BandKind, Offsets};
 pub use contributions::{Contribution, ToleranceOf};
+pub use cycle_tolerance::MotionTolerance;
 pub use samples::{Distribution, Percentiles, SampleOrder, Samples};
-pub use whole::MotionTolerance;
-pub use worst::{WorstCase, WorstKind};
+pub use worst_case::{WorstCase, WorstKind};
 
 use crate::Tolerances;
 use crate::quantity::{Quantity, Sensitivity, demand};
@@ -35,7 +35,7 @@ use crate::scene::Scene;
 use crate::solver::Solver;
 use crate::wording::words;
 use contributions::Slopes;
-use place::MachinesAtPlace;
+use driver_place::MachinesAtPlace;
 use thiserror::Error;
 use tolerance_box::ToleranceBox;
 

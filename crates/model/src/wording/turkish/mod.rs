@@ -6,14 +6,13 @@
 //! names get no suffix. Sentences use the polite imperative (`yazın`); labels of one to three words
 //! use the plain form (`kaydet`).
 
-mod acting;
 mod actions;
-mod checking;
+mod check;
 mod commands;
 mod configuration;
-mod courses;
 mod cycles;
 mod designs;
+mod driver_motion;
 mod editing;
 mod errors;
 mod examples;
@@ -24,24 +23,25 @@ mod figures;
 mod files;
 mod forces;
 mod formulas;
-mod helping;
+mod help;
 mod hints;
 mod imports;
+mod loads;
 mod manual;
 mod methods;
 mod motion;
 mod motors;
-mod offering;
 mod options;
 mod parser;
 mod parts;
-mod picking;
 mod plots;
 mod presets;
 mod reactions;
 mod reading;
+mod recovery;
 mod reporting;
 mod scene_keys;
+mod scene_picker;
 mod syntax;
 mod tasks;
 mod terminals;

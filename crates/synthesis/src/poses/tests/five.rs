@@ -4,7 +4,7 @@
 use super::newton;
 use super::planted::{KnownDyads, KnownLengths, turned, worst_miss};
 use crate::poses::dyad::FullDyad;
-use crate::poses::guidance::Guidance;
+use crate::poses::dyad_equations::Guidance;
 use crate::poses::{PoseReach, five, propose};
 use crate::{PinConstraint, Pose, PoseTask, Proposals};
 use kinematics::numeric::SeededRng;

@@ -2,7 +2,7 @@
 
 use super::planted::{KnownDyads, KnownLengths, worst_miss};
 use crate::poses::dyad::FullDyad;
-use crate::poses::guidance::Guidance;
+use crate::poses::dyad_equations::Guidance;
 use crate::poses::{PoseReach, four, propose};
 use crate::{PinConstraint, Pose, PoseTask, Proposal};
 use kinematics::numeric::SeededRng;

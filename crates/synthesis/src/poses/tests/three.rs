@@ -1,7 +1,7 @@
 //! Tests of three poses: a pin for each pivot, a pivot for each pin.
 
 use super::planted::{KnownDyads, worst_miss};
-use crate::poses::guidance::Guidance;
+use crate::poses::dyad_equations::Guidance;
 use crate::poses::{PoseReach, propose, three};
 use crate::{PinConstraint, Pose, PoseTask};
 use kinematics::Vec2;

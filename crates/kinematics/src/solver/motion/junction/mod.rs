@@ -6,20 +6,20 @@
 //! 2p, and its sign changes if p is odd. All series are in double-double. They are proved by
 //! solving the mechanism on both sides of the coordinate.
 
-mod lay;
 mod pair;
 mod proof;
-mod standing;
+mod series_steps;
+mod singularity;
 
 use super::change::Change;
-use super::walk::Walker;
+use super::tracking::Walker;
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::elements::{Dyad, POSITION, SingularShift, StepOutcome, root};
 use crate::solver::workspace::Workspace;
 use crate::{Double, Vec2};
 pub(super) use pair::PairFound;
 use pair::{Paired, paired};
-pub(super) use standing::DyadSingularity;
+pub(super) use singularity::DyadSingularity;
 
 /// Number of terms of the first attempt.
 pub(super) const FIRST: usize = 16;

@@ -10,7 +10,7 @@ use crate::Double;
 use crate::Number;
 use crate::arithmetic::Series;
 use crate::solver::elements::{Dyad, Pair, SingularShift};
-use crate::solver::motion::walk::Walker;
+use crate::solver::motion::tracking::Walker;
 use crate::solver::state::State;
 
 /// Maximum distance of the three extremes from the centre of a series about all of them, in radians

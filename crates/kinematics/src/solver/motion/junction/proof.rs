@@ -6,7 +6,7 @@ use crate::arithmetic::Series;
 use crate::solver::change_point::ChangePointCrossing;
 use crate::solver::elements::{SingularShift, root};
 use crate::solver::exact::Exact;
-use crate::solver::motion::walk::Walker;
+use crate::solver::motion::tracking::Walker;
 use crate::{Double, Number, Vec2};
 
 /// Maximum difference between series and motion in positions and directions, at a distance from the

@@ -1,0 +1,645 @@
+//! Collects the loop equations: expanded in sines and cosines, with all known factors in
+//! coefficients, so that the unknowns are isolated and a program can be written from them.
+
+use super::context::{Context, Draft};
+use super::equations::{
+    EquationTerm, Heading, LoopSide, Multiplier, in_figures, in_symbols, known,
+};
+use super::expression::{Expression, Function};
+use super::figures::{Figures, WrittenSum};
+use super::group_unknowns::{ProblemForm, Stage};
+use super::polygon::Term;
+use super::positions::pieces;
+use super::sides::{SideShape, Turns};
+use super::symbols;
+use crate::page::UNIT;
+use crate::wording::words;
+
+/// The equations of a loop with their coefficients.
+#[derive(Default)]
+pub(super) struct Collection {
+    coefficients: Vec<Coefficient>,
+    equations: Vec<Vec<CollectedTerm>>,
+}
+
+/// A known coefficient, named by a letter.
+struct Coefficient {
+    /// Its formula, in symbols and with numbers.
+    formulas: Vec<String>,
+    figure: String,
+    value: f64,
+    /// The magnitude of the formula's terms, which determines its rounding error.
+    size: f64,
+    /// The power of a length in its dimension.
+    power: usize,
+}
+
+/// A coefficient, by its index, times unknown factors.
+struct CollectedTerm {
+    negative: bool,
+    coefficient: Option<usize>,
+    factors: Vec<UnknownFactor>,
+}
+
+/// An unknown, or its sine or cosine.
+#[derive(Clone)]
+struct UnknownFactor {
+    text: String,
+    value: f64,
+    /// Its maximum absolute value.
+    size: f64,
+}
+
+/// Sides that rotate by an unknown angle: components along its direction and to the left.
+struct CollectedArm {
+    theta: String,
+    degrees: f64,
+    along: Expression,
+    left: Option<Expression>,
+}
+
+impl CollectedArm {
+    fn sin(&self) -> UnknownFactor {
+        UnknownFactor::turning("sin", &self.theta, self.degrees.to_radians().sin())
+    }
+
+    fn cos(&self) -> UnknownFactor {
+        UnknownFactor::turning("cos", &self.theta, self.degrees.to_radians().cos())
+    }
+}
+
+impl UnknownFactor {
+    fn turning(function: &str, theta: &str, value: f64) -> UnknownFactor {
+        UnknownFactor {
+            text: format!("{function}({theta})"),
+            value,
+            size: 1.0,
+        }
+    }
+
+    fn length(member: &LoopSide<'_>) -> UnknownFactor {
+        let r = member.reading.r;
+        UnknownFactor {
+            text: member.side.name.clone(),
+            value: r,
+            size: r.abs(),
+        }
+    }
+}
+
+/// Returns the letter of a coefficient: A to Z, then A26.
+fn letter(number: usize) -> String {
+    match u8::try_from(number) {
+        Ok(n) if n < 26 => char::from(b'A' + n).to_string(),
+        _ => format!("A{number}"),
+    }
+}
+
+/// The letters of the coefficients in the single equation that follows from a pair.
+const SQUARED: [&str; 3] = ["P", "Q", "R"];
+
+/// Writes the collected equations of a loop in which only the unknowns of its group are unknown.
+pub(super) fn collected(context: &Context<'_>, draft: &mut Draft, number: usize, stage: &Stage) {
+    if !context.has_positions() || stage.form == ProblemForm::Nothing {
+        return;
+    }
+    let of = &context.polygon.loops[number];
+    let members = context.members(of, stage);
+    let loop_of = LoopCollector {
+        context,
+        stage,
+        members,
+        terms: &of.terms,
+    };
+    let (collection, multipliers) = match &stage.form {
+        ProblemForm::Triangle(a, b) => loop_of.triangle(a, b),
+        ProblemForm::Quadratic(arm, slide) => loop_of.quadratic(arm, *slide),
+        ProblemForm::Swing(arm, slide) => loop_of.along(*slide, arm),
+        ProblemForm::Sum(term) => loop_of.along(*term, &[]),
+        ProblemForm::Guides(a, b) => loop_of.guides(*a, *b),
+        ProblemForm::System | ProblemForm::Nothing => (loop_of.components(), Vec::new()),
+    };
+    collection.write(context, draft, number, &multipliers);
+    if let ProblemForm::Triangle(a, b) = &stage.form {
+        loop_of.of_one_unknown(draft, number, &collection, [a, b]);
+    }
+}
+
+struct LoopCollector<'a> {
+    context: &'a Context<'a>,
+    stage: &'a Stage,
+    members: Vec<LoopSide<'a>>,
+    terms: &'a [Term],
+}
+
+impl LoopCollector<'_> {
+    fn figures(&self) -> Figures {
+        self.context.figures
+    }
+
+    fn size(&self) -> f64 {
+        let lengths = self.members.iter().map(|m| m.reading.r.abs());
+        lengths.fold(0.0, f64::max)
+    }
+
+    fn member(&self, term: Term) -> LoopSide<'_> {
+        self.context.member(term, self.stage)
+    }
+
+    /// Adds the known terms along an axis, optionally negated, as a coefficient; returns `None` if
+    /// there are none.
+    fn known(&self, into: &mut Collection, axis: &Multiplier, minus: bool) -> Option<usize> {
+        let all = pieces(&self.members, axis, self.figures());
+        let mut of: Vec<EquationTerm> = all.into_iter().filter(|p| p.unknown.is_none()).collect();
+        if of.is_empty() {
+            return None;
+        }
+        for piece in of.iter_mut().filter(|_| minus) {
+            piece.negative = !piece.negative;
+            piece.value = -piece.value;
+        }
+        let formulas = vec![in_symbols(&of), in_figures(&of, self.figures())];
+        let value = known(&of);
+        let size = of.iter().map(|piece| piece.size).sum();
+        Some(into.coefficient(Coefficient {
+            figure: self.figures().format_or_zero(value, self.size()),
+            formulas,
+            value,
+            size,
+            power: 1,
+        }))
+    }
+
+    /// Adds a coefficient given by a formula.
+    fn formula(&self, into: &mut Collection, formula: &Expression, power: usize) -> usize {
+        let value = formula.value();
+        let size = if power == 0 { 1.0 } else { self.size() };
+        let numbers = formula.numbers();
+        let figure = match (formula, power) {
+            // A length alone is written as given.
+            (Expression::Known { .. }, _) => numbers.clone(),
+            (Expression::Minus(of), _) if matches!(**of, Expression::Known { .. }) => {
+                numbers.clone()
+            }
+            (_, 0) => self.figures().given(value),
+            _ => self.figures().format_or_zero(value, size),
+        };
+        into.coefficient(Coefficient {
+            formulas: vec![formula.symbols(), numbers],
+            figure,
+            value,
+            size,
+            power,
+        })
+    }
+
+    /// Returns the length of a side, with its sign.
+    fn length(&self, member: &LoopSide<'_>) -> Expression {
+        let f = self.figures();
+        let r = member.reading.r;
+        let figure = match member.side.stretches() {
+            true => f.number(r),
+            false => f.given(r),
+        };
+        Expression::known(member.side.name.as_str(), figure, r).minus_if(member.reversed)
+    }
+
+    /// Returns the known direction of a side.
+    fn theta(&self, member: &LoopSide<'_>) -> Expression {
+        let degrees = member.reading.theta;
+        Expression::known(
+            member.side.theta(),
+            self.figures().direction(degrees),
+            degrees,
+        )
+    }
+
+    /// Returns the components of one side, or of several that rotate together.
+    fn arm(&self, arm: &[Term]) -> CollectedArm {
+        let members: Vec<LoopSide<'_>> = arm.iter().map(|&term| self.member(term)).collect();
+        if let [one] = &members[..] {
+            return CollectedArm {
+                theta: one.side.theta(),
+                degrees: one.reading.theta,
+                along: self.length(one),
+                left: None,
+            };
+        }
+        let link = members.iter().find_map(|m| m.side.turns_with());
+        let theta = link.map_or_else(String::new, |link| {
+            symbols::theta(self.context.scene.link_name(link))
+        });
+        let degrees = link.map_or(0.0, |link| self.context.state.angle(link));
+        let part = |function: Function| {
+            let terms = members.iter().filter_map(|m| {
+                let ahead = match m.side.turns {
+                    Turns::With(_, ahead) => ahead,
+                    Turns::Never | Turns::Freely => 0.0,
+                };
+                self.turned(m, &theta, ahead, function)
+            });
+            Expression::total(terms.collect::<Vec<_>>())
+        };
+        CollectedArm {
+            along: part(Function::Cos).unwrap_or(Expression::Number(0.0)),
+            left: part(Function::Sin),
+            theta,
+            degrees,
+        }
+    }
+
+    /// Returns a side's component along a direction or to its left; `ahead` is the constant angle
+    /// from that direction to the side. Returns `None` for a component that is 0 because `ahead`
+    /// is.
+    fn turned(
+        &self,
+        member: &LoopSide<'_>,
+        theta: &str,
+        ahead: f64,
+        function: Function,
+    ) -> Option<Expression> {
+        let length = self.length(member);
+        if ahead == 0.0 {
+            return (function == Function::Cos).then_some(length);
+        }
+        let symbol = format!("{} - {theta}", member.side.theta());
+        let angle = Expression::known(symbol, self.figures().direction(ahead), ahead);
+        Some(length * Expression::of(function, [angle]))
+    }
+
+    /// Collects a loop with two unknown angles: each equation eliminates the length of one arm's
+    /// own side.
+    fn triangle(&self, a: &[Term], b: &[Term]) -> (Collection, Vec<String>) {
+        let mut into = Collection::default();
+        let [a, b] = [a, b].map(|arm| self.arm(arm));
+        let minus_x = self.known(&mut into, &Multiplier::X, true);
+        let y = self.known(&mut into, &Multiplier::Y, false);
+        let mut along = [None; 2];
+        let mut left = [None; 2];
+        for (k, arm) in [&a, &b].into_iter().enumerate() {
+            along[k] = Some(self.formula(&mut into, &arm.along, 1));
+            left[k] = arm
+                .left
+                .as_ref()
+                .map(|left| self.formula(&mut into, left, 1));
+        }
+        for ((own, other), k) in [(&b, &a), (&a, &b)].into_iter().zip([0, 1]) {
+            let mut terms = Vec::new();
+            let mut push = |negative, coefficient: Option<usize>, factors: Vec<UnknownFactor>| {
+                terms.extend(coefficient.map(|coefficient| CollectedTerm {
+                    negative,
+                    coefficient: Some(coefficient),
+                    factors,
+                }));
+            };
+            push(false, minus_x, vec![own.sin()]);
+            push(false, y, vec![own.cos()]);
+            push(false, along[k], vec![other.sin(), own.cos()]);
+            push(true, along[k], vec![other.cos(), own.sin()]);
+            push(false, left[k], vec![other.cos(), own.cos()]);
+            push(false, left[k], vec![other.sin(), own.sin()]);
+            push(false, left[1 - k], Vec::new());
+            into.equations.push(terms);
+        }
+        let notation = self.context.notation;
+        let multipliers = [&b, &a].map(|arm| notation.across(&arm.theta));
+        (into, multipliers.into())
+    }
+
+    /// Collects a loop with an unknown angle, and a position along a guide of known direction; the
+    /// first equation contains only the angle.
+    fn quadratic(&self, arm: &[Term], slide: Term) -> (Collection, Vec<String>) {
+        let mut into = Collection::default();
+        let arm = self.arm(arm);
+        let slide = self.member(slide);
+        let heading = || Heading::of(&slide);
+        let [cos, sin] = [Function::Cos, Function::Sin]
+            .map(|function| Expression::of(function, [self.theta(&slide)]));
+        let [mut a, mut b] = [
+            arm.along.clone() * cos.clone(),
+            -(arm.along.clone() * sin.clone()),
+        ];
+        if let Some(left) = &arm.left {
+            a = a + left.clone() * sin;
+            b = b + left.clone() * cos;
+        }
+        let a = Some(self.formula(&mut into, &a, 1));
+        let b = Some(self.formula(&mut into, &b, 1));
+        let across = self.known(&mut into, &Multiplier::Across(heading()), false);
+        let along = self.known(&mut into, &Multiplier::Along(heading()), false);
+        let term = |negative, coefficient, factors| CollectedTerm {
+            negative,
+            coefficient,
+            factors,
+        };
+        let mut first = vec![
+            term(false, a, vec![arm.sin()]),
+            term(false, b, vec![arm.cos()]),
+        ];
+        first.extend(across.map(|_| term(false, across, Vec::new())));
+        let mut second = vec![
+            term(slide.reversed, None, vec![UnknownFactor::length(&slide)]),
+            term(false, a, vec![arm.cos()]),
+            term(true, b, vec![arm.sin()]),
+        ];
+        second.extend(along.map(|_| term(false, along, Vec::new())));
+        into.equations = vec![first, second];
+        (into, self.both_of(&slide))
+    }
+
+    /// Returns the names of both unit vectors of a side.
+    fn both_of(&self, member: &LoopSide<'_>) -> Vec<String> {
+        let (notation, theta) = (self.context.notation, member.side.theta());
+        vec![notation.across(&theta), notation.along(&theta)]
+    }
+
+    /// Collects a loop with unknown length and angle of one vector, and sides that rotate with it.
+    fn along(&self, own: Term, arm: &[Term]) -> (Collection, Vec<String>) {
+        let mut into = Collection::default();
+        let member = self.member(own);
+        let theta = member.side.theta();
+        let turning = CollectedArm {
+            theta: theta.clone(),
+            degrees: member.reading.theta,
+            along: self.length(&member),
+            left: None,
+        };
+        let others: Vec<LoopSide<'_>> = arm
+            .iter()
+            .filter(|term| **term != own)
+            .map(|&term| self.member(term))
+            .collect();
+        let rest = |function: Function| {
+            let terms = others.iter().filter_map(|m| {
+                let ahead = match (m.side.turns, member.side.turns) {
+                    (Turns::With(_, one), Turns::With(_, other)) => {
+                        crate::angle::wrapped(one - other)
+                    }
+                    _ => 0.0,
+                };
+                self.turned(m, &theta, ahead, function)
+            });
+            Expression::total(terms.collect::<Vec<_>>())
+        };
+        let minus_x = self.known(&mut into, &Multiplier::X, true);
+        let y = self.known(&mut into, &Multiplier::Y, false);
+        let [across, along] = [Function::Sin, Function::Cos]
+            .map(|function| rest(function).map(|rest| self.formula(&mut into, &rest, 1)));
+        let mut first = Vec::new();
+        let mut second = vec![CollectedTerm {
+            negative: member.reversed,
+            coefficient: None,
+            factors: vec![UnknownFactor::length(&member)],
+        }];
+        let mut push =
+            |into: usize, negative, coefficient: Option<usize>, factors: Vec<UnknownFactor>| {
+                let term = coefficient.map(|coefficient| CollectedTerm {
+                    negative,
+                    coefficient: Some(coefficient),
+                    factors,
+                });
+                [&mut first, &mut second][into].extend(term);
+            };
+        push(0, false, minus_x, vec![turning.sin()]);
+        push(0, false, y, vec![turning.cos()]);
+        push(0, false, across, Vec::new());
+        push(1, true, minus_x, vec![turning.cos()]);
+        push(1, false, y, vec![turning.sin()]);
+        push(1, false, along, Vec::new());
+        into.equations = vec![first, second];
+        (into, self.both_of(&member))
+    }
+
+    /// Collects a loop with two positions along guides of known directions: an equation for each.
+    fn guides(&self, a: Term, b: Term) -> (Collection, Vec<String>) {
+        let mut into = Collection::default();
+        let mut multipliers = Vec::new();
+        for (own, other) in [(a, b), (b, a)] {
+            let (own, other) = (self.member(own), self.member(other));
+            let between = Expression::of(Function::Sin, [self.theta(&own) - self.theta(&other)]);
+            let factor = self.formula(&mut into, &between.minus_if(own.reversed), 0);
+            let axis = Multiplier::Across(Heading::of(&other));
+            let rest = self.known(&mut into, &axis, false);
+            let mut terms = vec![CollectedTerm {
+                negative: false,
+                coefficient: Some(factor),
+                factors: vec![UnknownFactor::length(&own)],
+            }];
+            terms.extend(rest.map(|rest| CollectedTerm {
+                negative: false,
+                coefficient: Some(rest),
+                factors: Vec::new(),
+            }));
+            into.equations.push(terms);
+            multipliers.push(axis.name(self.context.notation));
+        }
+        (into, multipliers)
+    }
+
+    /// Collects a loop of a coupled group: both components, with a coefficient for every side.
+    fn components(&self) -> Collection {
+        let mut into = Collection::default();
+        let mut equations = Vec::new();
+        let mut lengths = vec![None; self.terms.len()];
+        for (axis, function) in [(Multiplier::X, "cos"), (Multiplier::Y, "sin")] {
+            let mut terms: Vec<CollectedTerm> = Vec::new();
+            let rest = self.known(&mut into, &axis, false);
+            terms.extend(rest.map(|rest| CollectedTerm {
+                negative: false,
+                coefficient: Some(rest),
+                factors: Vec::new(),
+            }));
+            for (member, length) in self.members.iter().zip(&mut lengths) {
+                let part = match function {
+                    "cos" => member.reading.theta.to_radians().cos(),
+                    _ => member.reading.theta.to_radians().sin(),
+                };
+                let turning = UnknownFactor::turning(function, &self.argument(member), part);
+                let stretching = UnknownFactor::length(member);
+                let (coefficient, factors, negative) = match member.sought {
+                    [false, false] => continue,
+                    [false, true] => {
+                        let own = *length.get_or_insert_with(|| {
+                            self.formula(&mut into, &self.length(member), 1)
+                        });
+                        (Some(own), vec![turning], false)
+                    }
+                    [true, true] => (None, vec![stretching, turning], member.reversed),
+                    [true, false] => {
+                        let of = match function {
+                            "cos" => Function::Cos,
+                            _ => Function::Sin,
+                        };
+                        let part = Expression::of(of, [self.theta(member)]);
+                        let own = self.formula(&mut into, &part.minus_if(member.reversed), 0);
+                        (Some(own), vec![stretching], false)
+                    }
+                };
+                terms.push(CollectedTerm {
+                    negative,
+                    coefficient,
+                    factors,
+                });
+            }
+            equations.push(terms);
+        }
+        into.equations = equations;
+        into
+    }
+
+    /// Returns the angle of a side, expressed by that of the link with which it rotates.
+    fn argument(&self, member: &LoopSide<'_>) -> String {
+        match member.side.turns {
+            Turns::With(link, ahead) if member.side.shape != SideShape::Link(link) => {
+                let theta = symbols::theta(self.context.scene.link_name(link));
+                match self.figures().direction(ahead).as_str() {
+                    "0" => theta,
+                    by => format!("{theta} + {by}"),
+                }
+            }
+            _ => member.side.theta(),
+        }
+    }
+
+    /// Writes one equation in one angle: squaring and adding both components eliminates the other
+    /// angle.
+    fn of_one_unknown(
+        &self,
+        draft: &mut Draft,
+        number: usize,
+        pair: &Collection,
+        arms: [&Vec<Term>; 2],
+    ) {
+        let [lost, kept] = arms.map(|arm| self.arm(arm));
+        // For arms of several sides, the squares would contain those of their components.
+        if lost.left.is_some() || kept.left.is_some() || pair.coefficients.len() != 4 {
+            return;
+        }
+        let f = self.figures();
+        let coefficient = |k: usize| {
+            let of = pair.coefficients.get(k);
+            let (figure, value) = of.map_or((String::new(), f64::NAN), |of| {
+                (of.figure.clone(), of.value)
+            });
+            Expression::known(letter(k), figure, value)
+        };
+        let [a, b] = [coefficient(0), coefficient(1)];
+        let [c, d] = [coefficient(2), coefficient(3)];
+        let two = || Expression::Number(2.0);
+        let squares = [&a, &b, &d].map(|of| of.clone().squared());
+        let lengths: f64 = squares.iter().map(Expression::value).sum();
+        let formulas = [
+            two() * b.clone() * d.clone(),
+            -(two() * a.clone() * d.clone()),
+            a.squared() + b.squared() + d.squared() - c.clone().squared(),
+        ];
+        let size = lengths + c.value() * c.value();
+        let alone = lost.along.symbols();
+        let arm = alone.trim_start_matches('-');
+        draft
+            .page
+            .text(words().squared_and_added(arm, &lost.theta, &kept.theta));
+        let [sin, cos] = [kept.sin(), kept.cos()];
+        let [p, q, r] = SQUARED;
+        let text = format!("{p} {} + {q} {} + {r}", sin.text, cos.text);
+        draft.page.equation([text, "0".into()]);
+        let values = [0, 1, 2].map(|k| {
+            draft.worked(SQUARED[k], &formulas[k], |value| {
+                format!("{} {UNIT}{}^2", f.format_or_zero(value, size), f.unit)
+            })
+        });
+        let mut sum = WrittenSum::default();
+        for (value, factor) in values.iter().zip([Some(&sin.text), Some(&cos.text), None]) {
+            push(&mut sum, f.format_or_zero(*value, size), factor);
+        }
+        draft.page.equation([sum.text(), "0".into()]);
+        let left = values[0] * sin.value + values[1] * cos.value + values[2];
+        draft.agree(&words().collected_equation(number + 1), left, 0.0, size);
+    }
+}
+
+/// Adds a value times a factor; skips a value of 0.
+fn push(sum: &mut WrittenSum, figure: String, after: Option<&String>) {
+    match (figure.as_str(), after) {
+        ("0", _) => {}
+        ("1", Some(after)) => sum.push(false, after),
+        ("-1", Some(after)) => sum.push(true, after),
+        (_, Some(after)) => sum.push_figure(&format!("{figure}·{after}")),
+        (_, None) => sum.push_figure(&figure),
+    }
+}
+
+impl Collection {
+    fn coefficient(&mut self, coefficient: Coefficient) -> usize {
+        self.coefficients.push(coefficient);
+        self.coefficients.len() - 1
+    }
+
+    /// Writes the equations with letters, the meanings of the letters, and the equations with
+    /// numbers.
+    fn write(
+        &self,
+        context: &Context<'_>,
+        draft: &mut Draft,
+        number: usize,
+        multipliers: &[String],
+    ) {
+        let f = context.figures;
+        draft.page.text(match multipliers {
+            [one, other] => words().collected_by(one, other),
+            _ => words().collected_with_letters().to_owned(),
+        });
+        for terms in &self.equations {
+            let mut sum = WrittenSum::default();
+            for term in terms {
+                let letter = term.coefficient.map(letter);
+                let factors = term.factors.iter().map(|factor| factor.text.clone());
+                let text: Vec<String> = letter.into_iter().chain(factors).collect();
+                sum.push(term.negative, &text.join(" "));
+            }
+            draft.page.equation([sum.text(), "0".into()]);
+        }
+        for (k, coefficient) in self.coefficients.iter().enumerate() {
+            let unit = match coefficient.power {
+                0 => String::new(),
+                _ => format!(" {UNIT}{}", f.unit),
+            };
+            let found = format!("{}{unit}", coefficient.figure);
+            let mut sides = vec![letter(k)];
+            for side in &coefficient.formulas {
+                // A single term equals its value.
+                if *side != coefficient.figure && sides.last() != Some(side) {
+                    sides.push(side.clone());
+                }
+            }
+            draft.page.equation(sides.into_iter().chain([found]));
+        }
+        draft.page.text(words().collected_with_numbers());
+        for terms in &self.equations {
+            let mut sum = WrittenSum::default();
+            let (mut left, mut size) = (0.0, 0.0);
+            for term in terms {
+                let of = term.coefficient.and_then(|k| self.coefficients.get(k));
+                let value = of.map_or(1.0, |of| of.value);
+                let sign = if term.negative { -1.0 } else { 1.0 };
+                let product: f64 = term.factors.iter().map(|factor| factor.value).product();
+                let maximum: f64 = term.factors.iter().map(|factor| factor.size).product();
+                left += sign * value * product;
+                size += of.map_or(1.0, |of| of.size) * maximum;
+                let factors: Vec<&str> = term.factors.iter().map(|f| f.text.as_str()).collect();
+                let factors = factors.join("·");
+                let after = (!factors.is_empty()).then_some(&factors);
+                let figure = of.map_or_else(|| "1".to_owned(), |of| of.figure.clone());
+                let figure = match (term.negative, figure.strip_prefix('-')) {
+                    (false, _) => figure,
+                    (true, Some(size)) => size.to_owned(),
+                    (true, None) if figure == "0" => figure,
+                    (true, None) => format!("-{figure}"),
+                };
+                push(&mut sum, figure, after);
+            }
+            draft.page.equation([sum.text(), "0".into()]);
+            draft.agree(&words().collected_equation(number + 1), left, 0.0, size);
+        }
+    }
+}

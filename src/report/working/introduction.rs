@@ -1,0 +1,319 @@
+//! Writes the beginning of the working: the driver, the state, the vector polygons and the position
+//! table.
+
+use super::context::{Context, Draft};
+use super::figures::WrittenSum;
+use super::polygon::Loop;
+use super::sides::{Side, Turns};
+use super::symbols;
+use crate::page::UNIT;
+use crate::quantity::{Catalogue, state_word};
+use crate::report::text::number::concise;
+use crate::report::text::places::limits_text;
+use crate::solver::Condition;
+use crate::wording::words;
+use crate::{Body, Input, InputLaw, LinkId};
+
+/// Writes the title, and the driver's coordinate.
+pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
+    let Context {
+        scene,
+        state,
+        figures,
+        ..
+    } = context;
+    draft.page.title(&scene.title());
+    let name = &scene.driven_name(scene.mechanism.driver().input);
+    let (is_turning, units) = match scene.mechanism.driver().input {
+        Input::Turn(_) => (true, ["deg", "rad/s", "rad/s^2"].map(str::to_owned)),
+        Input::Push(_) => {
+            let units = [0, 1, 2].map(|order| figures.length_unit(order));
+            (false, units)
+        }
+    };
+    let condition = &words().condition_called(state_word(state.condition()));
+    let [at, speed, acceleration] = units;
+    let at = format!("{} {UNIT}{at}", concise(state.at(), usize::MAX));
+    let speed = format!("{} {UNIT}{speed}", figures.given(state.driver_speed()));
+    let given = figures.given(state.driver_acceleration());
+    let acceleration = format!("{given} {UNIT}{acceleration}");
+    draft.page.text(match is_turning {
+        true => words().driver_turns(condition, name, &at, &speed, &acceleration),
+        false => words().driver_slides(condition, name, &at, &speed, &acceleration),
+    });
+    if let Some(text) = condition_text(context) {
+        draft.page.text(text);
+    }
+    inputs(context, draft);
+}
+
+/// Writes how the other inputs follow the driver, with their coordinates.
+fn inputs(context: &Context<'_>, draft: &mut Draft) {
+    let mechanism = &context.scene.mechanism;
+    let symbol = |input| match input {
+        Input::Turn(link) => {
+            let name = |link| symbols::theta(context.scene.link_name(link));
+            match mechanism.turned_from(link) {
+                Body::Ground => name(link),
+                Body::Link(from) => format!("{} - {}", name(link), name(from)),
+            }
+        }
+        Input::Push(slide) => context.scene.slide_name(slide).to_owned(),
+    };
+    if !mechanism.timed().is_empty() {
+        draft.page.text(words().inputs_are_given());
+    }
+    for timed in mechanism.timed() {
+        let at = timed.coordinate(context.state.at());
+        let [at, unit] = match timed.input {
+            Input::Turn(_) => [context.figures.direction(at), "deg".to_owned()],
+            Input::Push(_) => [context.figures.given(at), context.figures.length_unit(0)],
+        };
+        let (name, at) = (symbol(timed.input), format!("{at} {UNIT}{unit}"));
+        match timed.law {
+            InputLaw::Ratio { ratio, phase } => {
+                let [ratio, phase] = [ratio, phase].map(|v| concise(v, usize::MAX));
+                let law = format!("{ratio} {} + {phase}", symbol(mechanism.driver().input));
+                let law = law.replace("+ -", "- ");
+                draft.page.equation([name, law, at]);
+            }
+            InputLaw::Table(_) => {
+                draft.page.text(words().inputs_have_tables(&name));
+                draft.page.equation([name.clone(), at]);
+                let driver = mechanism.driver().input;
+                let by = symbol(driver);
+                let names = [format!("d{name}/d{by}"), format!("d²{name}/d{by}²")];
+                let rates = timed.rates(context.state.at(), driver);
+                let unit = |input| match input {
+                    Input::Turn(_) => "rad".to_owned(),
+                    Input::Push(_) => context.figures.length_unit(0),
+                };
+                let [own, per] = [unit(timed.input), unit(driver)];
+                let units = match own == per {
+                    true => [String::new(), format!(" 1/{UNIT}{per}")],
+                    false => [
+                        format!(" {UNIT}{own}/{per}"),
+                        format!(" {UNIT}{own}/{per}^2"),
+                    ],
+                };
+                for ((name, rate), unit) in names.into_iter().zip(rates).zip(units) {
+                    draft
+                        .page
+                        .equation([name, context.figures.given(rate) + &unit]);
+                }
+            }
+        }
+    }
+}
+
+/// Writes the unit vectors as the lecture defines them; equations are multiplied by these.
+pub(super) fn unit_vectors(context: &Context<'_>, draft: &mut Draft) {
+    if context.polygon.loops.is_empty() {
+        return;
+    }
+    let (along, across) = (context.notation.along("θ"), context.notation.across("θ"));
+    let page = &mut draft.page;
+    page.text(words().unit_vectors_are(&along, &across));
+    let [u, n] = [&along, &across].map(|name| name.trim_end_matches("(θ)"));
+    let rate = |of: &str| format!("d{of}/dt");
+    for sides in [
+        [along.clone(), "cos(θ) i + sin(θ) j".to_owned()],
+        [across.clone(), "-sin(θ) i + cos(θ) j".to_owned()],
+        [rate(u), format!("ω {across}")],
+        [rate(n), format!("-ω {along}")],
+    ] {
+        page.equation(sides);
+    }
+    let product = |one: &str, other: &str| format!("{one}(a)·{other}(b)");
+    page.equation([product(u, u), product(n, n), "cos(a - b)".into()]);
+    page.equation([product(u, n), "sin(a - b)".into()]);
+}
+
+/// Explains the consequences of the state's condition; returns `None` for an ordinary state.
+fn condition_text(context: &Context<'_>) -> Option<String> {
+    match context.state.condition() {
+        Condition::Ok => None,
+        Condition::DeadPoint => Some(words().dead_point_explained().into()),
+        Condition::ChangePoint => Some(words().change_point_explained().into()),
+        Condition::NoAssembly => {
+            let catalogue = Catalogue::new(context.scene);
+            let limits = limits_text(context.solver.motion().range, catalogue.driver());
+            Some(words().no_assembly_explained(&limits))
+        }
+    }
+}
+
+/// Writes the closed loops, and the vectors outside them.
+pub(super) fn polygons(context: &Context<'_>, draft: &mut Draft) {
+    let polygon = context.polygon;
+    draft.page.part(words().vector_polygons());
+    for (number, of) in polygon.loops.iter().enumerate() {
+        draft.page.equation([sum_text(context, of), "0".into()]);
+        let walk = solved(context, of);
+        draft.page.text(match polygon.loops.len() {
+            1 => walk,
+            _ => words().loop_is(number + 1, &walk),
+        });
+    }
+    if polygon.loops.is_empty() {
+        draft.page.text(words().no_closed_loop());
+    }
+    let between: Vec<String> = polygon
+        .sides
+        .iter()
+        .filter(|side| !side.named)
+        .map(|side| words().vector_on(&side.name, &side.tail, &side.head, place(context, side)))
+        .collect();
+    if !between.is_empty() {
+        let between = between.join("; ");
+        draft.page.text(words().beside_vectors_of_scene(&between));
+    }
+    let riders: Vec<&str> = polygon.riders().map(|side| side.name.as_str()).collect();
+    if !riders.is_empty() {
+        draft.page.text(words().in_no_loop(&riders.join(", ")));
+    }
+}
+
+/// Returns the loop as a sum of vectors.
+pub(super) fn sum_text(context: &Context<'_>, of: &Loop) -> String {
+    let mut sum = WrittenSum::default();
+    for (side, reversed) in context.polygon.terms(of) {
+        sum.push(reversed, &side.name);
+    }
+    sum.text()
+}
+
+/// Returns the points of a loop in order, and the group that solves it.
+fn solved(context: &Context<'_>, of: &Loop) -> String {
+    let walk = context.polygon.walk(of);
+    match of.group {
+        None => words().tells_further_vector(&walk),
+        Some(_) if context.polygon.loops.len() == 1 => walk,
+        Some(group) => words().solved_by_group(&walk, group + 1),
+    }
+}
+
+/// Returns the name of the body that carries a vector.
+fn place<'c>(context: &Context<'c>, side: &Side) -> &'c str {
+    use super::sides::SideShape;
+    match side.shape {
+        SideShape::Rigid(crate::Body::Link(link), _) => context.scene.link_name(link),
+        SideShape::Rigid(crate::Body::Ground, _)
+        | SideShape::Link(_)
+        | SideShape::Slide(_)
+        | SideShape::Free(..) => words().the_ground(),
+    }
+}
+
+/// Writes length and angle of every vector, marked as given, driven or unknown.
+pub(super) fn position_table(context: &Context<'_>, draft: &mut Draft) {
+    draft.page.part(words().position_table());
+    let figures = context.figures;
+    let mut rows = Vec::new();
+    for (side, reading) in context.polygon.sides.iter().zip(&context.readings) {
+        let unknowns = [
+            context.schedule.length_group(side),
+            context.schedule.angle_group(side),
+        ];
+        let exists = unknowns.map(|group| group.is_none() || context.has_positions());
+        let length = match (exists[0], side.stretches()) {
+            (false, _) => "?".into(),
+            (true, true) => figures.number(reading.r),
+            (true, false) => figures.given(reading.r),
+        };
+        let angle = if exists[1] {
+            figures.direction(reading.theta)
+        } else {
+            "?".into()
+        };
+        rows.push([
+            side.name.clone(),
+            format!("{} → {}", side.tail, side.head),
+            length,
+            length_mark(context, side).into(),
+            angle,
+            angle_mark(context, side),
+        ]);
+    }
+    rows.extend(bodies_without_ends(context));
+    let r = format!("r [{}]", figures.unit);
+    let (vector, ends) = (words().vector(), words().column_ends());
+    let [r_is, theta_is] = ["r", "θ"].map(|symbol| words().column_is(symbol));
+    draft.table([vector, ends, &r, &r_is, "θ [deg]", &theta_is], rows);
+    super::by_coordinates::vectors(context, draft);
+}
+
+fn length_mark(context: &Context<'_>, side: &Side) -> &'static str {
+    match context.schedule.length_group(side) {
+        Some(_) => words().is_sought(),
+        None if context.schedule.is_pushed(side) => input_mark(context, side),
+        None => words().given(),
+    }
+}
+
+/// Returns the mark of an input's coordinate: driver, or given if it follows the driver.
+fn input_mark(context: &Context<'_>, side: &Side) -> &'static str {
+    let driver = context.scene.mechanism.driver().input;
+    match context.schedule.input(side) == Some(driver) {
+        true => words().driver(),
+        false => words().given(),
+    }
+}
+
+fn angle_mark(context: &Context<'_>, side: &Side) -> String {
+    let Some(link) = side.turns_with() else {
+        let unknowns = context.schedule.angle_group(side).is_some();
+        return match unknowns {
+            true => words().is_sought().into(),
+            false => words().given().into(),
+        };
+    };
+    let Turns::With(_, offset) = side.turns else {
+        return String::new();
+    };
+    let is_own = matches!(side.shape, super::sides::SideShape::Link(own) if own == link);
+    match (is_own, context.schedule.is_driven(side)) {
+        (true, true) => input_mark(context, side).into(),
+        (true, false) => words().is_sought().into(),
+        (false, _) => with_offset(context, link, offset),
+    }
+}
+
+/// Returns the angle of a link, plus the angle by which a vector leads it.
+fn with_offset(context: &Context<'_>, link: LinkId, offset: f64) -> String {
+    let theta = symbols::theta(context.scene.link_name(link));
+    let by = context.figures.direction(offset);
+    if by == "0" {
+        theta
+    } else {
+        format!("{theta} + {by}")
+    }
+}
+
+/// Returns rows for links that are not vectors: they only have an angle.
+fn bodies_without_ends(context: &Context<'_>) -> Vec<[String; 6]> {
+    let mechanism = &context.scene.mechanism;
+    let links = mechanism.link_ids();
+    let links = links.filter(|&link| mechanism.link(link).ends.is_none());
+    links
+        .map(|link| {
+            let turns = context.polygon.locks.turns(crate::Body::Link(link), 0.0);
+            let driven = mechanism.is_crank(link);
+            let mark = match turns {
+                Turns::Never => words().given().into(),
+                _ if mechanism.is_directed(link) && !driven => words().given().into(),
+                _ if driven => words().driver().into(),
+                Turns::With(root, _) if root == link => words().is_sought().into(),
+                Turns::With(root, offset) => with_offset(context, root, offset),
+                Turns::Freely => String::new(),
+            };
+            let angle = if context.has_positions() {
+                context.figures.direction(context.state.angle(link))
+            } else {
+                "?".into()
+            };
+            let name = context.scene.link_name(link).to_owned();
+            [name, "-".into(), "-".into(), "-".into(), angle, mark]
+        })
+        .collect()
+}
