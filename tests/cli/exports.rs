@@ -234,7 +234,7 @@ fn agrees(preset: &str, found: &str) {
 
 #[test]
 fn python_scripts_of_all_presets_match_krank() {
-    let folder = folder("handover");
+    let folder = folder("exports");
     for preset in presets() {
         let file = folder.join(format!("{}.py", preset.replace('-', "_")));
         let file = file.to_str().unwrap();
@@ -248,7 +248,7 @@ fn python_scripts_of_all_presets_match_krank() {
 
 #[test]
 fn matlab_scripts_of_all_presets_match_krank() {
-    let folder = folder("handover-matlab");
+    let folder = folder("exports-matlab");
     let mut all = format!("addpath('{}');\n", folder.display());
     for preset in presets() {
         let name = preset.replace('-', "_");
@@ -289,7 +289,7 @@ fn python_scripts_interpolate_input_tables() {
     let telescope = "unit = \"mm\"\n[ground]\nO = [0, 0]\n[driver]\nlink = \"r2\"\nangle = 50\n[inputs]\n\
         rod = { over = [[0, 200], [40, 265], [90, 310], [150, 200]] }\n[links]\nr2 = { points = { O = [0, 0] } }\n\
         [slides]\nrod = { point = \"T\", on = \"r2\", through = \"O\", angle = 0 }\n";
-    let folder = folder("handover-tables");
+    let folder = folder("exports-tables");
     for (name, text, [from, to]) in [
         ("five_bar", five_bar.as_str(), ["-400", "800"]),
         ("telescope", telescope, ["0", "150"]),
@@ -385,9 +385,12 @@ const NAMES: usize = 3 + 4 * 8;
 /// like Python's builtins.
 #[test]
 fn scene_names_do_not_shadow_script_names() {
-    let folder = folder("handover-names");
+    let folder = folder("exports-names");
     let frames = ["python", "matlab"].map(|language| {
-        let file = format!("{}/src/handover/{language}.txt", env!("CARGO_MANIFEST_DIR"));
+        let file = format!(
+            "{}/src/script_export/{language}.txt",
+            env!("CARGO_MANIFEST_DIR")
+        );
         std::fs::read_to_string(file).unwrap()
     });
     let is_of_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
@@ -459,7 +462,7 @@ fn long_link_names_give_distinct_dxf_layers() {
          {long}_2 = {{ from = \"B\", to = \"C\", length = 300 }}\n\
          {long}_3 = {{ from = \"C\", to = \"D\", length = 250 }}\n[start]\nC = [310, 230]\n"
     );
-    let scene = folder("handover-layers").join("long.toml");
+    let scene = folder("exports-layers").join("long.toml");
     std::fs::write(&scene, text).unwrap();
     let drawn = run_ok(&["draw", scene.to_str().unwrap(), "--format", "dxf"]);
     let all = read_dxf(&drawn);

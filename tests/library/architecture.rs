@@ -37,7 +37,7 @@ const MODULES: [(&str, u8); 29] = [
     ("task_file", 7),
     ("drawing", 7),
     ("report", 8),
-    ("handover", 8),
+    ("script_export", 8),
     ("import", 8),
     ("capability", 9),
     ("manual", 9),

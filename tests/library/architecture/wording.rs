@@ -30,7 +30,7 @@ const OTHERS: [&[&str]; 12] = [
     &["cli", "help", "completions"],
     &["cli", "help", "pager"],
     // Markup and style sheets.
-    &["manual", "web"],
+    &["manual", "website"],
     &["page", "html"],
     &["page", "latex"],
     &["page", "style"],
