@@ -48,7 +48,7 @@ mod defect;
 mod elements;
 mod inputs;
 mod keys;
-mod loads;
+mod loading;
 mod names;
 mod numbers;
 #[cfg(test)]

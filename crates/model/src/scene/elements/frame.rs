@@ -10,7 +10,7 @@ use crate::scene::elements::link::DraftLink;
 use crate::scene::elements::points::DraftVector;
 use crate::scene::elements::slide::DraftSlider;
 use crate::scene::inputs::input::DraftInput;
-use crate::scene::loads::loads::DraftLoad;
+use crate::scene::loading::loads::DraftLoad;
 use crate::scene::raw_elements::SceneDraft;
 use std::collections::HashMap;
 use std::collections::HashSet;

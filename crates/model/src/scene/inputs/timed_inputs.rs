@@ -3,7 +3,7 @@
 use crate::document::{Diagnostic, WrittenValue};
 use crate::scene::inputs::input::{DraftInput, seat};
 use crate::scene::keys;
-use crate::scene::loads::profile;
+use crate::scene::loading::profile;
 use crate::scene::numbers::rate::RateKind;
 use crate::scene::numbers::reader::{ByteSpan, Name, Reader};
 use crate::scene::resolve::Resolver;

@@ -4,7 +4,7 @@ use crate::document::{Diagnostic, WrittenValue, items};
 use crate::nearest::did_you_mean;
 use crate::scene::elements::limits::DraftEnds;
 use crate::scene::keys;
-use crate::scene::loads::profile;
+use crate::scene::loading::profile;
 use crate::scene::numbers::reader::{ByteSpan, Reader};
 use crate::scene::table::KeyTable;
 use crate::wording::words;

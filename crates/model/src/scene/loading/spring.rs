@@ -4,8 +4,8 @@
 use crate::document::{Diagnostic, WrittenValue};
 use crate::scene::elements::link::DraftLink;
 use crate::scene::keys;
-use crate::scene::loads::loads::{ListExample, list, load_example};
-use crate::scene::loads::profile;
+use crate::scene::loading::loads::{ListExample, list, load_example};
+use crate::scene::loading::profile;
 use crate::scene::names::NameKind;
 use crate::scene::numbers::reader::{Name, Reader};
 use crate::scene::resolve::Resolver;

@@ -4,7 +4,7 @@ use crate::document::{Diagnostic, WrittenValue, items};
 use crate::nearest::did_you_mean;
 use crate::scene::elements::slide::DraftSlide;
 use crate::scene::keys;
-use crate::scene::loads::profile;
+use crate::scene::loading::profile;
 use crate::scene::names::NameKind;
 use crate::scene::numbers::reader::{Name, Reader};
 use crate::scene::resolve::Resolver;
