@@ -20,7 +20,7 @@ pub enum PictureChoice {
     /// The protocol detected from the environment.
     #[default]
     Auto,
-    /// This protocol.
+    /// The given protocol.
     By(PictureProtocol),
     /// Pictures are disabled.
     Never,

@@ -1,4 +1,4 @@
-//! One coordinate of the driver, and notes on the results there.
+//! Reads the driver coordinate of a command, and notes on the results there.
 
 use super::failure::{Failure, note};
 use super::screen::TextScreen;
@@ -10,7 +10,7 @@ use crate::solver::{Solver, State};
 use crate::wording::words;
 use clap::Args;
 
-/// One place of the motion.
+/// The options that name a driver coordinate.
 #[derive(Debug, Args)]
 pub(super) struct PlaceArgs {
     #[arg(help = words().place_of_driver())]

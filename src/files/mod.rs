@@ -65,16 +65,16 @@ pub(crate) enum WriteError {
     /// The file exists, and replacing it was not confirmed.
     #[error("{}", words().exists_already())]
     Exists,
-    /// Its content has changed since work on it began.
+    /// The file has changed since it was read.
     #[error("{}", words().changed_on_disk())]
     Changed,
-    /// It was deleted, replaced or changed while rows were appended.
+    /// The file was deleted, replaced or changed while rows were appended.
     #[error("{}", words().changed_while_it_grew())]
     Disturbed,
-    /// It is read-only, and writing it was not confirmed.
+    /// The file is read-only, and writing it was not confirmed.
     #[error("{}", words().is_read_only())]
     ReadOnly,
-    /// It is not a regular file; contains the kind of object.
+    /// Not a regular file; contains the kind of object.
     #[error("{0}")]
     #[cfg(feature = "tui")]
     NoFile(&'static str),

@@ -44,7 +44,7 @@ pub(crate) struct ResumableFile {
     end: u64,
     /// The number of complete lines after the head.
     pub(crate) lines: u64,
-    /// Some of these lines with their numbers, from 0.
+    /// Some lines of the file with their numbers, from 0.
     pub(crate) samples: Vec<(u64, String)>,
 }
 

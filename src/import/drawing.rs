@@ -49,10 +49,11 @@ pub(super) struct DrawnPoint {
 #[derive(Clone, Debug, Default)]
 pub(super) struct DrawnLink {
     pub(super) name: Option<String>,
-    /// Its points, each once.
+    /// The indices of the link's points, each once.
     pub(super) points: Vec<usize>,
     pub(super) mass: Option<DrawnMass>,
-    /// Whether it is kept even if it connects nothing: an input turns it, or it carries a guide.
+    /// `true` if the link is kept even if it connects nothing: an input turns it, or it carries a
+    /// guide.
     pub(super) is_needed: bool,
 }
 

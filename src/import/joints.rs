@@ -65,7 +65,7 @@ struct InputCandidate {
     is_input: bool,
     is_named: bool,
     meets_frame: bool,
-    /// Whether it can be the input of a file that marks none.
+    /// `true` if the joint can be the input of a file that marks none.
     can_lead: bool,
     place: String,
 }

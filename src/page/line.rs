@@ -12,11 +12,11 @@ pub struct Line {
 /// A span of a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Span {
-    /// The column in which it begins.
+    /// The column in which the span begins.
     pub at: usize,
-    /// Its text.
+    /// The text of the span.
     pub text: String,
-    /// Its role.
+    /// The role of the span.
     pub role: TextRole,
     /// The digits that no error bound proves.
     pub unproved: UnprovedDigits,

@@ -52,7 +52,7 @@ use std::sync::Arc;
 /// A document.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Page {
-    /// Its blocks in order.
+    /// The blocks in order.
     pub blocks: Vec<Block>,
     /// Whether the names in all its tables and facts have the same width, so that they form one
     /// column.

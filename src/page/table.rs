@@ -20,9 +20,9 @@ pub struct Table {
 /// The head of a column: its name and its unit.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Head {
-    /// Its name.
+    /// The name of the column.
     pub name: String,
-    /// Its unit; empty if it has none, or if the name includes it.
+    /// The unit; empty if there is none, or if the name includes it.
     pub unit: String,
 }
 
@@ -56,7 +56,7 @@ pub enum Row {
 /// A formatted value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cell {
-    /// Its characters.
+    /// The characters of the cell.
     pub text: String,
     /// The digits that no error bound proves.
     pub unproved: UnprovedDigits,
@@ -108,9 +108,9 @@ pub enum Units {
 /// The treatment of columns that do not fit next to the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rest {
-    /// They follow below, with the same names.
+    /// The remaining columns follow below, with the same names.
     Below,
-    /// They are left out: the first columns are the most important.
+    /// The remaining columns are left out: the first columns are the most important.
     LeftOut,
 }
 

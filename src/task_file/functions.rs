@@ -158,9 +158,9 @@ fn formula(reader: &mut Reader<'_>, value: &WrittenValue<'_>) -> Option<Function
 
 /// The values of x, or of y, of a function.
 struct ValueSeries {
-    /// Its value at the minimum x.
+    /// The value at the minimum x.
     first: f64,
-    /// The difference between its maximum and minimum.
+    /// The difference between the maximum and the minimum.
     span: f64,
 }
 

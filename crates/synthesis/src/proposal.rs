@@ -41,7 +41,7 @@ pub struct PosedDyad {
 pub struct Proposals {
     /// The linkages, in any order.
     pub found: Vec<Proposal>,
-    /// Whether these are all linkages; a search from many starts proves no completeness.
+    /// `true` if there are no other linkages; a search from many starts does not prove this.
     pub is_complete: bool,
     /// The reason why there are no linkages, or why there may be others; `None` if the search makes
     /// no statement about this.

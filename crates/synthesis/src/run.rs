@@ -32,7 +32,7 @@ pub struct Synthesis {
     pub good: Vec<Candidate>,
     /// The candidates that do not, each with its defects.
     pub defective: Vec<Candidate>,
-    /// Whether these are all linkages.
+    /// `true` if there are no other linkages.
     pub is_complete: bool,
     /// The reason why there are no linkages, or why there may be others.
     pub reason: Option<OpenReason>,

@@ -48,7 +48,7 @@ impl WorstPlace {
 pub struct FollowedColumn {
     /// The column.
     pub quantity: Quantity,
-    /// Its behaviour.
+    /// The extrema, stroke and dwells of the column, or the reason why they do not exist.
     pub excursion: Result<Excursion, NoFigure>,
     /// Driver coordinates with the error bound of the value there. At a limit that is a dead point,
     /// the bound grows with the square root of the coordinate's rounding error. `None` if nothing

@@ -83,7 +83,7 @@ pub struct AnsweredRow {
     pub line: u64,
     /// The name of the value.
     pub figure: String,
-    /// Its unit.
+    /// The unit of the answer.
     pub unit: String,
     /// The answer.
     pub answer: String,
@@ -114,9 +114,9 @@ struct RowPlaces {
 /// The reason why a file is not an answer file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoAnswers {
-    /// It has no row with a value.
+    /// The file has no row with a value.
     NoFigure,
-    /// It has too many rows.
+    /// The file has too many rows.
     TooLong,
 }
 

@@ -61,7 +61,7 @@ pub struct MotorReport {
 pub struct RamReport {
     /// The slide.
     pub name: String,
-    /// Its dead centres, stroke and times.
+    /// The dead centres, the stroke and the times.
     pub ram: Ram,
     /// A height above the bottom, and the ram there, closing and opening; `None` if it never
     /// reaches the height.

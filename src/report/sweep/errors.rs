@@ -15,13 +15,15 @@ pub(in crate::report) struct ErrorCells<'a> {
     rounded: bool,
     enclosure: Workspace<Ball>,
     sensitivity: Option<Sensitivity>,
-    /// The number of values, and of those without a bound.
+    /// The number of values.
     figures: u64,
+    /// The number of values without a bound.
     unproved: u64,
     /// The number of rows without derivatives by the lengths.
     rows_without_derivatives: u64,
-    /// The number of values in the other rows, and of those without derivatives.
+    /// The number of values in the other rows.
     requested: u64,
+    /// The number of values in the other rows without derivatives.
     missing_derivatives: u64,
 }
 
@@ -137,12 +139,12 @@ impl<'a> ErrorCells<'a> {
 pub struct Missing {
     /// The number of values.
     pub figures: u64,
-    /// The number of these without the requested bound.
+    /// The number of values without the requested bound.
     pub unproved: u64,
     /// The number of rows that have values but not the requested derivatives.
     pub rows_without_derivatives: u64,
     /// The number of values in the other rows for which derivatives were requested.
     pub requested: u64,
-    /// The number of these without derivatives.
+    /// The number of values without derivatives.
     pub missing_derivatives: u64,
 }

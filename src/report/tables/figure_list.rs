@@ -19,7 +19,7 @@ use std::io::{self, Write};
 pub struct ListedFigure {
     /// The quantity.
     pub quantity: Quantity,
-    /// Its value with the error bound.
+    /// The value with its error bound.
     pub entry: Entry,
 }
 

@@ -23,10 +23,10 @@ pub const ORDERS: [Order; 3] = [Order::Position, Order::Velocity, Order::Acceler
 pub struct VectorColumn {
     /// The name given by the scene.
     pub name: String,
-    /// Its length (for a slide, the signed position along the guide) and the rates of it, in the
+    /// The length (for a slide, the signed position along the guide) and its derivatives, in the
     /// scene's unit, per s and s^2; `None` for a link without two natural ends.
     pub length: Option<[Entry; 3]>,
-    /// Its direction in degrees from 0 to below 360, and the rates of it in rad/s and rad/s^2.
+    /// The direction in degrees from 0 to below 360, and its derivatives in rad/s and rad/s^2.
     pub direction: [Entry; 3],
 }
 
@@ -35,7 +35,7 @@ pub struct VectorColumn {
 pub struct PointRow {
     /// The name given by the scene.
     pub name: String,
-    /// Whether it is a point of the ground, so that its position is given.
+    /// `true` for a point of the ground: its position is given.
     pub fixed: bool,
     /// Position, velocity and acceleration; `None` if it does not exist.
     pub motion: [Option<PlaneVector>; 3],
@@ -46,9 +46,9 @@ pub struct PointRow {
 pub struct DriverLine {
     /// The driven link or slide.
     pub name: String,
-    /// The link that carries its motor, unless the ground does.
+    /// The link that carries the motor; `None` for the ground.
     pub from: Option<String>,
-    /// Whether it is a turned link; if not, it is a pushed slide.
+    /// `true` for a rotating link, `false` for a slide.
     pub is_rotary: bool,
     /// The requested coordinate (deg, or the scene's unit), and its rates per s and s^2 (rad, or
     /// the scene's unit).

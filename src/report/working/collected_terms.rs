@@ -24,7 +24,7 @@ pub(super) struct Collection {
 
 /// A known coefficient, named by a letter.
 struct Coefficient {
-    /// Its formula, in symbols and with numbers.
+    /// The formula, in symbols and with numbers.
     formulas: Vec<String>,
     figure: String,
     value: f64,
@@ -46,7 +46,7 @@ struct CollectedTerm {
 struct UnknownFactor {
     text: String,
     value: f64,
-    /// Its maximum absolute value.
+    /// The maximum absolute value.
     size: f64,
 }
 

@@ -42,9 +42,9 @@ pub(super) enum ProblemForm {
 /// A group of the plan with its loops.
 #[derive(Clone, Debug)]
 pub(super) struct Stage {
-    /// Its index in the plan; `None` for a vector that only closes a loop.
+    /// The index of the group in the plan; `None` for a vector that only closes a loop.
     pub group: Option<usize>,
-    /// The indices of its loops.
+    /// The indices of the group's loops.
     pub loops: Vec<usize>,
     pub unknowns: Vec<LoopUnknown>,
     pub form: ProblemForm,

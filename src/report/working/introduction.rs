@@ -106,7 +106,7 @@ fn inputs(context: &Context<'_>, draft: &mut Draft) {
     }
 }
 
-/// Writes the unit vectors as the lecture defines them; equations are multiplied by these.
+/// Writes the unit vectors by which equations are multiplied, as the lecture defines them.
 pub(super) fn unit_vectors(context: &Context<'_>, draft: &mut Draft) {
     if context.polygon.loops.is_empty() {
         return;

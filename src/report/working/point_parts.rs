@@ -11,9 +11,9 @@ use crate::{LinkId, PointId, Vec2};
 /// The motion of a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointMotion {
-    /// The symbols of its velocity and its acceleration: `vB`, `aB`.
+    /// The symbols of velocity and acceleration: `vB`, `aB`.
     pub symbols: [String; 2],
-    /// Whether it is a centre of mass.
+    /// `true` for a centre of mass.
     pub is_centre: bool,
     /// The velocity.
     pub velocity: Vec2,

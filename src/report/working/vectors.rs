@@ -24,15 +24,15 @@ pub struct LoopVectors {
 /// A vector of a loop.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoopVector {
-    /// Its name.
+    /// The name of the vector.
     pub name: String,
     /// The vector from its tail to its head, if the loop has an assembly.
     pub vector: Option<Vec2>,
-    /// Whether the loop traverses it from head to tail.
+    /// `true` if the loop traverses the vector from head to tail.
     pub is_reversed: bool,
-    /// Whether an input moves it.
+    /// `true` if an input moves the vector.
     pub is_driven: bool,
-    /// Its direction in degrees, and the symbol of that.
+    /// The direction in degrees, and its symbol.
     pub theta: (f64, String),
     /// Length and angle, for each order of derivative.
     pub figures: [[VectorFigure; 2]; 3],
@@ -41,13 +41,13 @@ pub struct LoopVector {
 /// A value of a vector.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VectorFigure {
-    /// Its symbol.
+    /// The symbol of the value.
     pub symbol: String,
     /// The column of the value; for a vector without one, that of the link with which it rotates.
     pub column: String,
     /// The formatted value; `None` if it does not exist here.
     pub value: Option<String>,
-    /// Whether it is an unknown rather than given.
+    /// `true` if the value is an unknown, `false` if it is given.
     pub is_sought: bool,
     /// The number of the earlier loop that finds it, from 1; `None` if it is given, or found by
     /// this loop.

@@ -207,7 +207,7 @@ impl App {
     }
 }
 
-/// What Esc ends.
+/// The mode, search or pane that Esc ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BackTarget {
     StagedEdits,

@@ -233,7 +233,7 @@ pub(crate) enum KeyContext {
     /// Every view except the motion view. Its keys override those of [`KeyContext::Everywhere`], so
     /// that the arrow keys do not move the crank.
     Lists,
-    /// This view only.
+    /// Only the given view.
     In(View),
 }
 

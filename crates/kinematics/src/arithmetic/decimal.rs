@@ -16,7 +16,7 @@ pub struct Decimal {
     pub(crate) roundings: i32,
     /// Half a unit of the fifteenth digit.
     pub(crate) rounding: f64,
-    /// Whether it has 15 digits or more: such a number was probably rounded when it was typed.
+    /// `true` for 15 digits or more: such a number was probably rounded when it was typed.
     pub is_long: bool,
     /// Whether the decimal is exactly a double, or has more than 15 digits and is taken as the
     /// double.

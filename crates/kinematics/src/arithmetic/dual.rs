@@ -11,7 +11,7 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 pub struct Dual {
     /// The value.
     pub value: f64,
-    /// Its derivative.
+    /// The derivative of the value.
     pub slope: f64,
 }
 

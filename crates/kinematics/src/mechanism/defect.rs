@@ -21,7 +21,7 @@ pub enum Defect {
     Proportion {
         /// The link.
         link: LinkId,
-        /// Its length, or the minimum distance between its points.
+        /// The length of the link, or the minimum distance between its points.
         length: f64,
         /// The longest length, or the maximum distance on the ground or on a link.
         longest: f64,

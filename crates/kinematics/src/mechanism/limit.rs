@@ -38,9 +38,9 @@ pub enum LimitOf {
 pub struct Limit {
     /// The bounded coordinate.
     pub of: LimitOf,
-    /// Its minimum.
+    /// The minimum of the coordinate.
     pub low: f64,
-    /// Its maximum.
+    /// The maximum of the coordinate.
     pub high: f64,
 }
 

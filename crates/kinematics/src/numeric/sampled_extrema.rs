@@ -5,7 +5,7 @@
 pub struct Turn {
     pub sample: usize,
     pub is_peak: bool,
-    /// Whether it is at an end of the samples, beyond which the function is unknown.
+    /// `true` at an end of the samples, beyond which the function is unknown.
     pub is_end: bool,
 }
 

@@ -98,7 +98,8 @@ pub enum Fault {
     Singular {
         /// The elements of the group.
         elements: Vec<ElementId>,
-        /// Whether it is singular only where the scene opens: at a change point or a dead point.
+        /// `true` if the group is singular only at the initial position: at a change point or a
+        /// dead point.
         is_here_only: bool,
     },
 }

@@ -117,7 +117,7 @@ pub enum Order {
     Velocity,
     /// Positions, velocities and accelerations.
     Acceleration,
-    /// All of these, and the forces if the mechanism has loads.
+    /// Position, velocity, acceleration, and the forces if the mechanism has loads.
     Force,
 }
 

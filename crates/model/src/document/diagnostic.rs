@@ -20,10 +20,10 @@ pub struct Label {
     pub text: String,
 }
 
-/// One fault.
+/// An error or a warning in a file, with its places and suggested fixes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// Whether it is a warning, so that the file can still be used.
+    /// `true` for a warning: the file can still be used.
     pub is_warning: bool,
     /// The element, the value and the rule, in one line.
     pub message: String,

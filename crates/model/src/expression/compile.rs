@@ -12,7 +12,7 @@ use std::ops::Range;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Kind {
     pub(crate) dimension: Dimension,
-    /// Whether it never changes.
+    /// `true` if the value is constant over the motion.
     pub(crate) is_constant: bool,
     /// For a direction, whether it counts turns.
     pub(crate) revolution: Option<Revolution>,

@@ -25,7 +25,7 @@ pub struct Dimension {
 pub struct LengthScale {
     /// The unit's symbol.
     pub(crate) symbol: &'static str,
-    /// Its size in tenths of a millimetre, a whole number.
+    /// The size of the unit in tenths of a millimetre, an integer.
     pub(crate) tenths_of_mm: f64,
 }
 

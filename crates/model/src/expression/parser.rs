@@ -71,7 +71,7 @@ impl Parser<'_> {
         is_cut.then(|| words().number_with_comma(head, tail))
     }
 
-    /// Consumes and returns the next mark, if it is one of these.
+    /// Consumes and returns the next mark, if `marks` contains it.
     fn mark(&mut self, marks: &[char]) -> Result<Option<char>, FormulaError> {
         let mut ahead = self.lexer.clone();
         let (Lexeme::Mark(mark), _) = ahead.next(false)? else {

@@ -33,7 +33,7 @@ pub struct UnknownColumn {
     pub pattern: String,
     /// The nearest name.
     pub nearest: Option<String>,
-    /// Whether it names a force in a scene without loads.
+    /// `true` if the pattern names a force in a scene without loads.
     pub nothing_acts: bool,
     /// The reason, if known.
     pub why: Option<String>,

@@ -34,11 +34,11 @@ const COORDINATE_TOLERANCE: f64 = 1e-12;
 /// The driver's rates at a time, relative to the scene's speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct MotionRates {
-    /// Its speed, divided by the scene's speed.
+    /// The driver's speed, divided by the scene's speed.
     ratio: f64,
-    /// Its acceleration, and the scene's acceleration, both divided by the scene's speed, per
-    /// second.
+    /// The driver's acceleration, divided by the scene's speed, per second.
     drift: f64,
+    /// The scene's acceleration, divided by the scene's speed, per second.
     own: f64,
 }
 

@@ -26,9 +26,9 @@ pub enum Reason {
         /// The maximum that rounding explains.
         most: f64,
     },
-    /// Some force is too large for a double: no force is shown.
+    /// A force is too large for a double: no forces are shown.
     Forces,
-    /// This value is too large for a double.
+    /// The named value is too large for a double.
     Figure(String),
 }
 

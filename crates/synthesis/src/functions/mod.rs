@@ -66,7 +66,7 @@ const MIN_COUNT: usize = 3;
 #[derive(Clone, Debug, Default)]
 struct ExactDesigns {
     designs: Vec<FunctionDesign>,
-    /// Whether these are all designs.
+    /// `true` if there are no other designs.
     is_complete: bool,
 }
 

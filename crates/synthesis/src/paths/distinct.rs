@@ -28,7 +28,7 @@ pub(super) struct Ranked {
     /// Whether its links close over the whole task without a dead point, with the crank turning one
     /// way.
     keeps: bool,
-    /// Whether it meets every preference.
+    /// `true` if the linkage meets every preference.
     is_wished: bool,
     /// The largest length in sizes of the path, or the reciprocal of the smallest, whichever is
     /// larger.

@@ -53,7 +53,7 @@ pub(super) struct Free {
 /// A selection from infinitely many dyads.
 pub(super) struct DyadChoice {
     pub dyads: Vec<FullDyad>,
-    /// Maximum number of linkages proposed from them.
+    /// Maximum number of linkages proposed from the dyads.
     pub most: usize,
 }
 

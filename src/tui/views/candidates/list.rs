@@ -44,7 +44,7 @@ pub(crate) struct FoundCandidates {
     miss_unit: &'static str,
     /// The possible pivots, curve by curve, for a task of four poses.
     pivots: Vec<Arc<[Vec2]>>,
-    /// Their pins' positions at the first pose, for a task of four poses.
+    /// The positions of the pivots' pins at the first pose, for a task of four poses.
     pins: Vec<Arc<[Vec2]>>,
 }
 

@@ -32,13 +32,13 @@ pub(super) const FIT: Action = Action::Motion(MotionAction::Fit);
 pub(crate) struct Sketch {
     labels: Labels,
     raster: Raster,
-    /// What the labels belong to.
+    /// The scene and layers that the labels were placed for.
     drawn: Option<DrawnStage>,
     /// The drawing's area on the screen, and the view on the scene's plane.
     window: Option<(Rect, drawing::WorldView)>,
 }
 
-/// A scene in a window with its layers. Another one needs other places of labels.
+/// A scene in a window with its layers. A different one needs different places of labels.
 #[derive(Clone, Debug, PartialEq)]
 struct DrawnStage {
     scene: SceneRevision,

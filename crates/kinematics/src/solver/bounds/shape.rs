@@ -21,7 +21,7 @@ pub(super) struct LinkShape<V> {
     /// The maximum error of the given numbers.
     pub off: V,
     pub length: V,
-    /// Whether it lies on the x axis of its link, as most points do.
+    /// `true` if the vector lies on the x axis of the link, as most points do.
     is_straight: bool,
 }
 

@@ -27,9 +27,9 @@ struct Scope {
 /// The treatment of a block that a dyad solves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Dyads {
-    /// It is recognised, and solved in closed form.
+    /// The block is solved in closed form.
     Closed,
-    /// It is a list of rows like any other block.
+    /// The block is a list of rows like any other block.
     AsRows,
 }
 

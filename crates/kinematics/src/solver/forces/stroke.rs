@@ -6,7 +6,7 @@ use crate::{Constant, SlideId, StrokeEnd};
 /// The end of a slide's stroke.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Stroke {
-    /// Its position, in the scene's unit along the guide.
+    /// The position of the end along the guide, in the scene's unit.
     pub(super) bottom: Constant,
     /// The driver's coordinate there.
     pub(super) at: f64,

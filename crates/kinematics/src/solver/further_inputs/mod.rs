@@ -12,7 +12,7 @@ use table::{ReadyTable, TableUnits};
 #[derive(Clone, Debug)]
 pub(super) struct Following {
     law: FollowingLaw,
-    /// Its index among the inputs: the driver's is 0.
+    /// The index of the input: the driver's is 0.
     pub number: usize,
 }
 

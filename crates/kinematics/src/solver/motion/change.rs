@@ -48,7 +48,7 @@ pub(super) struct ReachExtreme {
     pub(super) at: Double,
     /// The first change point on the way, if there are two close to each other about `at`.
     pub(super) first: Option<f64>,
-    /// The last of them, if both can be passed one by one.
+    /// The last change point, if both can be passed one by one.
     pub(super) last: Option<f64>,
 }
 

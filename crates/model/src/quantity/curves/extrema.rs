@@ -7,7 +7,7 @@ use crate::numeric::{MinimumError, lowest, roots, turns};
 /// A local extremum of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extremum {
-    /// Whether it is a maximum; if not, a minimum.
+    /// `true` for a maximum, `false` for a minimum.
     pub is_peak: bool,
     /// The driver's coordinate at the extremum, in degrees or in the scene's length unit.
     pub at: f64,
@@ -15,7 +15,7 @@ pub struct Extremum {
     pub along: f64,
     /// The value of the quantity.
     pub value: f64,
-    /// Whether it is the largest of the maxima or the smallest of the minima.
+    /// `true` for the largest of the maxima and the smallest of the minima.
     pub is_extreme: bool,
 }
 

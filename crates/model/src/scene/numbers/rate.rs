@@ -29,7 +29,7 @@ pub enum Degree {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Rate {
     pub(crate) value: f64,
-    /// Whether it was converted from another unit, which rounds it.
+    /// `true` if the value was converted from another unit, which rounds it.
     pub(crate) is_converted: bool,
     /// The typed value as a double-double, if known.
     pub(crate) typed: Option<Double>,

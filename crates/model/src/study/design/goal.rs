@@ -32,7 +32,7 @@ impl GoalSense {
 /// A goal: a cycle figure, a comparison and a number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Goal {
-    /// The figure.
+    /// The cycle figure of the goal.
     pub figure: CycleFigure,
     /// The comparison.
     pub sense: GoalSense,
@@ -54,7 +54,7 @@ pub enum MistypedGoal {
     /// The unit after the number measures another quantity.
     #[error("{}", words().unit_of_goal(figure, unit, found))]
     Unit {
-        /// The figure.
+        /// The name of the figure.
         figure: String,
         /// The figure's unit.
         unit: String,

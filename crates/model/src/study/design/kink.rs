@@ -21,7 +21,7 @@ const STEPS: usize = 4000;
 pub(super) enum KinkSampling {
     /// No small step improves the design.
     Lowest,
-    /// This direction improves the design, to first order.
+    /// A direction improves the design, to first order.
     Down {
         travel: DVector<f64>,
         /// The derivatives of the slacks at the design.

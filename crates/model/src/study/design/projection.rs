@@ -38,10 +38,10 @@ pub(super) struct DesignEvaluator {
     pub(super) greatest: bool,
 }
 
-/// The figures of a design that are evaluated.
+/// Selects which figures of a design are evaluated.
 #[derive(Clone, Copy, Debug)]
 enum EvaluatedPart {
-    /// Those of equality constraints alone. The design's value and all other slacks are 0.
+    /// Only equality constraints. The design's value and all other slacks are 0.
     Equalities,
     /// All figures.
     Whole,

@@ -64,7 +64,7 @@ pub struct ExerciseTitles {
 pub struct Exercise {
     /// The scene, which opens at the position of the exercise.
     pub scene: Scene,
-    /// Its solver.
+    /// The scene's solver.
     pub solver: Solver,
 }
 

@@ -112,7 +112,7 @@ pub struct Cycle {
     pub speed: f64,
     /// The total driving torque.
     pub all: DriveEffort,
-    /// Its parts due to loads, gravity and inertia.
+    /// The parts of the torque due to loads, gravity and inertia.
     pub parts: [DriveEffort; 3],
     /// `None` if the driver does not turn fully, or if the torque is unknown.
     pub fluctuation: Option<Fluctuation>,

@@ -60,7 +60,7 @@ const MOMENT: usize = 6;
 pub struct Effort {
     /// The driving torque in N m, or force in N, positive along the coordinate.
     pub torque: f64,
-    /// Its parts due to loads, gravity and inertia.
+    /// The parts of the torque due to loads, gravity and inertia.
     pub parts: [f64; 3],
     /// The force of the mechanism on the ground in N.
     pub force: Vec2,

@@ -39,7 +39,7 @@ pub struct TimedDuty {
     pub mean: f64,
     /// The root mean square of the torque.
     pub rms: f64,
-    /// Its parts due to loads, gravity and inertia.
+    /// The parts of the torque due to loads, gravity and inertia.
     pub parts: [TimedPart; 3],
     /// The driver's work while its power is positive, and the returned work while it is negative,
     /// in J.

@@ -20,7 +20,7 @@ pub struct Step {
     pub condition: Condition,
     /// The driving torque in N m, or force in N, positive along the coordinate.
     pub torque: Option<f64>,
-    /// Its parts due to loads, gravity and inertia.
+    /// The parts of the torque due to loads, gravity and inertia.
     pub parts: Option<[f64; 3]>,
     /// The driver's power in W.
     pub power: Option<f64>,

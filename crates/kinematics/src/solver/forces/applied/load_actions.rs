@@ -9,9 +9,9 @@ use crate::{LinkId, PointId, Vec2};
 /// The action of one load at a state.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LoadAction {
-    /// Its forces with the points at which they act, in N in the ground's frame.
+    /// The forces with the points at which they act, in N in the ground's frame.
     pub forces: Vec<(PointId, Vec2)>,
-    /// Its couples on links, in N m.
+    /// The couples on links, in N m.
     pub couples: Vec<(LinkId, f64)>,
     /// The link on which it acts itself, not on the pin at that point: the sliding link of a press.
     pub on: Option<LinkId>,
@@ -26,7 +26,7 @@ pub struct PressStroke {
     pub distance: f64,
     /// The position of the end along the guide, in the scene's unit.
     pub bottom: f64,
-    /// Whether it moves towards the end.
+    /// `true` if the slide moves towards the end.
     pub closes: bool,
 }
 
