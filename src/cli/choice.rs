@@ -1,4 +1,4 @@
-//! Options whose values stand for values of the library.
+//! Parses options whose values are names of library values.
 
 use crate::wording::{Wording, words};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -7,11 +7,11 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 /// meaning.
 pub(super) type OptionValue<T> = (&'static str, Wording, T);
 
-/// The value of an option that is determined by krank itself if it is `auto`. The parser takes a
-/// field of the type `Option` for an option that may be left out.
+/// The value of an option; `None` for `auto`, which lets krank choose. A field of the type `Option` itself would
+/// make the parser treat the option as optional.
 pub(super) type OrAuto<T> = Option<T>;
 
-/// Returns a parser of these values.
+/// Returns a parser that accepts the names of `choices`.
 pub(super) fn one_of<T>(choices: &'static [OptionValue<T>]) -> impl TypedValueParser<Value = T>
 where
     T: Copy + Send + Sync + 'static,

@@ -24,7 +24,7 @@ const PAUSE: Duration = Duration::from_millis(10);
 /// The result of trying to take a lock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LockOutcome {
-    /// The lock is held until the file is closed.
+    /// This process holds the lock until the file is closed.
     Ours,
     /// Another process holds the lock.
     OtherSessions,

@@ -180,7 +180,7 @@ pub fn import(bytes: &[u8], name: &str) -> Result<Imported, ImportError> {
     })
 }
 
-/// Remarks upon inputs that cannot follow the driver linearly: they stand as drawn.
+/// Reports inputs that cannot follow the driver linearly: they stay as drawn.
 fn hold_inputs(drawing: &Drawing, remarks: &mut Remarks) {
     let [driver, others @ ..] = drawing.inputs.as_slice() else {
         return;

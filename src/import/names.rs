@@ -67,7 +67,7 @@ pub(super) struct ElementNames {
     pub(super) slides: Vec<String>,
 }
 
-/// ElementNames all elements. ElementNames of the file come first; a changed one is remarked upon.
+/// Assigns names to all elements. Names of the file take precedence; a changed name is reported.
 pub(super) fn assign(drawing: &Drawing, remarks: &mut Remarks) -> ElementNames {
     let mut pool = NamePool::default();
     let mut rename = |wanted: &Option<String>, fallback: &str| {

@@ -23,7 +23,7 @@ pub(super) enum MathPiece {
 /// named `s`. Plain texts are shown without it.
 pub(crate) const UNIT: char = '\u{e000}';
 
-/// Units that can follow another one and a blank, as in `N m`.
+/// Units that can follow another unit and a blank, as in `N m`.
 const FACTORS: [&str; 7] = ["m", "mm", "cm", "in", "s", "rad", "kg"];
 
 const FUNCTIONS: [&str; 8] = ["sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt"];

@@ -65,7 +65,7 @@ pub struct Cell {
 /// The digits of a value that its error bound does not prove.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum UnprovedDigits {
-    /// No digits: all of them are proved.
+    /// All digits are proved.
     Nothing,
     /// The digits at these positions of the text.
     Last(Range<usize>),

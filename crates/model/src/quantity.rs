@@ -119,7 +119,7 @@ impl Quantity {
         }
     }
 
-    /// Returns its subject, if it has exactly one.
+    /// Returns the subject, if it has exactly one.
     #[must_use]
     pub fn subject(&self) -> Option<Subject> {
         match &self.source {
@@ -187,7 +187,7 @@ impl Quantity {
         }
     }
 
-    /// Returns its time derivative, if that is a quantity of a state: the velocity for a position,
+    /// Returns the time derivative, if that is a quantity of a state: the velocity for a position,
     /// the acceleration for a velocity. Its name and unit remain those of this quantity.
     pub(crate) fn rate(&self) -> Option<Quantity> {
         let source = match &self.source {

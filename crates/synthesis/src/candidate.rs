@@ -16,7 +16,7 @@ const EQUALITY_TOLERANCE: f64 = 1e-7;
 /// Maximum distance between a path's led point and a wanted point, relative to the path's size.
 /// Beyond it, the linkage follows another path.
 const MAX_RELATIVE_MISS: f64 = 0.05;
-/// Linkages that differ by less than this part of their size count as one.
+/// Linkages that differ by less than this fraction of their size count as one.
 const ONE: f64 = 1e-6;
 
 /// A linkage and how well it does its task.

@@ -22,7 +22,7 @@
 use super::{PinConstraint, Proposal};
 use kinematics::{Vec2, angle};
 
-/// Pins nearer to each other than this part of the linkage's largest length coincide.
+/// Pins nearer to each other than this fraction of the linkage's largest length coincide.
 const COINCIDENCE_TOLERANCE: f64 = 1e-12;
 
 impl Proposal {

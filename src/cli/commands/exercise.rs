@@ -211,7 +211,7 @@ impl GeneratedExercise {
         report::Report::new(scene, solver, self.asked.state(), DIGITS)
     }
 
-    /// Returns its four files as pairs of name ending and contents. Only the file of answers is to
+    /// Returns the four files as pairs of name ending and contents. Only the file of answers is to
     /// be filled in.
     fn files(
         &self,

@@ -116,8 +116,9 @@ pub(super) enum TickStyle {
 /// Numbers from `LARGE` and below `SMALL` have exponents.
 const LARGE: f64 = 1e6;
 const SMALL: f64 = 1e-4;
-/// Significant digits of a value, and of the part of it that changes.
+/// Maximum number of significant digits of a value.
 const DIGITS: i32 = 5;
+/// Number of significant digits of the part that differs between values.
 const CHANGING: i32 = 4;
 /// Maximum number of decimals.
 const MAX_DECIMALS: i32 = 14;

@@ -27,7 +27,7 @@ impl ReportFormat {
         ReportFormat::Text,
     ];
 
-    /// Returns its name, which must stay stable.
+    /// Returns the name, which must stay stable.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

@@ -71,7 +71,7 @@ pub struct Working {
 pub struct WorkedState {
     /// The page.
     pub page: Page,
-    /// Every value calculated by a printed formula, with the solver's.
+    /// Every value calculated by a printed formula, with the value found by the solver.
     pub agreements: Vec<Agreement>,
     /// The parts in order, each with the index of its first block of the page.
     pub parts: Vec<(WorkingPart, usize)>,

@@ -262,7 +262,7 @@ impl DyadArm<'_> {
         }
     }
 
-    /// Returns its direction along the loop, in the solver's state.
+    /// Returns the direction along the loop, in the solver's state.
     pub(super) fn direction(&self) -> Vec2 {
         angle::unit(self.solved + self.ahead)
     }

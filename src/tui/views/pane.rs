@@ -26,7 +26,7 @@ pub(crate) trait Pane {
         None
     }
 
-    /// Returns its title among other panes, `room` columns wide: the left and the right part.
+    /// Returns the title among other panes, `room` columns wide: the left and the right part.
     fn heading(&self, _app: &App, _room: u16) -> (String, String) {
         let name = (entry_of(Action::Look(self.view())).hint)(words());
         (name.into(), String::new())
@@ -40,7 +40,7 @@ pub(crate) trait Pane {
     /// Updates the sketch for the next frame.
     fn prepare(&self, _app: &App, _sketch: &mut Sketch, _body: Rect) {}
 
-    /// Returns its lines for an area; empty for a view with more than lines.
+    /// Returns the lines for an area; empty for a view with more than lines.
     fn lines(&self, _app: &App, _area: Rect) -> Vec<Line> {
         Vec::new()
     }
@@ -68,7 +68,7 @@ pub(crate) trait Pane {
         None
     }
 
-    /// Returns its spot at a cell of the screen, if the mouse can act there; the sketch handles the
+    /// Returns the spot at a cell of the screen, if the mouse can act there; the sketch handles the
     /// drawing itself.
     fn under(&self, _app: &App, _body: Rect, _at: Position) -> Option<PaneSpot> {
         None
@@ -112,7 +112,7 @@ pub(crate) trait Pane {
         Copied::Nothing
     }
 
-    /// Returns its CSV text; by default one row with all values at the driver's current position.
+    /// Returns the CSV text; by default one row with all values at the driver's current position.
     ///
     /// # Errors
     /// Returns the reason why nothing can be written.

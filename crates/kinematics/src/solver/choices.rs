@@ -29,9 +29,9 @@ pub struct Choice {
     pub pick: AssemblyChoice,
     /// Whether the solver follows this assembly.
     pub is_current: bool,
-    /// Whether the later groups close with it, each in its current assembly or near it.
+    /// `true` if the later groups close with this choice, each in its current assembly or close to it.
     pub closes: bool,
-    /// Positions with this choice: of everything if it closes, or else up to the group itself.
+    /// The positions with this choice: of all groups if they close, or else up to the group itself.
     pub state: State,
 }
 

@@ -46,7 +46,7 @@ impl Diagnostic {
         }
     }
 
-    /// Makes it a warning, so that the file can still be used.
+    /// Converts the diagnostic to a warning: the file can still be used.
     pub fn into_warning(mut self) -> Self {
         self.is_warning = true;
         self

@@ -27,7 +27,7 @@ pub(super) struct Leaf {
 }
 
 impl Leaf {
-    /// Returns its aspect differentiated `degree` times by time, if a state has it.
+    /// Returns the aspect differentiated `degree` times by time, if a state has it.
     fn degree(&self, degree: u8) -> Option<Aspect> {
         (0..degree).try_fold(self.aspect, |aspect, _| aspect.rate())
     }
@@ -49,7 +49,7 @@ impl Derived {
         }
     }
 
-    /// Returns its dimension and kind.
+    /// Returns the dimension and kind.
     pub(super) fn kind(&self) -> Kind {
         self.kind
     }
@@ -69,7 +69,7 @@ impl Derived {
         is_same.then_some(first)
     }
 
-    /// Returns its steps as a part of another formula with the values `leaves`, which grows as
+    /// Returns the steps as a part of another formula with the values `leaves`, which grows as
     /// needed.
     pub(super) fn part(&self, leaves: &mut Vec<Leaf>) -> Part {
         let numbers: Vec<u16> = self
@@ -87,7 +87,7 @@ impl Derived {
         }
     }
 
-    /// Returns its time derivative.
+    /// Returns the time derivative.
     ///
     /// # Errors
     /// The name of the quantity without a derivative.

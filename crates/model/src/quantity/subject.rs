@@ -175,7 +175,7 @@ impl Aspect {
         }
     }
 
-    /// Returns its time derivative, if a state has it.
+    /// Returns the time derivative, if a state has it.
     pub(super) fn rate(self) -> Option<Aspect> {
         match self {
             Aspect::X => Some(Aspect::Vx),
@@ -197,7 +197,7 @@ impl Aspect {
         }
     }
 
-    /// Returns its dimension.
+    /// Returns the dimension.
     pub(super) fn dimension(self) -> Dimension {
         let rate = |times: usize, of: Dimension| (0..times).fold(of, |of, _| of.rate());
         match self {
@@ -213,7 +213,7 @@ impl Aspect {
         }
     }
 
-    /// Returns its kind in a formula.
+    /// Returns the kind in a formula.
     pub(super) fn kind(self, subject: Subject) -> Kind {
         match (self, subject) {
             // The driver's angle counts turns.
@@ -223,7 +223,7 @@ impl Aspect {
         }
     }
 
-    /// Returns its unit, in a scene with the length unit `length`.
+    /// Returns the unit, in a scene with the length unit `length`.
     #[must_use]
     pub fn unit(self, length: &str) -> String {
         self.dimension().symbol(length)

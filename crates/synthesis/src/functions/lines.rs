@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 
 /// Maximum number of iterations of a decomposition; so small a matrix needs far fewer.
 const SWEEPS: usize = 200;
-/// A singular value below this part of the largest one reduces the rank of the equations.
+/// A singular value below this fraction of the largest one reduces the rank of the equations.
 const SINGULAR: f64 = 1e-12;
 /// The condition holds everywhere if its largest value on unit vectors is below this limit.
 const IDENTITY_TOLERANCE: f64 = 1e-12;

@@ -49,7 +49,7 @@ use refine::FunctionDesign;
 use stages::Stages;
 use task::TargetFunction;
 
-/// Linkages count as one if all their pins differ by less than this part of the size.
+/// Linkages count as one if all their pins differ by less than this fraction of the size.
 const EQUALITY_TOLERANCE: f64 = 1e-7;
 /// Number of values tried for each free number in a continuous family of solutions, indexed by how
 /// many numbers must be fixed, less 1.

@@ -20,7 +20,7 @@ const GROWTH: f64 = 6.0;
 const SHRINKING: f64 = 0.15;
 const MAX_DAMPING: f64 = 1e14;
 const MIN_DAMPING: f64 = 1e-30;
-/// The iteration has converged if `CONVERGED_STEPS` successive steps gain less than this part of the sum.
+/// The iteration has converged if `CONVERGED_STEPS` successive steps gain less than this fraction of the sum.
 const MIN_GAIN: f64 = 1e-10;
 const CONVERGED_STEPS: usize = 4;
 

@@ -39,7 +39,7 @@ const PROGRESS_BEFORE_DESCENT: f64 = 0.2;
 /// `LAST_STEPS` steps uses all of them.
 const LEADING: usize = 40;
 const LAST_STEPS: usize = 60;
-/// A design meets every pair if its root mean square is below this part of the output's swing.
+/// A design meets every pair if its root mean square is below this fraction of the output's swing.
 const EXACT_FIT: f64 = 1e-10;
 /// Maximum ratio of the longest length to the shortest. More slender linkages would be found for
 /// any function, and are useless.

@@ -37,7 +37,7 @@ use super::{ExactDesigns, law_angles};
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// Rows are singular if the smallest singular value is below this part of the largest.
+/// Rows are singular if the smallest singular value is below this fraction of the largest.
 const SINGULAR: f64 = 1e-12;
 
 /// Solves like [`super::angle::exact`]. Returns `None` in the unsolved cases: a free scale of the

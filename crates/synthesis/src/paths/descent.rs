@@ -32,7 +32,7 @@ const EXACT: f64 = 1e-31;
 const CONVERGED_DAMPING: f64 = 1e10;
 /// A step that reduces the mean square by less than this part makes no progress.
 const LEVEL: f64 = 1e-9;
-/// Singular values below this part of the largest belong to unknowns that the path does not
+/// Singular values below this fraction of the largest belong to unknowns that the path does not
 /// determine.
 const RANK_TOLERANCE: f64 = 1e-11;
 

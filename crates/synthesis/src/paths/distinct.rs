@@ -5,7 +5,7 @@ use super::shape::LinkageForm;
 use super::task::{GivenPivots, TargetPath};
 use kinematics::Vec2;
 
-/// Linkages count as one if their pivots and pins agree within this part of their largest distance.
+/// Linkages count as one if their pivots and pins agree within this fraction of their largest distance.
 const ONE: f64 = 0.02;
 /// Mean square of misses below which only rounding remains.
 const ROUNDING: f64 = 1e-20;

@@ -5,13 +5,13 @@ use super::dyad_equations::Guidance;
 use crate::{PinConstraint, Proposal};
 use kinematics::{Vec2, angle};
 
-/// Pins or pivots closer than this part of the size do not form a link.
+/// Pins or pivots closer than this fraction of the size do not form a link.
 const NOTHING: f64 = 1e-7;
 /// Ratio of the longest to the shortest length above which the quality decreases in proportion.
 const RATIO: f64 = 6.0;
 /// Quality factor of a linkage whose crank would have to turn back.
 const UNORDERED: f64 = 0.5;
-/// Linkages are alike if all their points differ by less than this part of the shortest link.
+/// Linkages are alike if all their points differ by less than this fraction of the shortest link.
 const SIMILARITY_LIMIT: f64 = 0.5;
 /// Maximum number of linkages per kind that certainly change their assembly between poses, if
 /// linkages are selected from a continuous family.

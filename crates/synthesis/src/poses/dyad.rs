@@ -21,7 +21,7 @@ use kinematics::{Double, Vec2};
 
 /// Maximum distance of a pin from its circle or its line, relative to the size.
 const MISS: f64 = 1e-9;
-/// Pins or pivots closer to each other than this part of the size coincide. Poses rounded to
+/// Pins or pivots closer to each other than this fraction of the size coincide. Poses rounded to
 /// doubles split a double root by the square root of their rounding error.
 const ONE: f64 = 1e-7;
 /// Distance in sizes beyond which a pin is at infinity, and beyond which a pivot may be a slide.

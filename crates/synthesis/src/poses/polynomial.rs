@@ -8,7 +8,7 @@ use kinematics::Double;
 const MAX_STEPS: usize = 160;
 /// Relative size of a step below which a root does not change.
 const LAST_STEP: f64 = 1e-31;
-/// An extremum with a value below this part of the sum of all terms' absolute values is returned as
+/// An extremum with a value below this fraction of the sum of all terms' absolute values is returned as
 /// a touched root. The poses verify its solutions and reject false ones.
 const TOUCH_TOLERANCE: f64 = 1e-6;
 

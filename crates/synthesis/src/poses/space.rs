@@ -6,7 +6,7 @@ use kinematics::{Double, Vec2};
 /// Three coordinates, defined up to a common factor.
 pub(super) type Triple = [Double; 3];
 
-/// Rows are linearly dependent if their cross product is below this part of its possible size.
+/// Rows are linearly dependent if their cross product is below this fraction of its possible size.
 const DEPENDENCE_TOLERANCE: f64 = 1e-13;
 
 pub(super) fn point(at: Vec2<Double>) -> Triple {

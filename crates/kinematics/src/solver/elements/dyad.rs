@@ -49,7 +49,7 @@ pub(super) trait TwoAssemblies {
     /// Returns `true` if it can be assembled within rounding, in a defined direction.
     fn is_in_reach<T: Number>(&self, q: T, state: &State<T>) -> bool;
 
-    /// Places it in line, as at its limit: positions only.
+    /// Places the dyad in line, as at its limit: positions only.
     fn align<T: Number>(&self, q: T, state: &mut State<T>);
 
     /// Returns the rate of the distance that stretches it (between the pivots, or between pivot and
@@ -79,12 +79,12 @@ pub(super) trait TwoAssemblies {
         })
     }
 
-    /// Returns its distance from the extremes of its reach, as a length: negative if it is open.
+    /// Returns the distance from the extremes of its reach, as a length: negative if it is open.
     fn reserve<T: Number>(&self, q: T, state: &State<T>) -> T;
 
     // ---- in series, about a position where it may be singular
 
-    /// Returns its pivots, if it has two, which can coincide.
+    /// Returns the pivots, if there are two, which can coincide.
     fn pivots(&self) -> Option<[PointId; 2]> {
         None
     }
@@ -101,7 +101,7 @@ pub(super) trait TwoAssemblies {
         squared(u.unwrap_or_default().map(|v| v.cut(FEW_TERMS)))
     }
 
-    /// Returns its series representation to at most this number of terms.
+    /// Returns the series representation to at most this number of terms.
     fn in_series(
         &self,
         q: Series,
@@ -113,7 +113,7 @@ pub(super) trait TwoAssemblies {
     /// Returns the square of its height when its transmission angle is 90 degrees.
     fn right_angle(&self, q: Series, state: &State<Series>) -> f64;
 
-    /// Places it with this signed height.
+    /// Places the dyad with this signed height.
     fn run_through(
         &self,
         q: Series,
@@ -129,7 +129,7 @@ pub(super) fn triangle_reserve<T: Number>(d: T, b: T, c: T) -> T {
 }
 
 impl Dyad<'_> {
-    /// Places it at its limit, if it can be assembled within rounding.
+    /// Places the dyad at its limit, if it can be assembled within rounding.
     #[cold]
     pub(in crate::solver) fn stretch<T: Number>(self, q: T, state: &mut State<T>) -> StepOutcome {
         if !each!(self, d => d.is_in_reach(q, state)) {
@@ -139,7 +139,7 @@ impl Dyad<'_> {
         StepOutcome::Stretched
     }
 
-    /// Places it in line, as at its limit: positions only.
+    /// Places the dyad in line, as at its limit: positions only.
     pub(in crate::solver) fn align<T: Number>(self, q: T, state: &mut State<T>) {
         each!(self, d => d.align(q, state));
     }

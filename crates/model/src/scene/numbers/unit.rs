@@ -35,19 +35,19 @@ impl Unit {
         self.tenths_of_mm() / unit.tenths_of_mm()
     }
 
-    /// Returns its size in metres.
+    /// Returns the size in metres.
     #[must_use]
     pub fn metres(self) -> f64 {
         self.in_units_of(Unit::Metre)
     }
 
-    /// Returns its size in tenths of a millimetre: whole numbers, so that a conversion rounds only
+    /// Returns the size in tenths of a millimetre: whole numbers, so that a conversion rounds only
     /// once per operation.
     pub fn tenths_of_mm(self) -> f64 {
         self.whole_tenths_of_mm().into()
     }
 
-    /// Returns its size in tenths of a millimetre as an integer.
+    /// Returns the size in tenths of a millimetre as an integer.
     pub(crate) fn whole_tenths_of_mm(self) -> u32 {
         match self {
             Unit::Millimetre => 10,

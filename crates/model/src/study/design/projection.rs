@@ -71,7 +71,7 @@ pub(super) struct DesignSlopes {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DesignProjection<'a> {
     part: EvaluatedPart,
-    /// Inequalities that are included in addition to the missed ones; `None` to include neither.
+    /// Inequalities to include in addition to the missed ones; `None` to include no inequality.
     held: Option<&'a [usize]>,
     /// The miss at which the projection ends, relative to the constraints' sizes.
     tolerance: f64,

@@ -20,7 +20,7 @@ const MIN_LEN: f64 = 1e-12;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DirectionExtreme {
     pub(super) value: f64,
-    /// `true` if the value is not from a place of the grid.
+    /// `true` if the search found the value between the places of the grid.
     pub(super) is_inside: bool,
 }
 
