@@ -3,6 +3,7 @@
 mod choice;
 mod columns;
 mod commands;
+mod ending;
 mod external_values;
 mod failure;
 mod formats;
@@ -80,12 +81,13 @@ struct Cli {
 /// The exit code is 0 on success, 1 if the mechanism makes the request impossible or the results
 /// cannot be written, and 2 if the command line or the scene is invalid.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let arguments = language::settle(arguments.into_iter().collect(), |word| {
+    let mut arguments = language::settle(arguments.into_iter().collect(), |word| {
         let krank = Cli::command();
         krank
             .get_subcommands()
             .any(|command| word == command.get_name())
     });
+    ending::add_format(&mut arguments, Cli::command);
     let screen = TextScreen::detect();
     finish_interrupted_writes(screen);
     let done = match Cli::try_parse_from(&arguments) {

@@ -90,6 +90,43 @@ fn svg_is_printed_or_written_to_a_file() {
     assert!(sized.contains("width=\"400\" height=\"320\""), "{sized}");
 }
 
+#[test]
+fn extension_of_output_file_selects_format() {
+    let folder = folder("extensions");
+    let written = |command: &str, name: &str| {
+        let path = folder.join(name);
+        let words = command.split(' ').chain(["-o", path.to_str().unwrap()]);
+        run_ok(&words.collect::<Vec<_>>());
+        std::fs::read_to_string(&path).unwrap()
+    };
+    for (command, name, start) in [
+        ("draw four-bar", "a.svg", "<svg"),
+        ("draw four-bar", "A.SVG", "<svg"),
+        ("draw four-bar --traces", "a.dxf", "0\nSECTION"),
+        ("plot four-bar --columns C.vx", "p.svg", "<svg"),
+        ("sweep four-bar --step 90", "s.json", "{"),
+        ("table four-bar", "t.csv", "name,value"),
+        ("explain four-bar", "e.md", "# "),
+        ("export four-bar", "e.py", "#!"),
+    ] {
+        let text = written(command, name);
+        assert!(
+            text.trim_start().starts_with(start),
+            "{command} {name}: {text:.80}"
+        );
+    }
+    // An option precedes the extension, and other extensions have no effect.
+    let text = run_ok(&["draw", "four-bar", "--glyphs", "ascii"]);
+    assert_eq!(
+        written("draw four-bar --glyphs ascii --format text", "b.svg"),
+        text
+    );
+    assert_eq!(written("draw four-bar --glyphs ascii", "b.txt"), text);
+    // `solve` writes a scene.
+    let solve = "solve slider-crank --vary r2.length --goal r4.length.stroke=13";
+    assert!(written(solve, "found.json").contains("[links]"));
+}
+
 /// The title of a scene is untrusted text.
 #[test]
 fn svg_escapes_markup_in_scene_title() {

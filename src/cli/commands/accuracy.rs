@@ -25,7 +25,7 @@ pub(in crate::cli) struct AccuracyArgs {
     #[arg(help = words().positions_to_compare())]
     #[arg(long, value_name = "N", default_value_t = DEFAULT_POSITIONS, value_parser = clap::value_parser!(u32).range(1..=MAX_POSITIONS))]
     positions: u32,
-    #[arg(help = words().how_to_write())]
+    #[arg(help = words().format_of_output())]
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     format: OutputFormat,
     #[command(flatten)]

@@ -15,7 +15,7 @@ use clap::Args;
 pub(in crate::cli) struct CheckArgs {
     #[command(flatten)]
     scene: SceneArgs,
-    #[arg(help = words().how_to_write())]
+    #[arg(help = words().format_of_output())]
     #[arg(long, value_enum, default_value_t = TextOrJson::Text)]
     format: TextOrJson,
     #[command(flatten)]

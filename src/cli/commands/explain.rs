@@ -56,7 +56,7 @@ pub(in crate::cli) struct ExplainArgs {
     #[arg(help = words().notation_of_working())]
     #[arg(long, value_parser = one_of(&NOTATIONS), default_value = "krank")]
     notation: WorkingNotation,
-    #[arg(help = words().how_to_write())]
+    #[arg(help = words().format_of_output())]
     #[arg(long, value_parser = one_of(&FORMATS), default_value = "text")]
     format: ReportFormat,
     #[arg(help = words().digits())]

@@ -24,7 +24,7 @@ const LANGUAGES: [OptionValue<ScriptLanguage>; 2] = [
 pub(in crate::cli) struct ExportArgs {
     #[command(flatten)]
     scene: SceneArgs,
-    #[arg(help = words().how_to_write())]
+    #[arg(help = words().format_of_output())]
     #[arg(long, value_parser = one_of(&LANGUAGES))]
     format: ScriptLanguage,
     #[command(flatten)]

@@ -73,7 +73,7 @@ pub(in crate::cli) struct PlotArgs {
     #[arg(help = words().size_of_plot())]
     #[arg(long, value_name = "COLSxROWS")]
     size: Option<Size>,
-    #[arg(help = words().how_to_write())]
+    #[arg(help = words().format_of_output())]
     #[arg(long, value_enum, default_value_t)]
     format: PictureFormat,
     #[command(flatten)]

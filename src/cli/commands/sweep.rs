@@ -44,7 +44,7 @@ pub(in crate::cli) struct SweepArgs {
     #[arg(help = words().measured_figures())]
     #[arg(long, value_name = "FILE", conflicts_with_all = ["from", "to", "step", "bounds", "sensitivity"])]
     measured: Option<PathBuf>,
-    #[arg(help = words().how_to_write())]
+    #[arg(help = words().format_of_output())]
     #[arg(long, value_enum, default_value_t = OutputFormat::Csv)]
     format: OutputFormat,
     #[command(flatten)]

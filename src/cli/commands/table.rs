@@ -29,7 +29,7 @@ pub(in crate::cli) struct TableArgs {
     #[arg(help = words().columns_of_table())]
     #[arg(long, value_name = "PATTERNS")]
     columns: Vec<String>,
-    #[arg(help = words().how_to_write())]
+    #[arg(help = words().format_of_output())]
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     format: OutputFormat,
     #[command(flatten)]

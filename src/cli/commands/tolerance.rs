@@ -83,7 +83,7 @@ pub(in crate::cli) struct ToleranceArgs {
     #[arg(help = words().spread_of_lengths())]
     #[arg(long, value_parser = one_of(&DISTRIBUTIONS), default_value = "normal")]
     distribution: Distribution,
-    #[arg(help = words().how_to_write())]
+    #[arg(help = words().format_of_output())]
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     format: OutputFormat,
     #[command(flatten)]

@@ -111,7 +111,7 @@ pub(in crate::cli) struct DrawArgs {
     #[arg(help = words().size_of_drawing())]
     #[arg(long, value_name = "COLSxROWS")]
     size: Option<Size>,
-    #[arg(help = words().how_to_write())]
+    #[arg(help = words().format_of_output())]
     #[arg(long, value_enum, default_value = "text")]
     format: &'static DrawFormat,
     #[arg(help = words().scale_on_paper())]

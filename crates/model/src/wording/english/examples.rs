@@ -51,14 +51,14 @@ Examples:
 Examples:
   krank explain four-bar --at 60
   krank explain slider-crank --at 30 --digits 9
-  krank explain press --format markdown -o press.md
+  krank explain press -o press.md
   krank explain four-bar --method newton --guess r3=20,r4=280
   krank explain four-bar --method bisection --guess r3=0..90
 
 First come vector polygons, the position table, and loop equations in components
 and projected. The solution of every group follows, then velocities and
 accelerations from the differentiated equations. Joints and centres of mass have
-their tangential and normal parts. The page ends with a check. Each value
+their tangential and normal components. The page ends with a check. Each value
 is computed by the formula in its line from values in earlier lines. For a coupled
 group the equations and the solution are shown, but not the elimination. With loads,
 springs or masses the equilibrium of every link and loaded pin follows with its
@@ -71,9 +71,9 @@ Examples:
   krank draw four-bar --at 60
   krank draw hoecken --traces
   krank draw four-bar --velocities --accelerations C --size 120x40
-  krank draw jansen-leg --traces T --ghosts 6 --format svg -o leg.svg
-  krank draw slider-crank --format svg --scale 1:2 -o print.svg
-  krank draw four-bar --traces C --format dxf -o four-bar.dxf
+  krank draw jansen-leg --traces T --ghosts 6 -o leg.svg
+  krank draw slider-crank --scale 1:2 -o print.svg
+  krank draw four-bar --traces C -o four-bar.dxf
 
 POINTS are names of points separated by commas, or all. Without names --traces
 draws all curves except circles around a ground pin, or these if there are no
@@ -83,9 +83,9 @@ their values. Arrows of one kind have one scale over the whole motion, shown in
 the line below. An arrow with a broken shaft is longer than drawn.";
         examples_of_export = "\
 Examples:
-  krank export four-bar --format python -o four_bar.py
+  krank export four-bar -o four_bar.py
   python3 four_bar.py 0 360 10
-  krank export press-ram --format matlab -o press_ram.m
+  krank export press-ram -o press_ram.m
   octave --eval 'press_ram(0, 360, 10)'
 
 The script defines every length by name, solves each group in one line with full
@@ -131,7 +131,7 @@ Examples:
   krank plot four-bar --columns r4.omega
   krank plot four-bar --columns 'C.v*,r4.alpha' --size 120x40
   krank plot slider-crank --columns C.vx --against C.x
-  krank plot hoecken --columns P.y --against P.x --format svg -o curve.svg
+  krank plot hoecken --columns P.y --against P.x -o curve.svg
 
 Columns are named as in krank sweep; every unit has a panel of its own. Over
 time, 0 s is the position where the scene opens, and the driver continues with its
@@ -144,7 +144,7 @@ Examples:
   krank cycle four-bar --columns C.x,r4.angle
   krank cycle toggle-press --columns S.y --dwell 0.5
   krank cycle slider-crank --columns 'F = C.x * cos(30 deg) + C.y * sin(30 deg)'
-  krank cycle jansen-leg --format csv -o cycle.csv
+  krank cycle jansen-leg -o cycle.csv
 
 For each quantity: its stroke, or the swing of an angle; every maximum and minimum;
 the time ratio, slow to fast, between its extremes; the intervals within --dwell
@@ -207,7 +207,7 @@ position changes too.";
         examples_of_accuracy = "\
 Examples:
   krank accuracy                 the four-bar of the lectures
-  krank accuracy jansen-leg --format csv -o jansen.csv
+  krank accuracy jansen-leg -o jansen.csv
   krank accuracy my-press.toml --positions 36000
 
 Every method computes positions, velocities and accelerations, and is compared with

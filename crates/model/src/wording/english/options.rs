@@ -67,8 +67,9 @@ catalogue! {
         scale_is_meant(most: f64) = "expected a scale such as 1:2 or 5:1, between 1:{most} and {most}:1";
         width_in_pixels = "Width in pixels of a PNG or GIF [default: 1600, or 800 for GIF]";
         on_a_dark_ground = "A dark background for SVG, PNG or GIF, also for readers with light screens";
-        seconds_of_turn = "Seconds of a turn in a cast or GIF, or of the way there and back [default: 6]";
+        seconds_of_turn = "Duration of a turn, or of the motion back and forth, in a cast or GIF, in seconds [default: 6]";
         how_to_write = "The output format";
+        format_of_output = "The output format; without it, the extension of the output file selects one";
         columns_of_cycle =
             "Columns to follow, by name or `name = formula`, separated by commas; * is a wildcard [default: the \
              scene's own, slides, links on the ground]";
@@ -78,11 +79,11 @@ catalogue! {
              stroke]";
         how_to_write_cycle = "The output format; CSV has one line per value and property";
         values_of_study =
-            "Numbers to vary, separated by commas: NAME=FROM..TO/PLACES, such as r3.length=280..320/9 [default: 11 \
+            "Numbers to vary, separated by commas: NAME=FROM..TO/COUNT, such as r3.length=280..320/9 [default: 11 \
              places]";
         columns_of_study =
             "Values of the whole motion, separated by commas: C.x.stroke, r4.angle.swing, C.x@60, transmission; \
-             directions are counted from the scene's own, also beyond a turn";
+             directions are measured from those of the scene, also beyond a turn";
         designs_of_hypercube = "Use a Latin hypercube of N designs instead of the grid";
         seed_of_hypercube = "The seed of the hypercube; the same seed gives the same designs";
         part_of_study = "Only part k of n of the designs: 3/64";
@@ -167,7 +168,7 @@ catalogue! {
         effort_for_ram = "The torque in N m, or force in N, for the force of the ram [default: the rated one]";
         tolerance_of_rest = "How far from its bottom a ram counts as at rest, in the scene's unit";
         there_and_back_from = "Move there and back from this driver coordinate [default: the whole motion]";
-        there_and_back_to = "To this coordinate; for a turning driver, a lower one is a turn further";
+        there_and_back_to = "To this coordinate; for a rotating driver, a lower value means one turn further";
         glyphs_as_allowed = "Chosen from the locale and the terminal";
         glyphs_of_seven_bits = "7-bit characters";
         glyphs_of_boxes = "Box-drawing characters, also in console fonts";

@@ -52,7 +52,7 @@ krank completions SHELL ve krank man tamamlama betiği ve man sayfası yazar.
 Örnekler:
   krank explain four-bar --at 60
   krank explain slider-crank --at 30 --digits 9
-  krank explain press --format markdown -o press.md
+  krank explain press -o press.md
   krank explain four-bar --method newton --guess r3=20,r4=280
   krank explain four-bar --method bisection --guess r3=0..90
 
@@ -70,9 +70,9 @@ Terminalde ya da yerel ayarda Yunan harfleri yoksa adlarıyla yazılır.";
   krank draw four-bar --at 60
   krank draw hoecken --traces
   krank draw four-bar --velocities --accelerations C --size 120x40
-  krank draw jansen-leg --traces T --ghosts 6 --format svg -o leg.svg
-  krank draw slider-crank --format svg --scale 1:2 -o print.svg
-  krank draw four-bar --traces C --format dxf -o four-bar.dxf
+  krank draw jansen-leg --traces T --ghosts 6 -o leg.svg
+  krank draw slider-crank --scale 1:2 -o print.svg
+  krank draw four-bar --traces C -o four-bar.dxf
 
 POINTS virgülle ayrılmış nokta adları ya da all olur. Ad verilmezse --traces, sabit
 bir mafsal çevresindeki çemberler dışındaki eğrileri (başka eğri yoksa onları),
@@ -83,9 +83,9 @@ okların ölçeği bütün harekette birdir; alttaki satırda yazar. Gövdesi ke
 ok, çizildiğinden uzundur.";
         examples_of_export = "\
 Örnekler:
-  krank export four-bar --format python -o four_bar.py
+  krank export four-bar -o four_bar.py
   python3 four_bar.py 0 360 10
-  krank export press-ram --format matlab -o press_ram.m
+  krank export press-ram -o press_ram.m
   octave --eval 'press_ram(0, 360, 10)'
 
 Betik her boyu adıyla tanımlar, her grubu bir satırda, formülleri tam olarak çözer
@@ -129,7 +129,7 @@ sonra biter; kuvvetler varsa yüklerin periyodunda.";
   krank plot four-bar --columns r4.omega
   krank plot four-bar --columns 'C.v*,r4.alpha' --size 120x40
   krank plot slider-crank --columns C.vx --against C.x
-  krank plot hoecken --columns P.y --against P.x --format svg -o curve.svg
+  krank plot hoecken --columns P.y --against P.x -o curve.svg
 
 Sütun adları krank sweep komutundaki gibidir; her birimin kendi paneli olur. Zamana
 göre 0 s sahnenin açıldığı konumdur, tahrik oradan kendi hızı ve ivmesiyle sürer. En
@@ -142,7 +142,7 @@ olur.";
   krank cycle four-bar --columns C.x,r4.angle
   krank cycle toggle-press --columns S.y --dwell 0.5
   krank cycle slider-crank --columns 'F = C.x * cos(30 deg) + C.y * sin(30 deg)'
-  krank cycle jansen-leg --format csv -o cycle.csv
+  krank cycle jansen-leg -o cycle.csv
 
 Her büyüklük için strok, açılar için salınım; geri döndüğü her yer, çözülerek; uç
 konumlar arasında zaman oranı, yavaş / hızlı; bir dönüş yerine --dwell içinde kaldığı
@@ -203,7 +203,7 @@ hareketi sahnenin açıldığı konuma ulaşmıyorsa bu konum da değişir.";
         examples_of_accuracy = "\
 Örnekler:
   krank accuracy                 derslerdeki dört çubuk
-  krank accuracy jansen-leg --format csv -o jansen.csv
+  krank accuracy jansen-leg -o jansen.csv
   krank accuracy my-press.toml --positions 36000
 
 Her yöntem konum, hız ve ivme verir ve double-double bir hesapla

@@ -67,8 +67,9 @@ catalogue! {
         scale_is_meant(most: f64) = "ölçek 1:2 ya da 5:1 gibi, 1:{most} ile {most}:1 arasında yazılır";
         width_in_pixels = "PNG ya da GIF için piksel olarak genişlik [yoksa: 1600, GIF için 800]";
         on_a_dark_ground = "SVG, PNG ya da GIF için koyu zemin, açık ekranlı okuyucular için de";
-        seconds_of_turn = "cast ya da GIF içinde bir turun ya da gidiş dönüşün saniyesi [yoksa: 6]";
+        seconds_of_turn = "cast ya da GIF içinde bir turun ya da gidiş dönüşün süresi, saniye olarak [yoksa: 6]";
         how_to_write = "Çıktı biçimi";
+        format_of_output = "Çıktı biçimi; verilmezse çıktı dosyasının uzantısı seçer";
         columns_of_cycle =
             "İzlenecek sütunlar, adla ya da `ad = formül` ile, virgülle ayrılır; * joker karakterdir [yoksa: \
              sahnenin kendi büyüklükleri, kızaklar, şasedeki uzuvlar]";
@@ -76,10 +77,10 @@ catalogue! {
         dwell_of_cycle = "Değerin bekliyor sayıldığı aralık, kendi biriminde [yoksa: strokun yüzde biri]";
         how_to_write_cycle = "Çıktı biçimi; CSV her değer ve özellik için bir satır verir";
         values_of_study =
-            "Değişecek sayılar, virgülle ayrılır: AD=BAŞ..SON/YER, örneğin r3.length=280..320/9 [yoksa: 11 yer]";
+            "Değişecek sayılar, virgülle ayrılır: AD=BAŞ..SON/SAYI, örneğin r3.length=280..320/9 [yoksa: 11 değer]";
         columns_of_study =
             "Bütün hareketin değerleri, virgülle ayrılır: C.x.stroke, r4.angle.swing, C.x@60, transmission; yönler \
-             sahnenin kendi yönlerinden sayılır, bir turu aşsa da";
+             sahnedeki yönlerden ölçülür, bir turu aşsa da";
         designs_of_hypercube = "Izgara yerine N tasarımlık bir Latin hiperküpü kullanın";
         seed_of_hypercube = "Hiperküpün tohumu; aynı tohum aynı tasarımları verir";
         part_of_study = "Tasarımların n parçasından yalnız k. parça: 3/64";
