@@ -123,7 +123,7 @@ fn in_columns(rows: &[ManualRow], right: &[bool], widths: &[usize]) -> Vec<Manua
 }
 
 /// Lays out each row as an entry: its first cell, and the other cells on indented lines below. The head of the column
-/// labels each of these; the widest column needs no label.
+/// labels each of these; the widest column, and a column without a head, have no label.
 fn by_entry(rows: &[ManualRow], widest: usize, width: usize) -> Vec<ManualLine> {
     let Some((head, rows)) = rows.split_first() else {
         return Vec::new();
@@ -137,7 +137,7 @@ fn by_entry(rows: &[ManualRow], widest: usize, width: usize) -> Vec<ManualLine> 
         for (column, (cell, head)) in cells.filter(|(_, (cell, _))| !cell.is_empty()) {
             let (kind, indent, shown_text) = match column {
                 0 => (row.kind(), 0, cell.clone()),
-                _ if column == widest => (LineKind::Words, INDENT, cell.clone()),
+                _ if column == widest || head.is_empty() => (LineKind::Words, INDENT, cell.clone()),
                 _ => (LineKind::Words, INDENT, format!("{head}: {cell}")),
             };
             let shown_text = broken(&shown_text, width - indent).into_iter();

@@ -115,6 +115,9 @@ fn unknown_word_is_searched_in_all_topics() {
         let first = found.lines().nth(4).unwrap();
         assert!(first.starts_with(question), "{word}: {found}");
     }
+    let found = run_ok(&["help", "dead points"]);
+    let lines: Vec<&str> = found.lines().take(7).collect();
+    assert_eq!(lines[6], "    `krank help trust`", "{found}");
     let near = run_ok(&["help", "column"]);
     assert!(near.contains("did you mean `columns`?"), "{near}");
     for word in [" ", "ensitivity"] {

@@ -76,12 +76,20 @@ fn questions(query: &SearchWords) -> (String, String) {
     let mut rows: Vec<&str> = rows.filter(|row| query.are_in(&[row])).collect();
     // Questions that have the words themselves precede those with the words in the answer.
     rows.sort_by_key(|row| !query.are_in(&[row.split("? | ").next().unwrap_or(row)]));
-    let rows: String = rows.iter().map(|row| format!("{row}\n")).collect();
+    let rows: String = rows.into_iter().map(with_command).collect();
     let table = match rows.is_empty() {
         true => rows,
         false => format!("| | | |\n|---|---|---|\n{rows}"),
     };
     (heading.trim_start_matches("# ").to_owned(), table)
+}
+
+/// Returns a row of the questions with the command that shows its topic in place of the topic's name.
+fn with_command(row: &str) -> String {
+    match row.rsplit_once("| `") {
+        Some((row, topic)) => format!("{row}| `{}\n", ["krank", "help", topic].join(" ")),
+        None => format!("{row}\n"),
+    }
 }
 
 /// Returns the topics that have the words, each with some of the lines that have them.
