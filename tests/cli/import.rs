@@ -93,7 +93,7 @@ fn a_scene_that_needs_more_is_written_and_explained() {
 fn import_refuses_what_it_cannot_read() {
     let press = concat!(env!("CARGO_MANIFEST_DIR"), "/presets/press.toml");
     let output = refused(2, &["import", press]);
-    assert!(output.contains("no file of PMKS"), "{output}");
+    assert!(output.contains("not a file of PMKS"), "{output}");
     let output = refused(2, &["import", "missing.linkage2"]);
     assert!(output.contains("missing.linkage2"), "{output}");
     // The file is not replaced by its scene.

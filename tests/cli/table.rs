@@ -23,7 +23,7 @@ acceleration             r2         r3         r4         r1
 d2r/dt2 [mm/s^2]          0          0          0          0
 alpha [rad/s^2]           0    42.2670*   95.5036*         0
 
-* found; entries without a star are given
+* computed; entries without a star are given
 
 position of points        x [mm]    y [mm]    r [mm]  direction [deg]
 A                              0         0         0                -

@@ -619,8 +619,8 @@ fn files_without_a_mechanism_are_refused() {
     let refused = |text: &str| import(text.as_bytes(), "x").unwrap_err().to_string();
     let packed = refused("https://app.pmksplus.com/?2P.Fe.K,0.101.AB,,BC");
     assert!(packed.contains("packed of version 2P"), "{packed}");
-    assert!(refused("[links]\nr2 = 1\n").contains("no file of PMKS"));
-    assert!(refused("").contains("no file of PMKS"));
+    assert!(refused("[links]\nr2 = 1\n").contains("not a file of PMKS"));
+    assert!(refused("").contains("not a file of PMKS"));
     assert!(
         refused("<linkage2><connector id=\"0\" x=\"1\" y=\"nan\"/></linkage2>")
             .contains("no joint")

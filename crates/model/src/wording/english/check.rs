@@ -99,7 +99,7 @@ catalogue! {
         };
         mobility_not_certain = "almost 2 or more: with slightly different dimensions a link would be free";
         mobility_more_at_opening =
-            "higher where the scene opens: a change point or dead point of a coupled group";
+            "higher at the initial position: a change point or dead point of a coupled group";
         repeats_others(part: &str) = "{part} repeats other constraints";
         repeats(part: &str, others: &str) = "{part} repeats {others}";
         disagree_by(what: &str, misfit: &str) = "{what}; they differ by at most {misfit}";

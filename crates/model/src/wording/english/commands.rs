@@ -23,7 +23,7 @@ catalogue! {
         output_is_read(file: &str) =
             "the output file is the input file `{file}`, which would be lost: write to another file";
         no_pictures =
-            "this krank was built without the feature `pictures`; install it by: cargo install --path . \
+            "this krank was built without the feature `pictures`; install it with: cargo install --path . \
              --features pictures";
         picture_too_large(width: u32, height: u32) =
             "a picture of {width} x {height} pixels is too large";

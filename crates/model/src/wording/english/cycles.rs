@@ -21,7 +21,7 @@ catalogue! {
         driver_does_not_come_round = "the driver reverses before a full turn";
         no_rate_known = "its rate is not known";
         rate_unbounded(at: &str) = "it is unbounded near {at}";
-        figure_jumps(at: &str) = "it jumps at {at}: a direction in its formula passes a full turn";
+        figure_jumps(at: &str) = "it jumps at {at}: a direction in its formula wraps around at a full turn";
         no_limit = "the driver turns fully";
         no_dyad = "no dyad has a transmission angle";
         no_coupled_group = "no group is solved by iteration";

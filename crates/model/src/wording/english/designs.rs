@@ -153,7 +153,7 @@ prove that there are no other designs.";
                 false => format!("no nearby design can be evaluated; this one: {why}"),
             }
         };
-        looking_for_designs(percent: u32) = "looking for designs: {percent} %";
+        looking_for_designs(percent: u32) = "searching for designs: {percent} %";
         design_of(number: usize, count: usize, values: &str) = "{number} of {count}: {values}";
         moves_otherwise_as(motion: &str) = "it moves differently: {motion}";
     }

@@ -30,7 +30,7 @@ catalogue! {
         driver_at(driver: &str, at: &str, speed: &str, acceleration: &str) =
             "driver {driver} at {at}, {speed}, {acceleration}";
         state_is(state: &str) = "state {state}";
-        stars_are_found = "* found; entries without a star are given";
+        stars_are_found = "* computed; entries without a star are given";
         bounds_are = "+- bound of the error; ? no bound is proved";
 
         // Derivatives by lengths.

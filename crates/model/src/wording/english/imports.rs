@@ -24,7 +24,7 @@ catalogue! {
         // Files that cannot be read.
         import_failed(file: &str, why: &str) = "`{file}`: {why}";
         import_unknown_format =
-            "this is no file of PMKS, PMKS+, Linkage, Pyslvs or pylinkage; `krank help import` describes them";
+            "this is not a file of PMKS, PMKS+, Linkage, Pyslvs or pylinkage; `krank help import` describes them";
         import_packed(version: &str) = {
             let of_version = match version {
                 "" => String::new(),
@@ -37,7 +37,7 @@ catalogue! {
         };
         import_xml(why: &str) = "the XML is invalid: {why}";
         import_json(why: &str) = "the JSON is invalid: {why}";
-        import_other_json = "this JSON is no mechanism of pylinkage: it has no lists `joints` and `links`";
+        import_other_json = "this JSON is not a pylinkage mechanism: it has no lists `joints` and `links`";
         import_older_pylinkage =
             "this is the older JSON of pylinkage, which stores constraints; save it as a `Mechanism`";
         import_brackets(line: usize) = "line {line}: the brackets of the expression do not match";
@@ -57,8 +57,8 @@ catalogue! {
         import_slider_of_many = "a slider joins two links; the others are left out";
         import_slider_on_frame = "the slider names no fixed link; its guide is on the frame";
         import_input_of_one_link = "the input joins no two links; left out";
-        import_second_input = "the file has another input before; left out";
-        import_first_joint = "the file marks no input; this is the first joint with the frame, and drives here";
+        import_second_input = "an earlier part of the file is the input; left out";
+        import_first_joint = "the file marks no input; this joint is the first one with the frame, and becomes the driver";
         import_no_input = "the file has no input: add [driver] to the scene";
         import_link_without_joints(link: &str) = "no joint has the link `{link}`; left out";
         import_unknown_joint(joint: &str) = "there is no joint `{joint}`; left out";
@@ -68,7 +68,7 @@ catalogue! {
         import_not_a_connector = "the connector has no id or no coordinates; left out";
         import_same_id = "another element has this id, or it has none; left out";
         import_no_such_connector = "there is no connector with this id; left out";
-        import_input_not_fixed = "the input is no anchor; left out";
+        import_input_not_fixed = "the input is not an anchor; left out";
         import_input_turns_nothing = "the input turns no link; left out";
         import_input_is_fixed = "the input turns a fixed link; left out";
         import_input_twice = "another input moves the same link; left out";
@@ -82,9 +82,9 @@ catalogue! {
         import_fastened_to_connector = "fastened to a connector that is no input; left out";
         import_slot_without_ends = "the slot has no two ends; left out";
         import_slot_on_nothing = "no link has both ends of the slot; left out";
-        import_pin_beside_arc(off: f64) = "the pin is drawn {off:.3} beside its arc; the scene keeps the drawing";
+        import_pin_beside_arc(off: f64) = "the pin is drawn {off:.3} away from its arc; the scene keeps the drawn position";
         import_pin_beside_slot(name: &str, off: f64) =
-            "`{name}` is drawn {off:.3} beside its slot; the scene keeps the drawing";
+            "`{name}` is drawn {off:.3} away from its slot; the scene keeps the drawn position";
         import_slide_is_fixed(name: &str) = "`{name}` slides on a part to which it is fastened; left out";
         import_link_of_one_point(name: &str) = "the link `{name}` has one point only, and moves nothing; left out";
     }

@@ -104,7 +104,7 @@ catalogue! {
         newton_found(steps: usize) = {
             format!("It converges in {}, to the assembly of this motion.", counted(steps, "step", "steps"))
         };
-        errors_are_squared = "Near the end, each error is about the square of the one before.";
+        errors_are_squared = "Near the end, each error is about the square of the previous one.";
         newton_other(steps: usize) = {
             let steps = counted(steps, "step", "steps");
             format!("It converges in {steps}, to another assembly: the loops close, but the motion has another \

@@ -33,8 +33,8 @@ catalogue! {
              speed never reaches them. Means and energies include only loads and gravity; choose part of the \
              motion to get all values";
         dead_points_passed(places: &str) =
-            "dead points at {places}: towards them the driver's effort can grow without bound. Its work and its \
-             mean exist, a peak and an RMS do not; choose part of the motion to get all values";
+            "dead points at {places}: towards them the driver's effort can grow without bound. Work and mean exist, \
+             peak and RMS do not. Choose part of the motion to get all values";
         change_points_passed(places: &str) =
             "change points at {places}: the torque is continuous there, joint forces may not be";
         not_converged(error: &str, effort: &str) =

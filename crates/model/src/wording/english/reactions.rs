@@ -41,7 +41,7 @@ catalogue! {
         reactions_too_many(links: usize) =
             "The reactions of {links} links are solved together: too many equations to print.";
         sought_reaction = "unknown";
-        what_it_is = "what it is";
+        what_it_is = "meaning";
         sums_of_link(link: &str, about: &str) =
             "The sums of {link}: forces along x and y, and moments about {about} in N m, arms in m:";
         solved_one_by_one =
@@ -66,13 +66,13 @@ catalogue! {
         push_by_line = "Interpolated linearly between the knots (L1, p1) and (L2, p2):";
         push_beyond_knots = "Beyond the knots, the force is that of the nearest knot:";
         torque_of_torsion_spring(link: &str) =
-            "A torsion spring turns {link} back, by the angle θ from its free angle θ0:";
+            "A torsion spring acts on {link}; θ is the angle from its free angle θ0:";
         distance_of_press(slide: &str) =
             "The press is at the distance d from the end of its stroke, where {slide} is r0:";
         press_by_line = "Its force p is interpolated linearly between the knots (d1, p1) and (d2, p2):";
-        press_opens = "It opens, so it does not press.";
+        press_opens = "The slide opens, so the press exerts no force.";
         press_has_not_begun(reach: &str) =
-            "It presses only from {reach} before the end of its stroke, so it does not press yet.";
+            "The press acts only within {reach} of the end of its stroke, so it exerts no force yet.";
         pull = "pull";
         factor = "factor";
         weight = "weight";

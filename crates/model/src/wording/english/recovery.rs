@@ -28,7 +28,7 @@ catalogue! {
         made_on_another_text = "file has changed";
         open_elsewhere_too(process: &dyn Display, host: &str, since: &str) =
             "Also open in krank process {process} on {host}, since {since}. Its edits are kept; the second to save \
-             is asked.";
+             is asked to confirm.";
 
         // Keys of the dialog.
         look = "look";

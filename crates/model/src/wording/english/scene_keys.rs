@@ -5,7 +5,7 @@ use super::English;
 catalogue! {
     /// Descriptions and defaults of the keys of a scene.
     trait SceneKeysWords for English {
-        heads_of_keys = "key | what it is | default";
+        heads_of_keys = "key | meaning | default";
         // Descriptions.
         the_title = "the title";
         where_it_comes_from = "the source of the mechanism";
@@ -26,7 +26,7 @@ catalogue! {
              angle in the frame `r4 = [30, 150]`, or a table";
         any_number_of_loads = "any number of loads, each a force, a torque or a press";
         any_number_of_springs = "any number of springs and dampers: between points, or torsion springs between links";
-        acceleration_of_fall = "acceleration of free fall `[x, y]` in m/s^2";
+        acceleration_of_fall = "gravitational acceleration `[x, y]` in m/s^2";
         figures_by_formulas = "named values by formulas of others: `swing = \"r4.angle - r3.angle\"`";
         what_is_to_drive = "the motor of the scene; it does not change the motion";
         constraints_that_repeat = "how closely redundant constraints must agree";
@@ -60,7 +60,7 @@ catalogue! {
         time_of_step = "the duration, in s";
         amplitude_of_step = "for a sine, the largest distance from the middle position";
         phase_of_step = "for a sine, the phase at its beginning, in degrees: 0 in the middle, 90 at the maximum";
-        ramp_of_step = "for a trapezoid, the fraction of the time in which it speeds up, and again slows down";
+        ramp_of_step = "for a trapezoid, the fraction of the time for speeding up, and the same again for slowing down";
         knots_of_step = "for a table: `[[0, 0], [0.2, 40], [0.5, 120]]`, in s from its beginning";
         dwell_of_step = "or: how long the driver dwells, in s";
         ends_and_their_distance = "the two ends of a link and their distance: its vector in the loop equation";
@@ -96,10 +96,10 @@ catalogue! {
         stiffness_of_spring = "in N/m; for a torsion spring in N m/rad";
         free_length = "the length at which only its preload pulls, in the scene's `unit`";
         force_of_gas_spring =
-            "instead, for a gas spring: its push in N over the distance of its ends, knots `[[200, 900], [300, \
+            "for a gas spring instead: its push in N over the distance of its ends, knots `[[200, 900], [300, \
              700]]`";
         link_of_torsion_spring =
-            "or: the link that a torsion spring turns back; `to` is the link to which it is fixed, by default the \
+            "or: the link on which a torsion spring acts; `to` is the link to which it is fixed, by default the \
              ground";
         free_angle =
             "for a torsion spring: the angle from the x axis of `to` to that of `link` where it is free, in deg";

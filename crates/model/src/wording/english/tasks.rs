@@ -124,7 +124,7 @@ catalogue! {
         head_transmission = "transm.";
         head_miss = "miss";
         head_turns = "crank";
-        head_lacks = "unmet wish";
+        head_lacks = "unmet";
         turns_fully_shortly = "turns";
         swings_shortly = "swings";
         defective_ones = "defective";

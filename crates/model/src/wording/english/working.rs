@@ -18,7 +18,7 @@ catalogue! {
             "A dead point: the motion ends here. Positions exist; velocities and accelerations do not, since their \
              equations would divide by a sine that is 0.";
         change_point_explained =
-            "A change point: two assemblies meet here. The equations of the rates are singular at this position; \
+            "A change point: two assemblies meet here. The velocity and acceleration equations are singular at this position; \
              the given velocities and accelerations are the limits along the motion.";
         no_assembly_explained(covered: &str) =
             "The mechanism cannot be assembled here: the driver covers {covered}. The following uses only values \
@@ -144,7 +144,7 @@ catalogue! {
         does_not_turn(link: &str, base: &str) = "{link} does not turn: every point of it moves as {base} does.";
         at_degrees(figure: &str, direction: &str) = "{figure} at {direction} deg";
         between_normal_part(angle: &str, symbol: &str) =
-            "{angle} deg, between {symbol} and its normal part";
+            "{angle} deg, between {symbol} and its normal component";
         along_guide_of(point: &str, slide: &str, body: &str) =
             "{point} along the guide of {slide} on {body}";
         of_under(symbol: &str, body: &str, point: &str) = "{symbol} of {body} under {point}";

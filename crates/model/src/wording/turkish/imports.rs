@@ -56,7 +56,7 @@ catalogue! {
         import_slider_on_frame = "kayar mafsal sabit bir uzuv adlandırmıyor; kılavuzu şasededir";
         import_input_of_one_link = "giriş iki uzvu birleştirmiyor; alınmadı";
         import_second_input = "dosyada daha önce başka bir giriş var; alınmadı";
-        import_first_joint = "dosya bir giriş göstermiyor; bu, şasedeki ilk mafsaldır ve burada sürer";
+        import_first_joint = "dosya bir giriş göstermiyor; bu, şasedeki ilk mafsaldır ve tahrik olur";
         import_no_input = "dosyada giriş yok: sahneye [driver] ekleyin";
         import_link_without_joints(link: &str) = "hiçbir mafsalda `{link}` uzvu yok; alınmadı";
         import_unknown_joint(joint: &str) = "`{joint}` diye bir mafsal yok; alınmadı";

@@ -36,7 +36,7 @@ catalogue! {
             "ölü konumlar {places}: onlara doğru tahrikin torku ya da kuvveti sınırsız büyüyebilir. İşi ve \
              ortalaması var, tepe değeri ve RMS yok; bütün değerler için hareketin bir bölümünü seçin";
         change_points_passed(places: &str) =
-            "değişim konumları {places}: tork orada süreklidir, mafsal kuvvetleri olmayabilir";
+            "değişim konumları {places}: orada tork süreklidir, mafsal kuvvetleri sürekli olmayabilir";
         not_converged(error: &str, effort: &str) =
             "integraller yakınsamadı: hata en büyük {effort} değerinin {error} katına ulaşabilir";
         does_not_repeat(numbers: &[String], from: &str, to: &str, unit: &str) = {

@@ -67,11 +67,11 @@ catalogue! {
         push_by_line = "(L1, p1) ile (L2, p2) düğümleri arasında doğrusal ara değer:";
         push_beyond_knots = "Düğümlerin ötesinde kuvvet en yakın düğümdekidir:";
         torque_of_torsion_spring(link: &str) =
-            "Burulma yayı {link} uzvunu, serbest açısı θ0 ile arasındaki θ açısına göre geri döndürür:";
+            "Burulma yayı {link} uzvuna etkir; θ, serbest açısı θ0'dan ölçülen açıdır:";
         distance_of_press(slide: &str) = "Pres, strokunun {slide} değerinin r0 olduğu ucundan d uzaklığındadır:";
         press_by_line = "p kuvveti, (d1, p1) ile (d2, p2) düğümleri arasında doğrusal ara değerdir:";
-        press_opens = "Açılır, bu yüzden basmaz.";
-        press_has_not_begun(reach: &str) = "Ancak strokunun sonundan {reach} önce basmaya başlar, henüz basmaz.";
+        press_opens = "Kızak açılıyor, bu yüzden baskı kuvveti yok.";
+        press_has_not_begun(reach: &str) = "Baskı ancak strokun son {reach} içinde etkir, henüz kuvvet yok.";
         pull = "çekme";
         factor = "çarpan";
         weight = "ağırlık";

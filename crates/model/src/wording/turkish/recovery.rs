@@ -30,7 +30,7 @@ catalogue! {
         made_on_another_text = "dosya değişmiş";
         open_elsewhere_too(process: &dyn Display, host: &str, since: &str) =
             "krank'ta şurada da açık: süreç {process}, makine {host}, başlangıç {since}. Oradaki değişiklikler \
-             saklanır; ikinci kaydedene sorulur.";
+             saklanır; ikinci kaydedenden onay istenir.";
 
         // Keys of the dialog.
         look = "bak";

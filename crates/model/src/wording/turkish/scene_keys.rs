@@ -26,7 +26,7 @@ catalogue! {
              uzvun şasedeki açısı `r4 = [30, 150]` ya da bir tablo";
         any_number_of_loads = "istendiği kadar yük, her biri bir kuvvet, bir tork ya da bir pres";
         any_number_of_springs = "istendiği kadar yay ve sönümleyici: noktalar arasında ya da uzuvlar arasında burulma yayı";
-        acceleration_of_fall = "serbest düşmenin ivmesi `[x, y]`, m/s^2 olarak";
+        acceleration_of_fall = "yerçekimi ivmesi `[x, y]`, m/s^2 olarak";
         figures_by_formulas =
             "başkalarından formülle hesaplanan adlı büyüklükler: `swing = \"r4.angle - r3.angle\"`";
         what_is_to_drive = "sahnenin motoru; hareketi değiştirmez";
@@ -95,7 +95,7 @@ catalogue! {
         free_length = "yalnız ön gerilmesiyle çektiği boy, sahnenin `unit` biriminde";
         force_of_gas_spring = "onun yerine, gazlı yayda: uçlarının uzaklığına göre N olarak itme kuvveti, düğümler \
                  `[[200, 900], [300, 700]]`";
-        link_of_torsion_spring = "ya da: burulma yayının geri döndürdüğü uzuv; `to` yayın bağlı olduğu uzuvdur, verilmezse \
+        link_of_torsion_spring = "ya da: burulma yayının etkidiği uzuv; `to` yayın bağlı olduğu uzuvdur, verilmezse \
                  şasedir";
         free_angle = "burulma yayında: serbestken `to` uzvunun x ekseninden `link` uzvununkine açı, deg olarak";
         preload_of_spring = "serbest boyunda çektiği kuvvet, N olarak; burulma yayında serbest açısında uzvu döndüren tork, \
