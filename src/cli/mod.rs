@@ -3,13 +3,13 @@
 mod choice;
 mod columns;
 mod commands;
-mod ending;
 mod external_values;
 mod failure;
 mod formats;
 mod help;
 mod language;
 mod output;
+mod output_format;
 mod picture;
 mod place;
 #[cfg(feature = "tui")]
@@ -87,7 +87,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             .get_subcommands()
             .any(|command| word == command.get_name())
     });
-    ending::add_format(&mut arguments, Cli::command);
+    output_format::add_format(&mut arguments, Cli::command);
     let screen = TextScreen::detect();
     finish_interrupted_writes(screen);
     let done = match Cli::try_parse_from(&arguments) {
