@@ -136,6 +136,8 @@ fn read(source: &SceneSource) -> Result<Scene, Failure> {
     for remark in &imported.remarks {
         note(remark, screen);
     }
+    // Lines in messages are those of the scene, not of the file.
+    let origin = words().import_scene_made_from(&origin);
     Scene::parse(&imported.text, &origin).map_err(Failure::Scene)
 }
 

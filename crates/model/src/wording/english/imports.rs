@@ -22,6 +22,7 @@ catalogue! {
         import_force_row(row: usize) = "force {row} of `f`";
 
         // Files that cannot be read.
+        import_scene_made_from(file: &str) = "scene made from {file}";
         import_failed(file: &str, why: &str) = "`{file}`: {why}";
         import_unknown_format =
             "this is not a file of PMKS, PMKS+, Linkage, Pyslvs or pylinkage; `krank help import` describes them";

@@ -22,6 +22,7 @@ catalogue! {
         import_force_row(row: usize) = "`f` içinde kuvvet {row}";
 
         // Okunamayan dosyalar.
+        import_scene_made_from(file: &str) = "{file} dosyasından kurulan sahne";
         import_failed(file: &str, why: &str) = "`{file}`: {why}";
         import_unknown_format =
             "bu bir PMKS, PMKS+, Linkage, Pyslvs ya da pylinkage dosyası değil; `krank help import` bunları anlatır";
