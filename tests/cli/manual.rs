@@ -390,6 +390,6 @@ fn every_scene_of_the_manual_opens() {
                 opened += 1;
             }
         }
-        assert_eq!(opened, PARTS.len() + 2, "{folder}");
+        assert_eq!(opened, PARTS.len() + 3, "{folder}");
     }
 }

@@ -85,8 +85,12 @@ impl<'t> ResolvedDraft<'_, 't> {
             Diagnostic::new(words().pinned_to_itself(&of.to_string(), &quoted(name)))
                 .help(words().joins_two_points())
         } else {
-            Diagnostic::new(words().names_point_twice(&link.name.to_string(), &quoted(name)))
-                .help(words().ends_are_points())
+            Diagnostic::new(words().names_point_twice(&link.name.to_string(), &quoted(name))).help(
+                match link.direction {
+                    Some(_) => words().name_each_point_once(),
+                    None => words().ends_are_points(),
+                },
+            )
         };
         let fault = match second {
             Some(second) => fault.at(second.span.clone(), words().again_here()),

@@ -66,8 +66,10 @@ pub enum KeyKind {
     Rows,
     /// `[x, y]` on a link, or a length and an angle.
     Place,
-    /// Named places.
+    /// Named places, or a list of the names of points.
     Places,
+    /// Two distances.
+    Distances(NumberMeasure),
     /// Pairs of an argument and a value, with the name of the value.
     Knots([NumberMeasure; 2], &'static str),
     /// A table.
@@ -148,8 +150,8 @@ macro_rules! keys {
 }
 
 use KeyKind::{
-    Each, Ends, Flag, Formulas, Knots, Limits, List, Number, Numbers, Pair, Parameters, Place,
-    Places, Points, Rate, Rows, Series, Steps, Table, Text, Vectors,
+    Distances, Each, Ends, Flag, Formulas, Knots, Limits, List, Number, Numbers, Pair, Parameters,
+    Place, Places, Points, Rate, Rows, Series, Steps, Table, Text, Vectors,
 };
 use NumberMeasure::{Driver, DriverItself, Effort, In, Of};
 use NumberRule::{Any, Arm, AtMostHalf, Distance, Known, NotNegative, Positive};
@@ -186,7 +188,7 @@ DRIVER =
     "link": Text, ["link"], the_turning_link, "";
     "slide": Text, ["slide"], the_pushed_slide, "";
     "from": Text, ["link"], seat_of_driver, "`\"ground\"`";
-    "angle": Number(Of(Measure::Angle), Any), ["link"], opening_angle, "";
+    "angle": Number(Of(Measure::Angle), Any), ["link"], opening_angle, direction_if_drawn;
     "position": Number(Of(Measure::Coordinate), Any), ["slide"], opening_position, "";
     "range": Ends(Driver), [], range_of_driver, no_default;
     "speed": Rate(Degree::Speed), [], speed_of_driver, unit_speed;
@@ -221,8 +223,10 @@ LINK =
 
 PLACE =
     "from": Text, [], point_that_sees, origin_by_default;
-    "length": Number(Of(Measure::Length), Arm), [], distance_of_place, "";
-    "angle": Number(In(Measure::Angle), Any), [], direction_of_place, "";
+    "length": Number(Of(Measure::Length), Arm), ["angle"], distance_of_place, "";
+    "angle": Number(In(Measure::Angle), Any), ["angle"], direction_of_place, "";
+    "distances": Distances(Of(Measure::Length)), ["distances"], distances_of_place, "";
+    "side": Text, ["distances"], side_of_place, "`\"left\"`";
 
 SLIDE =
     "point": Text, ["point"], pin_in_the_slot, "";
@@ -328,7 +332,7 @@ impl SceneKey {
         let name = self.name;
         match self.kind {
             Text | Flag | Number(..) | Series(_) | Rows | Ends(_) | Pair(_) | Rate(_)
-            | Knots(..) | Place | Places | Steps(_) => None,
+            | Knots(..) | Place | Places | Distances(_) | Steps(_) => None,
             Numbers(_) | Points(_) | Vectors | Formulas | Parameters => {
                 Some((format!("[{name}]"), &[]))
             }

@@ -2,13 +2,13 @@
 
 use super::Unit;
 use super::accuracy::deviations::{self, DraftTolerances};
-use super::elements::frame;
 use super::elements::limits::{self, DraftLimit};
 use super::elements::link::{self, DraftLink};
 use super::elements::points::{self, DraftVector, PlacedPoint, places};
 use super::elements::redundant::{self, Redundant};
 use super::elements::slide::{self, DraftSlide};
 use super::elements::view::{self, DraftView};
+use super::elements::{drawn, frame};
 use super::inputs::input::{self, DraftDriver};
 use super::inputs::motor::{self, Motor};
 use super::inputs::timed_inputs::{self, DraftTimed};
@@ -155,7 +155,11 @@ impl<'v> SceneDraft<'v> {
             self.start = places(reader, "[start]", words().start_of(), value);
         }
         if let Some(value) = self.section(file, "links") {
-            let read = link::links(reader, value);
+            let read = link::links(
+                reader,
+                &drawn::drawn_places(&self.ground, &self.start),
+                value,
+            );
             self.unreadable |= read.too_many;
             self.lost_points |= read.lost_points;
             self.links = read.links;
@@ -166,7 +170,7 @@ impl<'v> SceneDraft<'v> {
             self.lost_points |= self.slides.iter().any(|slide| slide.slider.is_none());
         }
         if let (Some(value), Some(key)) = (self.section(file, "driver"), place("driver")) {
-            self.driver = input::driver(reader, self.unit, &key, value);
+            self.driver = input::driver(reader, self.unit, &self.links, &key, value);
             self.driver_key = Some(key);
         }
         if let Some(value) = self.section(file, "inputs") {

@@ -53,7 +53,10 @@ impl Scene {
         if let Some(at) = opening {
             let key = super::coordinate_key(&self.mechanism);
             let driver = root.get("driver")?.get_ref().as_table()?;
-            edits.replace(driver.get(key)?.span(), format!("{at:?}"));
+            // A link as drawn needs no angle: it opens in the direction of its points.
+            if let Some(opening) = driver.get(key) {
+                edits.replace(opening.span(), format!("{at:?}"));
+            }
         }
         self.add_start_changes(root, &named.collect::<Vec<_>>(), &mut edits);
         Some(edits.rewritten_in(self.text()))

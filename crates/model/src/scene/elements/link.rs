@@ -1,8 +1,9 @@
 //! Reads links.
 
 use crate::Vec2;
-use crate::document::{self, Diagnostic, WrittenValue};
+use crate::document::{self, Diagnostic, WrittenValue, items};
 use crate::scene::accuracy::deviations::{self, DraftTolerance};
+use crate::scene::elements::drawn::{self, DrawnPlaces};
 use crate::scene::elements::link_points;
 use crate::scene::elements::points::PlacedPoint;
 use crate::scene::keys;
@@ -20,6 +21,8 @@ const POINTS: &str = "r2 = { points = { A = [0, 0] } }";
 pub(crate) struct DraftLink<'t> {
     pub(crate) name: Name<'t>,
     pub(crate) ends: Option<Ends<'t>>,
+    /// The direction of a link as drawn, in degrees.
+    pub(crate) direction: Option<f64>,
     pub(crate) points: Vec<PlacedPoint<'t>>,
     /// The centre of mass; its name is the key.
     pub(crate) com: Option<PlacedPoint<'t>>,
@@ -31,6 +34,8 @@ pub(crate) struct DraftLink<'t> {
     pub(crate) tolerance: Option<DraftTolerance>,
     /// Whether a diagnostic was reported for the link.
     pub(crate) broken: bool,
+    /// Whether it names an unreadable point.
+    pub(crate) has_lost_points: bool,
 }
 
 impl<'t> DraftLink<'t> {
@@ -78,8 +83,12 @@ pub(crate) struct Read<'t> {
     pub(crate) lost_points: bool,
 }
 
-/// Reads the section.
-pub(crate) fn links<'v>(reader: &mut Reader<'_>, value: &'v WrittenValue<'v>) -> Read<'v> {
+/// Reads the section; `places` has the coordinates of links as drawn.
+pub(crate) fn links<'v>(
+    reader: &mut Reader<'_>,
+    places: &DrawnPlaces<'_>,
+    value: &'v WrittenValue<'v>,
+) -> Read<'v> {
     let mut read = Read::default();
     let Some(entries) = reader.section("[links]", LINK, value) else {
         return read;
@@ -94,7 +103,8 @@ pub(crate) fn links<'v>(reader: &mut Reader<'_>, value: &'v WrittenValue<'v>) ->
         return read;
     }
     for (name, value) in document::entries(entries) {
-        let link = link(reader, &mut read.lost_points, name, value);
+        let link = link(reader, places, name, value);
+        read.lost_points |= link.has_lost_points;
         read.links.push(link);
     }
     read
@@ -102,7 +112,7 @@ pub(crate) fn links<'v>(reader: &mut Reader<'_>, value: &'v WrittenValue<'v>) ->
 
 fn link<'v>(
     reader: &mut Reader<'_>,
-    lost_points: &mut bool,
+    places: &DrawnPlaces<'_>,
     name: Name<'v>,
     value: &'v WrittenValue<'v>,
 ) -> DraftLink<'v> {
@@ -110,6 +120,7 @@ fn link<'v>(
     let mut link = DraftLink {
         name,
         ends: None,
+        direction: None,
         points: Vec::new(),
         com: None,
         mass: 0.0,
@@ -117,19 +128,27 @@ fn link<'v>(
         mass_key: None,
         tolerance: None,
         broken: false,
+        has_lost_points: false,
     };
     let of = words().link_called(&link.name.to_string());
     if let Some(table) = reader.open([&of, &of], keys::LINK, LINK, value) {
         reader.only_known(&table);
-        *lost_points |= !link_ends(reader, &table, &mut link);
-        *lost_points |= !link_points(reader, &table, &mut link);
+        let list = table.get("points").filter(|points| items(points).is_some());
+        let is_complete = match list {
+            Some(list) => drawn::link_points(reader, &table, list, places, &mut link),
+            None => {
+                let has_ends = link_ends(reader, &table, &mut link);
+                link_points(reader, &table, &mut link) && has_ends
+            }
+        };
+        link.has_lost_points = !is_complete;
         link_mass(reader, &table, &mut link);
         link.tolerance = deviations::tolerance_of(reader, &table);
         if reader.found.len() == before && link.ends.is_none() && link.points.is_empty() {
             reader.report(no_points(&of, &link.name));
         }
     } else {
-        *lost_points = true;
+        link.has_lost_points = true;
     }
     link.broken = reader.found.len() > before;
     link
@@ -172,11 +191,8 @@ fn link_ends<'v>(reader: &mut Reader<'_>, table: &KeyTable<'v>, link: &mut Draft
         }
         (one, other) => {
             let named = one.into_iter().chain(other);
-            link.points.extend(named.map(|name| PlacedPoint {
-                name,
-                read: None,
-                sighted: None,
-            }));
+            link.points
+                .extend(named.map(|name| PlacedPoint::new(name, None)));
             missing.is_none() && !table.has("from") && !table.has("to")
         }
     }
@@ -197,7 +213,7 @@ fn link_points<'v>(
         let place = link_points::place(reader, &what, &name, value);
         link.points.push(PlacedPoint::read_as(name, place));
     }
-    link_points::compute_polar_points(reader, of, link);
+    link_points::compute_places(reader, of, link);
     points.get_ref().is_table()
 }
 
@@ -206,9 +222,7 @@ fn link_mass<'v>(reader: &mut Reader<'_>, table: &KeyTable<'v>, link: &mut Draft
         let what = table.what(reader, "com");
         let place = link_points::place(reader, &what, &name, com);
         let mut com = PlacedPoint::read_as(name, place);
-        if let Some(sighted) = &com.sighted {
-            com.read = link_points::compute_centre(reader, &table.of, sighted, link);
-        }
+        link_points::place_centre(reader, &table.of, &mut com, link);
         link.com = Some(com);
     }
     link.mass = reader.number_of(table, "mass").unwrap_or(0.0);

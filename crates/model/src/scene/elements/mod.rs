@@ -1,5 +1,6 @@
 //! The elements of a mechanism: links, places on them, slides, vectors and limits.
 
+pub(super) mod drawn;
 pub(super) mod frame;
 pub(super) mod limits;
 pub(super) mod link;

@@ -2,7 +2,7 @@
 
 use crate::Vec2;
 use crate::document::WrittenValue;
-use crate::scene::elements::link_points::{ReadPlace, Sighted};
+use crate::scene::elements::link_points::{ReadPlace, Sighted, Triangle};
 use crate::scene::numbers::reader::{Name, Reader, quoted};
 use crate::wording::words;
 
@@ -16,22 +16,39 @@ pub(crate) struct PlacedPoint<'t> {
     pub(crate) read: Option<Vec2>,
     /// The length and angle that define the coordinates, for points of a link given in this form.
     pub(crate) sighted: Option<Sighted<'t>>,
+    /// The distances from which the coordinates of a point of a link are to be computed.
+    pub(crate) triangle: Option<Triangle<'t>>,
 }
 
 impl<'t> PlacedPoint<'t> {
-    /// Creates a point of a link from its place as read. A point given by length and angle has no
-    /// coordinates yet.
-    pub(crate) fn read_as(name: Name<'t>, place: Option<ReadPlace<'t>>) -> Self {
-        let (read, sighted) = match place {
-            None => (None, None),
-            Some(ReadPlace::At(at)) => (Some(at), None),
-            Some(ReadPlace::Sighted(sighted)) => (None, Some(sighted)),
-        };
+    /// Creates a point with coordinates, if they could be read.
+    pub(crate) fn new(name: Name<'t>, read: Option<Vec2>) -> Self {
         PlacedPoint {
             name,
             read,
-            sighted,
+            sighted: None,
+            triangle: None,
         }
+    }
+
+    /// Creates a point of a link from its place as read. A point given by length and angle or by
+    /// two distances has no coordinates yet.
+    pub(crate) fn read_as(name: Name<'t>, place: Option<ReadPlace<'t>>) -> Self {
+        let mut point = PlacedPoint::new(name, None);
+        match place {
+            None => {}
+            Some(ReadPlace::At(at)) => point.read = Some(at),
+            Some(ReadPlace::Sighted(sighted)) => point.sighted = Some(sighted),
+            Some(ReadPlace::Triangle(triangle)) => point.triangle = Some(triangle),
+        }
+        point
+    }
+
+    /// Returns the points of the link from which it is measured.
+    pub(crate) fn references(&self) -> impl Iterator<Item = &Name<'t>> {
+        let polar = self.sighted.iter().flat_map(|sighted| &sighted.from);
+        let corner = self.triangle.iter().flat_map(|triangle| &triangle.from);
+        polar.chain(corner)
     }
 
     /// Returns the coordinates, or a placeholder.
@@ -50,11 +67,7 @@ pub(crate) fn places<'v>(
     let entries = reader.entries(section, "{ A = [0, 0] }", value);
     let place = |(name, value): (Name<'v>, &WrittenValue<'_>)| {
         let read = reader.pair(&format!("{what} {}", quoted(name.text)), value);
-        PlacedPoint {
-            name,
-            read,
-            sighted: None,
-        }
+        PlacedPoint::new(name, read)
     };
     entries.map(place).collect()
 }

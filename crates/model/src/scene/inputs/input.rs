@@ -1,8 +1,10 @@
 //! Reads the driver.
 
+use crate::angle::TURN;
 use crate::document::{Diagnostic, WrittenValue};
 use crate::nearest::did_you_mean;
 use crate::scene::elements::limits::{self, DraftEnds};
+use crate::scene::elements::link::DraftLink;
 use crate::scene::inputs::timed_motion::{self, MotionFrame};
 use crate::scene::numbers::rate::{self, Degree, Rate, RateError, RateKind};
 use crate::scene::numbers::reader::{ByteSpan, Name, Reader};
@@ -79,10 +81,12 @@ pub fn coordinate_key(mechanism: &Mechanism) -> &'static str {
     form.coordinate
 }
 
-/// Reads the section; `key` is the place of its name.
+/// Reads the section; `key` is the place of its name. A link as drawn opens in its direction,
+/// unless an angle is given.
 pub(crate) fn driver<'v>(
     reader: &mut Reader<'_>,
     unit: Unit,
+    links: &[DraftLink<'_>],
     key: &ByteSpan,
     value: &'v WrittenValue<'v>,
 ) -> Option<DraftDriver<'v>> {
@@ -108,16 +112,21 @@ pub(crate) fn driver<'v>(
     // The check of the keys reports a `from` of a driven slide.
     let given_seat = table.get("from").filter(|_| kind == RateKind::Turn);
     let from = seat(reader, words().the_driver(), kind, given_seat);
+    let range = range(reader, kind, table);
+    let drawn = || drawn_angle(links, name.as_ref()?, from.as_ref(), range.as_ref());
     let start = match table.key(form.other) {
         Some(other) if !table.has(form.coordinate) => {
             other_coordinate(reader, other, &form);
             None
         }
+        None if !table.has(form.coordinate) && kind == RateKind::Turn && drawn().is_some() => {
+            reader.only_known(table);
+            drawn()
+        }
         _ => start(reader, table, &form, key),
     };
     let speed = rate(reader, table, "speed", kind, Degree::Speed);
     let acceleration = rate(reader, table, "acceleration", kind, Degree::Acceleration);
-    let range = range(reader, kind, table);
     let motion = motion(reader, table, start, kind, range.as_ref());
     let name = name?;
     if given_seat.is_some() && from.is_none() {
@@ -147,6 +156,26 @@ pub(crate) fn driver<'v>(
         typed_rates: typed_rates.map(<[Double; 2]>::from),
         motion,
     })
+}
+
+/// Returns the opening angle of a link as drawn, relative to the link that carries its motor, and
+/// within the range of the driver.
+fn drawn_angle(
+    links: &[DraftLink<'_>],
+    name: &Name<'_>,
+    from: Option<&Name<'_>>,
+    range: Option<&DraftEnds>,
+) -> Option<f64> {
+    let direction = |name: &Name<'_>| {
+        let mut links = links.iter();
+        links.find(|link| link.name.text == name.text)?.direction
+    };
+    let seat = match from.filter(|from| from.text != "ground") {
+        Some(from) => direction(from)?,
+        None => 0.0,
+    };
+    let lowest = range.map_or(0.0, |range| range.low);
+    Some(lowest + (direction(name)? - seat - lowest).rem_euclid(TURN))
 }
 
 /// Reads the link that carries the motor of an input. Reports a driven slide that has one: its

@@ -1,12 +1,12 @@
 //! Reads numbers and pairs of a scene, and reports invalid ones.
 
-use crate::Vec2;
 use crate::arithmetic::Decimal;
 pub(crate) use crate::document::{ByteSpan, Name, Reader, quoted};
 use crate::document::{Diagnostic, WrittenValue, has_decimal_comma, items, number_of};
 use crate::expression;
 use crate::scene::numbers::numeral::{is_rounded, number_length};
 use crate::wording::words;
+use crate::{Double, Vec2};
 
 /// Maximum absolute value of a coordinate or length. Squares of scaled values must stay finite, and
 /// no real mechanism comes near.
@@ -30,9 +30,7 @@ impl Reader<'_> {
             (None, Some(formula)) => {
                 let result = self.worked_out(what, formula, &span)?;
                 let number = result.nearest();
-                let decimal = Decimal::of(number);
-                let distance = (decimal.value - result.value.twice()).hi.abs();
-                self.has_rounded |= !decimal.is_long && distance > FORMULA_ERROR * number.abs();
+                self.note_rounding(number, result.value.twice());
                 number
             }
             (None, None) => {
@@ -71,6 +69,19 @@ impl Reader<'_> {
                 .help(help),
         );
         None
+    }
+
+    /// Rounds a number computed from typed ones to the nearest double.
+    pub(crate) fn rounded(&mut self, value: Double) -> f64 {
+        self.note_rounding(value.hi, value);
+        value.hi
+    }
+
+    /// Records a double that reads as another decimal than the number from which it was rounded.
+    fn note_rounding(&mut self, number: f64, value: Double) {
+        let decimal = Decimal::of(number);
+        let distance = (decimal.value - value).hi.abs();
+        self.has_rounded |= !decimal.is_long && distance > FORMULA_ERROR * number.abs();
     }
 
     /// Reads a pair `[x, y]`.

@@ -88,7 +88,8 @@ impl Collector<'_> {
                     its.number(parameter.to_owned(), size, at);
                 });
             }),
-            KeyKind::Ends(size) => self.ends(&name, again, size, value),
+            KeyKind::Ends(size) => self.two(&name, ["low", "high"], again, size, value),
+            KeyKind::Distances(size) => self.two(&name, ["first", "second"], again, size, value),
             KeyKind::Limits(keys) => each(value, |name, value| self.limit(keys, name, value)),
             // A point given by name has no coordinates to edit.
             KeyKind::Pair(size) => self.pair(&name, again, size, value),
@@ -164,13 +165,27 @@ impl Collector<'_> {
             false => Measure::Angle,
         };
         self.of(ValueOwner::Element(name.to_owned()), |its| {
-            its.ends(&called, "", NumberMeasure::Of(measure), value);
+            its.two(
+                &called,
+                ["low", "high"],
+                "",
+                NumberMeasure::Of(measure),
+                value,
+            );
         });
     }
 
-    fn ends(&mut self, name: &str, after: &str, size: NumberMeasure, value: &WrittenValue<'_>) {
-        for (end, item) in ["low", "high"].into_iter().zip(list(value)) {
-            self.number(format!("{name} {end}{after}"), size, item);
+    /// Collects two numbers, each under its own word.
+    fn two(
+        &mut self,
+        name: &str,
+        words: [&str; 2],
+        after: &str,
+        size: NumberMeasure,
+        value: &WrittenValue<'_>,
+    ) {
+        for (word, item) in words.into_iter().zip(list(value)) {
+            self.number(format!("{name} {word}{after}"), size, item);
         }
     }
 
@@ -252,9 +267,7 @@ impl Collector<'_> {
     }
 
     fn pair(&mut self, name: &str, after: &str, size: NumberMeasure, value: &WrittenValue<'_>) {
-        for (axis, item) in ["x", "y"].into_iter().zip(list(value)) {
-            self.number(format!("{name} {axis}{after}"), size, item);
-        }
+        self.two(name, ["x", "y"], after, size, value);
     }
 
     /// Collects a place on a link: coordinates, or a length and an angle.

@@ -85,6 +85,31 @@ catalogue! {
         name_another_point_of(body: &str) =
             "name another point of {body}, or leave `from` out: the origin of its frame";
 
+        or_by_two_distances(example: &str) = "or by two distances: {example}";
+        a_pair_of_names = "[first, second] of points";
+        a_pair_of_distances = "[first, second] of distances";
+        left_or_right = "`left` or `right`";
+        which_side_is_left = "seen from the first point of `from` to the second; without `side` it is the left one";
+        distances_do_not_meet(what: &str, apart: &str) =
+            "{what}: the two distances do not meet: their points are {apart} apart";
+        no_such_triangle = "no triangle has these sides";
+        sides_of_a_triangle = "each side of a triangle is at most the sum of the other two; look for a mistyped length";
+
+        // Links as drawn.
+        drawn_link_has_key(of: &str, key: &str) =
+            "{of}: `{key}` does not apply to a link with a list of `points`";
+        ends_are_first_two = "the first two points of the list are its ends";
+        further_points_are_a_table(example: &str) =
+            "remove it, or write further points as a table: {example}";
+        drawn_link_needs_two(of: &str) = "{of}: a list of `points` needs at least two";
+        drawn_point_has_no_place(of: &str, name: &str) = "{of}: point {name} has no coordinates";
+        neither_ground_nor_start = "neither in [ground] nor in [start]";
+        add_drawn_place(name: &str) =
+            "the list takes the link's shape from these: add {name} = [x, y], as drawn, to [start]";
+        drawn_at_one_place(of: &str, from: &str, to: &str) = "{of}: {from} and {to} have the same coordinates";
+        begin_with_two_places = "begin the list with two points at different places";
+        name_each_point_once = "name each point once";
+
         // Slides.
         of_has_no(of: &str, key: &str) = "{of} has no `{key}`";
         is_missing(key: &str) = "`{key}` is missing";

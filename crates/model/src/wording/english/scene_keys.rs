@@ -19,7 +19,7 @@ catalogue! {
             "further inputs, which follow the driver, each under the name of its link or slide: `r7 = { ... }`";
         rigid_links = "rigid links, each a table: `r2 = { ... }`";
         guides_and_sliders = "guides and what moves along them, each a table: `r4 = { ... }`";
-        rough_positions = "rough positions of moving points where the scene opens: `C = [x, y]`";
+        rough_positions = "rough positions of moving points where the scene opens: `C = [x, y]`; exact for links as drawn";
         further_vectors = "further vectors for the tables, tail and head: `r1 = [\"D\", \"A\"]`";
         coordinates_between_stops =
             "coordinates with two stops, at which the motion ends: a slide's position `rod = [120, 200]`, a link's \
@@ -33,7 +33,8 @@ catalogue! {
         what_views_show_first = "what drawings show when the scene opens";
         the_turning_link = "the link that turns about its ground point";
         the_pushed_slide = "or: the slide that is driven";
-        opening_angle = "direction of the driven link's x axis where the scene opens, in deg";
+        opening_angle =
+            "direction of the driven link's x axis where the scene opens, in deg; required unless `points` is a list";
         opening_position = "position of a driven slide where the scene opens: along the guide from `through`";
         ratio_of_input = "change of its coordinate per 1 of the driver's, each in degrees or the scene's `unit`";
         phase_of_input = "its coordinate where the driver's is 0: the direction of a link's x axis in deg, or the position of a slide";
@@ -66,14 +67,19 @@ catalogue! {
         ends_and_their_distance = "the two ends of a link and their distance: its vector in the loop equation";
         points_in_link_frame =
             "further points in the link's frame: `{ P = [150, 80] }`, or by length and angle `{ P = { from = \
-             \"D\", length = 170, angle = 28 } }`; only these for a link without two natural ends";
-        centre_in_link_frame = "centre of mass in the link's frame, `[x, y]` or by length and angle";
-        point_that_sees = "the point of the link from which a position is measured";
+             \"D\", length = 170, angle = 28 } }`, or by two distances `from = [\"D\", \"E\"], distances = \
+             [120, 90]`; only these for a link without two natural ends; or a list alone, `[\"B\", \"C\", \
+             \"P\"]`: a link from B to C with the shape that `[ground]` and `[start]` give it";
+        centre_in_link_frame = "centre of mass in the link's frame, in the same forms as a point";
+        point_that_sees =
+            "the point of the link from which a position is measured; for `distances` the two points: `[\"D\", \"E\"]`";
         origin_by_default = "the origin of the link's frame";
         distance_of_place = "its distance";
         direction_of_place = "its direction in deg, from the link's x axis";
         mass_of_link = "in kg; needs `com`";
         inertia_of_link = "about the centre of mass in kg m^2; needs `com`";
+        distances_of_place = "or: its distances from two points, as the sides of a triangle";
+        side_of_place = "its side of the line from the first of the two points to the second: `\"left\"` or `\"right\"`";
         pin_in_the_slot = "the pin that moves in the slot, free to turn";
         link_without_turning = "or: the link that slides without turning, its origin on the guide";
         what_carries_the_guide = "the body that carries the guide: `\"ground\"` or a link";
@@ -135,6 +141,7 @@ catalogue! {
         no_default = "none";
         unit_speed = "1 rad/s, or 1 unit/s";
         no_vector_by_default = "no vector";
+        direction_if_drawn = "as drawn";
         the_lower_end = "the lower end";
         unknown_by_default = "unknown";
     }

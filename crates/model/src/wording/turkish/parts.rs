@@ -99,6 +99,32 @@ catalogue! {
         name_another_point_of(body: &str) =
             "başka bir nokta verin ({body}) ya da `from` yazmayın: uzvun kendi eksen başlangıcı";
 
+        or_by_two_distances(example: &str) = "ya da iki uzaklıkla: {example}";
+        a_pair_of_names = "[birinci, ikinci] noktalar";
+        a_pair_of_distances = "[birinci, ikinci] uzaklıklar";
+        left_or_right = "`left` ya da `right`";
+        which_side_is_left = "`from` içindeki ilk noktadan ikincisine bakıldığında; `side` yoksa sol yan";
+        distances_do_not_meet(what: &str, apart: &str) =
+            "{what}: iki uzaklık buluşmuyor: noktalarının arası {apart}";
+        no_such_triangle = "kenarları bunlar olan üçgen yok";
+        sides_of_a_triangle =
+            "üçgenin her kenarı en çok öteki ikisinin toplamı kadardır; yanlış yazılmış bir boy arayın";
+
+        // Links as drawn.
+        drawn_link_has_key(of: &str, key: &str) =
+            "{of}: `points` listesi olan uzuvda `{key}` kullanılmaz";
+        ends_are_first_two = "listenin ilk iki noktası uzvun uçlarıdır";
+        further_points_are_a_table(example: &str) =
+            "onu çıkarın ya da öteki noktaları tablo olarak yazın: {example}";
+        drawn_link_needs_two(of: &str) = "{of}: `points` listesine en az iki nokta gerekir";
+        drawn_point_has_no_place(of: &str, name: &str) = "{of}: {name} noktasının koordinatı yok";
+        neither_ground_nor_start = "ne [ground] ne [start] içinde";
+        add_drawn_place(name: &str) =
+            "liste, uzvun biçimini koordinatlardan alır: [start] bölümüne çizimdeki {name} = [x, y] değerini ekleyin";
+        drawn_at_one_place(of: &str, from: &str, to: &str) = "{of}: {from} ile {to} aynı koordinatlarda";
+        begin_with_two_places = "listeye ayrı yerlerdeki iki noktayla başlayın";
+        name_each_point_once = "her noktayı bir kez yazın";
+
         // Slides.
         of_has_no(of: &str, key: &str) = "{of}: `{key}` yok";
         is_missing(key: &str) = "`{key}` eksik";

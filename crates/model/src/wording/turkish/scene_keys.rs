@@ -19,7 +19,7 @@ catalogue! {
             "tahriki izleyen öteki girişler, her biri uzvunun ya da kızağının adıyla: `r7 = { ... }`";
         rigid_links = "rijit uzuvlar, her biri bir tablo: `r2 = { ... }`";
         guides_and_sliders = "kılavuzlar ve üzerlerinde hareket edenler, her biri bir tablo: `r4 = { ... }`";
-        rough_positions = "hareketli noktaların sahnenin açıldığı yerdeki kaba konumları: `C = [x, y]`";
+        rough_positions = "hareketli noktaların sahnenin açıldığı yerdeki kaba konumları: `C = [x, y]`; çizildiği gibi verilen uzuvlar için tam";
         further_vectors = "tablolar için ek vektörler, kuyruk ve uç: `r1 = [\"D\", \"A\"]`";
         coordinates_between_stops =
             "iki dayaması olan koordinatlar, hareket dayamalarda biter: bir kızağın konumu `rod = [120, 200]`, bir \
@@ -34,7 +34,7 @@ catalogue! {
         what_views_show_first = "sahne açılınca çizimlerin gösterdikleri";
         the_turning_link = "sabit noktası çevresinde dönen uzuv";
         the_pushed_slide = "ya da: tahrik edilen kızak";
-        opening_angle = "sahnenin açıldığı yerde tahrik uzvunun x ekseninin yönü, deg olarak";
+        opening_angle = "sahnenin açıldığı yerde tahrik uzvunun x ekseninin yönü, deg olarak; `points` liste değilse zorunlu";
         opening_position = "tahrik edilen kızağın açılıştaki konumu: kılavuz boyunca `through` noktasından";
         ratio_of_input =
             "tahrikin koordinatının 1 artışına karşılık kendi koordinatının değişimi: her biri derece ya da \
@@ -65,14 +65,19 @@ catalogue! {
         ends_and_their_distance = "bir uzvun iki ucu ve aralarındaki uzaklık: vektörel konum denklemindeki vektörü";
         points_in_link_frame =
             "uzvun eksen takımında öteki noktalar: `{ P = [150, 80] }`, ya da boy ve açıyla `{ P = { from = \"D\", \
-             length = 170, angle = 28 } }`; doğal iki ucu olmayan bir uzuvda yalnız bunlar";
-        centre_in_link_frame = "uzvun eksen takımında ağırlık merkezi, `[x, y]` ya da boy ve açıyla";
-        point_that_sees = "yerin, uzvun hangi noktasından ölçüldüğü";
+             length = 170, angle = 28 } }`, ya da iki uzaklıkla `from = [\"D\", \"E\"], distances = [120, 90]`; \
+             doğal iki ucu olmayan bir uzuvda yalnız bunlar; ya da tek başına bir liste `[\"B\", \"C\", \"P\"]`: B'den C'ye \
+             bir uzuv, biçimi `[ground]` ve `[start]` içindeki koordinatlardan";
+        centre_in_link_frame = "uzvun eksen takımında ağırlık merkezi, bir nokta gibi yazılır";
+        point_that_sees =
+            "yerin, uzvun hangi noktasından ölçüldüğü; `distances` için iki nokta: `[\"D\", \"E\"]`";
         origin_by_default = "uzvun eksen takımının başlangıcı";
         distance_of_place = "uzaklığı";
         direction_of_place = "yönü, uzvun x ekseninden, deg olarak";
         mass_of_link = "kg olarak; `com` gerekir";
         inertia_of_link = "ağırlık merkezine göre, kg m^2 olarak; `com` gerekir";
+        distances_of_place = "ya da: iki noktadan uzaklıkları, bir üçgenin kenarları gibi";
+        side_of_place = "ilk noktadan ikincisine giden doğrunun hangi yanında olduğu: `\"left\"` (sol) ya da `\"right\"` (sağ)";
         pin_in_the_slot = "yarıkta hareket eden pim, dönmekte serbest";
         link_without_turning = "ya da: dönmeden kayan uzuv, başlangıcı kılavuzun üstünde";
         what_carries_the_guide = "kılavuzu taşıyan cisim: `\"ground\"` ya da bir uzuv";
@@ -127,6 +132,7 @@ catalogue! {
         no_default = "yok";
         unit_speed = "1 rad/s ya da 1 birim/s";
         no_vector_by_default = "vektör yok";
+        direction_if_drawn = "çizimdeki yön";
         the_lower_end = "alttaki uç";
         unknown_by_default = "bilinmiyor";
     }
