@@ -8,6 +8,7 @@ mod failure;
 mod formats;
 mod help;
 mod language;
+mod lead;
 mod output;
 mod output_format;
 mod picture;
@@ -37,7 +38,8 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 use workbench::WorkbenchArgs;
 
-/// Returns the text after the options in `--help`: examples, after the essential keys if there is a workbench.
+/// Returns the text after the options in `--help`: examples, after the essential keys if there is a
+/// workbench.
 fn behind_help() -> String {
     let keys = match cfg!(feature = "tui") {
         true => words().keys_of_workbench(),

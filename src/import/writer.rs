@@ -327,8 +327,14 @@ impl SceneWriter<'_> {
         let number = |value: f64| computed(value).parse().unwrap_or(value);
         let leading: f64 = number(self.opening(driver.element));
         for input in others {
-            let ratio = number(ratio(&driver.law, &input.law).unwrap_or(0.0));
-            let phase = number(self.opening(input.element)) - ratio * leading;
+            let opening = number(self.opening(input.element));
+            let law = match ratio(&driver.law, &input.law).map(number) {
+                Some(ratio) if ratio != 0.0 => {
+                    let phase = computed(opening - ratio * leading);
+                    format!("ratio = {}, phase = {phase}", given(ratio))
+                }
+                _ => format!("at = {}", computed(opening)),
+            };
             let (name, from) = match input.element {
                 InputElement::Turn { link, from } => (&self.names.links[link], from),
                 InputElement::Slide(slide) => (&self.names.slides[slide], DrawnPart::Frame),
@@ -337,13 +343,7 @@ impl SceneWriter<'_> {
                 DrawnPart::Frame => String::new(),
                 from => format!(", from = {}", toml_string(self.part(from))),
             };
-            let line = format!(
-                "{} = {{ ratio = {}, phase = {}{from} }}",
-                key(name),
-                given(ratio),
-                computed(phase)
-            );
-            self.line(&line);
+            self.line(&format!("{} = {{ {law}{from} }}", key(name)));
         }
     }
 

@@ -49,6 +49,7 @@ pub use sweep::{
     columns::{Columns, ExtraColumns},
     curves::curves_csv,
     errors::Missing,
+    path::InputPath,
     steps::{DecimalError, MAX_ROWS, Steps, StepsError, WrittenDecimal},
 };
 pub use tables::{

@@ -54,6 +54,9 @@ static PRESETS: &[Preset] = presets! {
     "ackermann"
     "backhoe"
     "lift-table"
+    "five-bar"
+    "robot-arm"
+    "excavator"
 };
 
 /// Returns all presets, in their order in lists.

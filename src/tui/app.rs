@@ -12,6 +12,7 @@ mod file_watch;
 mod goal_run;
 mod goals;
 mod help_pages;
+mod inputs;
 mod key_dispatch;
 mod mode;
 mod motion_view;
@@ -372,14 +373,15 @@ impl App {
             Action::Slower => self.player.slower(now),
             Action::Faster => self.player.faster(now),
             Action::Reverse => self.player.reverse(now),
-            Action::StepBack => self.step(-self.player.steps.size(), now),
-            Action::StepForward => self.step(self.player.steps.size(), now),
+            Action::StepBack => self.step_selected(-1.0, now),
+            Action::StepForward => self.step_selected(1.0, now),
+            Action::NextInput => self.select_next_input(),
             Action::SmallerStep => self.player.steps.smaller(),
             Action::LargerStep => self.player.steps.larger(),
             Action::Palette => self.list_commands(),
             Action::GoTo => {
                 self.player.playback.pause();
-                self.shell.mode = Mode::GoTo(EditLine::for_number());
+                self.shell.mode = Mode::GoTo(EditLine::for_coordinate());
             }
             Action::Opening => self.player.go_to_opening(now),
             Action::NextPreset => self.open(1),

@@ -194,6 +194,7 @@ fn script_range(preset: &str) -> [&'static str; 3] {
         "lift-table" => ["260.5", "610.5", "50"],
         "backhoe" => ["1", "1.6", "0.1"],
         "scissor-lift" => ["0.5", "1.9", "0.2"],
+        "excavator" => ["1.75", "2.65", "0.1"],
         "excavator-boom" => ["1.7", "3", "0.1"],
         _ => ["37.3", "77.3", "10"],
     }
@@ -330,8 +331,8 @@ fn python_scripts_interpolate_input_tables() {
     }
 }
 
-/// Checks that the script of a chain of four-bars with these names agrees with krank. Returns `false`
-/// if Python is missing.
+/// Checks that the script of a chain of four-bars with these names agrees with krank. Returns
+/// `false` if Python is missing.
 fn agrees_with_names(folder: &std::path::Path, names: &[&str]) -> bool {
     let [a, b, crank, dyads @ ..] = names else {
         panic!("{NAMES} names");
@@ -542,7 +543,8 @@ fn measured_columns_follow_computed_columns() {
     let file = folder.join("run.csv");
     let place = |at: &str| table("four-bar", at, "C.x,C.y");
     let (a, b) = (place("10"), place("20"));
-    // In cm, 1 mm more at 10 deg and 3 mm less at 20 deg: the root mean square is sqrt((1 + 9) / 2).
+    // In cm, 1 mm more at 10 deg and 3 mm less at 20 deg: the root mean square is sqrt((1 + 9) /
+    // 2).
     let text = format!(
         "driver.angle [deg],C.x [cm],C.y [mm]\n10,{},{}\n20,{},{}\n",
         (a[0] + 1.0) / 10.0,

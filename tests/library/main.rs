@@ -11,6 +11,7 @@ mod architecture;
 mod broken;
 mod harmless;
 mod imports;
+mod inputs;
 mod lecture_requirements;
 mod line_order;
 mod machines;

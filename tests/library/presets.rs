@@ -54,7 +54,7 @@ const fn within(name: &'static str, low: f64, high: f64, groups: &'static [Group
 
 use GroupKind::{Coupled, Rpp, Rpr, Rrp, Rrr};
 
-const EXPECTED: [Expected; 35] = [
+const EXPECTED: [Expected; 38] = [
     turning("four-bar", &[Rrr]),
     turning("slider-crank", &[Rrp]),
     turning("press", &[Rrr, Rrr]),
@@ -105,7 +105,8 @@ const EXPECTED: [Expected; 35] = [
     turning("v-twin", &[Rrp, Rrp]),
     turning("radial-engine", &[Rrp; 5]),
     turning("wiper", &[Rrr, Rrr]),
-    // The upright and the upper arm in line: acos((360^2 + AD^2 - 505^2) / 720 AD) about the direction of AD.
+    // The upright and the upper arm in line: acos((360^2 + AD^2 - 505^2) / 720 AD) about the
+    // direction of AD.
     within("double-wishbone", -47.728_843_679_365_4, 180.0, &[Rrr]),
     // Rod and right arm in line: |BD| = 1260 + |DC|, by the law of cosines, minus the direction of
     // B on its arm.
@@ -124,14 +125,25 @@ const EXPECTED: [Expected; 35] = [
     ),
     // The arms folded, 500 - 300, and both upright, 500 + 300.
     within("lift-table", 200.0, 800.0, &[Coupled { unknowns: 0 }, Rpr]),
+    // |AD|^2 = 36400. The two rods in line, |BD| = 280, at acos(-32000 / 200 |AD|) about the direction of D.
+    within("five-bar", -120.0, 173.991_016_802_233_84, &[Rrr]),
+    turning("robot-arm", &[]),
+    // As the excavator's boom: |QP| - |QO| and |QP| + |QO|.
+    within(
+        "excavator",
+        1.648_986_129_579_103,
+        3.038_230_528_524_083,
+        &[Rrr; 4],
+    ),
 ];
 
 /// Stops of presets, within their geometric range: the stroke of a cylinder, the travel of a wheel.
-const STOPS: [(&str, f64, f64); 4] = [
+const STOPS: [(&str, f64, f64); 5] = [
     ("double-wishbone", -15.0, 15.0),
     ("ackermann", -32.0, 32.0),
     ("backhoe", 1.0, 1.65),
     ("lift-table", 250.0, 620.0),
+    ("excavator", 1.7, 2.7),
 ];
 
 /// Number of coordinates over the range; none of them is a limit or a multiple of 90 degrees.

@@ -4,7 +4,7 @@ use crate::nearest::did_you_mean;
 use crate::scene::{Precision, Scene};
 use crate::solver::{AssemblyChoice, Condition, Group, GroupKind, Order, Plan, Solver, State};
 use crate::wording::words;
-use crate::{ElementId, PointId, Slider, Vec2};
+use crate::{ElementId, Input, PointId, Slider, Vec2};
 use std::fmt;
 use std::str::FromStr;
 
@@ -162,6 +162,23 @@ impl Scene {
         ]
         .into_iter()
         .find_map(|(at, precision)| self.started(solver, at, precision))
+    }
+
+    /// Returns the scene with another input as its driver: it moves alone, and all others are held
+    /// where they are while the present driver is at `at`. The scene opens there, in the assembly
+    /// that `solver` follows.
+    ///
+    /// Returns `None` if `input` is none of the inputs, or if `solver` has no state at `at`.
+    #[must_use]
+    pub fn led_by(&self, solver: &Solver, input: Input, at: f64) -> Option<Scene> {
+        let mut state = solver.state();
+        if solver.solve(at, Order::Position, &mut state) == Condition::NoAssembly {
+            return None;
+        }
+        let points = self.mechanism.point_ids();
+        let moving = points.filter(|&point| self.mechanism.point(point).ground.is_none());
+        let start = moving.filter_map(|point| Some((point, state.position(point)?)));
+        self.led_from(start.collect(), input, at)
     }
 
     /// Returns the text with the `[start]` at one coordinate, checked likewise.

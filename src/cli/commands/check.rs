@@ -3,6 +3,7 @@
 
 use crate::cli::failure::Failure;
 use crate::cli::formats::TextOrJson;
+use crate::cli::lead::LeadArgs;
 use crate::cli::output::{OutputArgs, write_scene, write_text};
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene};
@@ -15,6 +16,8 @@ use clap::Args;
 pub(in crate::cli) struct CheckArgs {
     #[command(flatten)]
     scene: SceneArgs,
+    #[command(flatten)]
+    lead: LeadArgs,
     #[arg(help = words().format_of_output())]
     #[arg(long, value_enum, default_value_t = TextOrJson::Text)]
     format: TextOrJson,
@@ -45,7 +48,8 @@ pub(in crate::cli) fn list(screen: TextScreen) -> Result<(), Failure> {
 
 /// Runs `krank check`: prints the interpretation of a scene.
 pub(in crate::cli) fn check(args: &CheckArgs, screen: TextScreen) -> Result<(), Failure> {
-    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
+    let opened = args.scene.open_for(&args.output)?;
+    let SolvableScene { scene, solver } = args.lead.applied_to(opened)?;
     let check = Check::new(&scene, &solver);
     let text = match args.format {
         TextOrJson::Text => check.to_text(screen.ascii),

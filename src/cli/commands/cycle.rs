@@ -3,6 +3,7 @@
 use crate::cli::columns::{entries, figures};
 use crate::cli::failure::Failure;
 use crate::cli::formats::{CsvArgs, OutputFormat, positive};
+use crate::cli::lead::LeadArgs;
 use crate::cli::output::{OutputArgs, write_text, write_to};
 use crate::cli::place::note_near_misses;
 use crate::cli::screen::TextScreen;
@@ -17,6 +18,8 @@ use clap::Args;
 pub(in crate::cli) struct CycleArgs {
     #[command(flatten)]
     scene: SceneArgs,
+    #[command(flatten)]
+    lead: LeadArgs,
     #[arg(help = words().columns_of_cycle())]
     #[arg(long, value_name = "PATTERNS")]
     columns: Vec<String>,
@@ -37,7 +40,8 @@ pub(in crate::cli) struct CycleArgs {
 
 pub(in crate::cli) fn cycle(args: &CycleArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.csv.dialect(args.format)?;
-    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
+    let opened = args.scene.open_for(&args.output)?;
+    let SolvableScene { scene, solver } = args.lead.applied_to(opened)?;
     let columns = match args.columns.is_empty() {
         true => usual_columns(&scene),
         false => named_columns(&scene, &args.columns)?,

@@ -5,6 +5,7 @@ use crate::cli::choice::{OptionValue, OrAuto, one_of};
 use crate::cli::columns::{figures, named};
 use crate::cli::external_values::measured;
 use crate::cli::failure::{Failure, note};
+use crate::cli::lead::LeadArgs;
 use crate::cli::output::{OutputArgs, write_text};
 use crate::cli::picture::{self, ASPECT, GLYPHS, Size};
 use crate::cli::place::note_near_misses;
@@ -46,6 +47,8 @@ pub(in crate::cli) enum PictureFormat {
 pub(in crate::cli) struct PlotArgs {
     #[command(flatten)]
     scene: SceneArgs,
+    #[command(flatten)]
+    lead: LeadArgs,
     #[arg(help = words().columns_to_plot())]
     #[arg(long, value_name = "PATTERNS", required = true)]
     columns: Vec<String>,
@@ -88,7 +91,8 @@ pub(in crate::cli) const SVG: Size = Size {
 pub(in crate::cli) const CHARACTER: Vec2 = Vec2 { x: 8.0, y: 16.0 };
 
 pub(in crate::cli) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Failure> {
-    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
+    let opened = args.scene.open_for(&args.output)?;
+    let SolvableScene { scene, solver } = args.lead.applied_to(opened)?;
     let mut catalogue = Catalogue::new(&scene);
     let quantities = figures(&mut catalogue, &args.columns)?;
     let quantities: Vec<Quantity> = quantities

@@ -4,16 +4,18 @@ use crate::cli::columns::figures;
 use crate::cli::external_values::measured;
 use crate::cli::failure::{Failure, note};
 use crate::cli::formats::{FigureArgs, OutputFormat};
+use crate::cli::lead::LeadArgs;
 use crate::cli::output::{OutputArgs, write_to};
 use crate::cli::place::{
     check_derivative_count, note_missing_derivatives, note_near_misses, note_unproved,
 };
 use crate::cli::rows::{RowEnds, clock, note_constant_speed, steps, times, write_rows};
 use crate::cli::screen::TextScreen;
-use crate::cli::source::{SceneArgs, SolvableScene};
+use crate::cli::source::{SceneArgs, SolvableScene, check_output_differs_from_input, contents};
 use crate::quantity::{Catalogue, Quantity};
 use crate::report::{
-    Columns, ExtraColumns, Missing, RowFormat, Sweep, SweepOutcome, WrittenDecimal, limits_text,
+    Columns, ExtraColumns, InputPath, Missing, RowFormat, Sweep, SweepOutcome, WrittenDecimal,
+    limits_text,
 };
 use crate::scene::Scene;
 use crate::solver::{Order, Range};
@@ -26,6 +28,8 @@ use std::path::{Path, PathBuf};
 pub(in crate::cli) struct SweepArgs {
     #[command(flatten)]
     scene: SceneArgs,
+    #[command(flatten)]
+    lead: LeadArgs,
     #[arg(help = words().first_row())]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
     from: Option<WrittenDecimal>,
@@ -44,6 +48,9 @@ pub(in crate::cli) struct SweepArgs {
     #[arg(help = words().measured_figures())]
     #[arg(long, value_name = "FILE", conflicts_with_all = ["from", "to", "step", "bounds", "sensitivity"])]
     measured: Option<PathBuf>,
+    #[arg(help = words().path_of_inputs())]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["from", "to", "step", "time", "by", "measured", "bounds", "sensitivity"])]
+    path: Option<PathBuf>,
     #[arg(help = words().format_of_output())]
     #[arg(long, value_enum, default_value_t = OutputFormat::Csv)]
     format: OutputFormat,
@@ -60,8 +67,12 @@ pub(in crate::cli) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), 
     let digits = usize::from(args.figures.digits);
     let format = args.figures.csv.rows(args.format, digits)?;
     let opened = args.scene.open_for(&args.output)?;
+    let opened = args.lead.applied_to(opened)?;
     if let Some(file) = &args.measured {
         return sweep_measured(file, args, format, &opened, screen);
+    }
+    if let Some(file) = &args.path {
+        return sweep_path(file, args, format, &opened, screen);
     }
     let SolvableScene { scene, solver } = opened;
     let mut catalogue = Catalogue::new(&scene);
@@ -162,6 +173,48 @@ fn default_range(scene: &Scene, range: Range, quantities: &[Quantity]) -> Range 
             period: period * f64::from(times),
         },
         _ => range,
+    }
+}
+
+/// Runs `krank sweep --path`: writes a row for each row of the file, which has the coordinates of
+/// all inputs.
+fn sweep_path(
+    file: &Path,
+    args: &SweepArgs,
+    format: RowFormat,
+    opened: &SolvableScene,
+    screen: TextScreen,
+) -> Result<(), Failure> {
+    let SolvableScene { scene, solver } = opened;
+    let output = args.output.output.as_deref();
+    check_output_differs_from_input(file, output)?;
+    let shown = file.display().to_string();
+    let path = InputPath::read(scene, &contents(file)?);
+    let path = path.map_err(|why| Failure::Usage(words().import_failed(&shown, &why)))?;
+    let mut catalogue = Catalogue::new(scene);
+    let mut quantities = figures(&mut catalogue, &args.columns)?;
+    // Positions only: a path has no times.
+    if let Some(rate) = quantities.iter().find(|q| q.order() != Order::Position)
+        && !args.columns.is_empty()
+    {
+        return Err(Failure::Usage(words().path_has_no_rates(&rate.name)));
+    }
+    quantities.retain(|quantity| quantity.order() == Order::Position);
+    let columns = Columns::new(catalogue.driver(), &quantities, !args.figures.no_units);
+    let outcome = write_to(output, |out| {
+        path.write((scene, solver), &columns, format, out)
+    })?;
+    let SweepOutcome { rows, valued, .. } = outcome;
+    if valued == rows {
+        return Ok(());
+    }
+    let message = words().poses_out_of_reach(rows - valued, rows);
+    match valued {
+        0 => Err(Failure::Cannot(message)),
+        _ => {
+            note(&message, screen);
+            Ok(())
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::cli::columns::figures;
 use crate::cli::failure::{Failure, note};
 use crate::cli::formats::{FigureArgs, OutputFormat};
+use crate::cli::lead::LeadArgs;
 use crate::cli::output::{OutputArgs, write_to};
 use crate::cli::place::{
     PlaceArgs, check_derivative_count, check_nothing_hidden, none_hidden, note_missing_derivatives,
@@ -21,6 +22,8 @@ use clap::Args;
 pub(in crate::cli) struct TableArgs {
     #[command(flatten)]
     scene: SceneArgs,
+    #[command(flatten)]
+    lead: LeadArgs,
     #[command(flatten)]
     place: PlaceArgs,
     #[arg(help = words().moment_of_motion())]
@@ -42,7 +45,8 @@ pub(in crate::cli) struct TableArgs {
 /// coordinate.
 pub(in crate::cli) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.figures.csv.dialect(args.format)?;
-    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
+    let opened = args.scene.open_for(&args.output)?;
+    let SolvableScene { scene, solver } = args.lead.applied_to(opened)?;
     let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
     let at = match args.time {
         Some(time) => {

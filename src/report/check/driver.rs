@@ -103,6 +103,7 @@ impl CheckedScene<'_> {
     }
 
     fn ratio_text(&self, input: Input, ratio: f64, phase: f64) -> String {
+        let is_held = ratio == 0.0;
         let [ratio, phase] = [ratio, phase].map(|v| concise(v, usize::MAX));
         let own = coordinate_unit(input, self.length);
         let ratio = match own == self.unit {
@@ -110,6 +111,9 @@ impl CheckedScene<'_> {
             false => format!("{ratio} {own}/{}", self.unit),
         };
         let driven = with_kind(input, &self.scene.driven_name(input));
+        if is_held {
+            return words().input_is_held(&driven, &phase, own);
+        }
         words().input_follows(&driven, &ratio, &format!("{phase} {own}"))
     }
 

@@ -5,6 +5,7 @@
 pub(in crate::report) mod columns;
 pub(in crate::report) mod curves;
 pub(in crate::report) mod errors;
+pub(in crate::report) mod path;
 pub(in crate::report) mod steps;
 
 use crate::quantity::{Clock, Hidden, Quantity, demand};

@@ -2,7 +2,7 @@
 
 use super::{App, Mode};
 use crate::scene::with_point;
-use crate::tui::commands::line::EditLine;
+use crate::tui::commands::line::{EditLine, number_of};
 use crate::tui::figures::format::coordinate;
 use crate::tui::player::driver_range::OutOfRange;
 use crate::wording::words;
@@ -11,22 +11,26 @@ use std::time::Duration;
 impl App {
     /// Moves the driver to the typed coordinate, or keeps the line for correction.
     pub(super) fn accept_coordinate(&mut self, line: &EditLine, now: Duration) {
-        match line.number(self.player.open_scene.unit()) {
+        if !self.accept_input(line.text(), now) {
+            self.accept_driver_coordinate(line.text(), now);
+        }
+    }
+
+    /// Moves the driver to the typed coordinate, which has no name before it.
+    pub(super) fn accept_driver_coordinate(&mut self, typed: &str, now: Duration) {
+        let unit = self.player.open_scene.unit();
+        match number_of(typed, unit) {
             Some(at) => {
                 if self.jump(at, now) {
                     self.shell.mode = Mode::Normal;
                 }
             }
-            None if line.text().trim().is_empty() => self.shell.mode = Mode::Normal,
-            None if with_point(line.text()).is_none() => {
+            None if typed.trim().is_empty() => self.shell.mode = Mode::Normal,
+            None if with_point(typed).is_none() => {
                 self.shell
-                    .set_message(words().typed_two_marks(line.text().trim()));
+                    .set_message(words().typed_two_marks(typed.trim()));
             }
-            None => {
-                let unit = self.player.open_scene.unit();
-                self.shell
-                    .set_message(words().no_number_of(unit, line.text()));
-            }
+            None => self.shell.set_message(words().no_number_of(unit, typed)),
         }
     }
 

@@ -124,8 +124,10 @@ impl App {
         }
         self.record_shown_assembly();
         // Recording the shown assembly may have moved the values in the text.
+        let values = self.player.open_scene.scene().values();
         let there = |(value, text): (Value, String)| {
-            Some((self.document.editor.named(&value.name)?.clone(), text))
+            let found = values.iter().find(|other| other.name == value.name);
+            Some((found?.clone(), text))
         };
         let Some(changed) = changed.into_iter().map(there).collect::<Option<Vec<_>>>() else {
             return false;

@@ -28,6 +28,8 @@ pub(crate) enum Action {
     GoTo,
     /// Moves the driver to the scene's start position.
     Opening,
+    /// Selects the next input for the step keys.
+    NextInput,
     /// Lists the assemblies.
     Assemblies,
     /// Saves the scene to its file.
@@ -315,6 +317,7 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         entry(A::Reverse, "reverse", W::reverse, W::play_the_other_way, &[Char('r')]),
         entry(A::GoTo, "go-to", W::go_to, W::type_where_to_go, &[Char('g')]),
         entry(A::Opening, "opening", W::opening, W::where_the_scene_opens, &[Key::Home]),
+        entry(A::NextInput, "input", W::input, W::the_next_input, &[Char('U')]),
         entry(A::Assemblies, "assemblies", W::assemblies, W::other_assemblies, &[Char('a')]),
         ] },
         ActionSection { title: W::the_views, entries: &[

@@ -8,6 +8,8 @@ use crate::wording::words;
 
 /// Maximum length of a number, in bytes; longer ones have no meaning.
 const MAX_NUMBER_LEN: usize = 24;
+/// Maximum length of the name of a link or a slide.
+const MAX_NAME_OF_ELEMENT: usize = 64;
 /// Maximum length of goals and guesses, in bytes.
 const MAX_GOAL_LEN: usize = 4000;
 /// Maximum length of a path, which is the system's limit.
@@ -60,6 +62,14 @@ impl EditLine {
             takes: AcceptedCharacters::Plain,
             is_proposal: false,
             rejection: None,
+        }
+    }
+
+    /// Creates an empty line for a coordinate, which may follow the name of an input.
+    pub(crate) fn for_coordinate() -> EditLine {
+        EditLine {
+            longest: MAX_NAME_OF_ELEMENT + 1 + MAX_NUMBER_LEN,
+            ..EditLine::for_number()
         }
     }
 
@@ -205,15 +215,15 @@ impl EditLine {
     pub(crate) fn clear(&mut self) {
         self.text.clear();
     }
+}
 
-    /// Parses the typed number. Its unit may follow, and a comma is a decimal point if it can be
-    /// nothing else.
-    pub(crate) fn number(&self, unit: &str) -> Option<f64> {
-        let text = self.text.trim();
-        let text = text.strip_suffix(unit).unwrap_or(text).trim_end();
-        let number: f64 = with_point(text)?.parse().ok()?;
-        number.is_finite().then_some(number)
-    }
+/// Parses a typed number. Its unit may follow, and a comma is a decimal point if it can be nothing
+/// else.
+pub(crate) fn number_of(typed: &str, unit: &str) -> Option<f64> {
+    let text = typed.trim();
+    let text = text.strip_suffix(unit).unwrap_or(text).trim_end();
+    let number: f64 = with_point(text)?.parse().ok()?;
+    number.is_finite().then_some(number)
 }
 
 /// Replaces arithmetic signs by those of formulas, and every blank by a plain one, because numbers
@@ -235,7 +245,7 @@ mod tests {
     fn number(text: &str) -> Option<f64> {
         let mut line = EditLine::for_number();
         text.chars().for_each(|c| line.push(c));
-        line.number("deg")
+        number_of(line.text(), "deg")
     }
 
     #[test]

@@ -33,6 +33,8 @@ const STEP_DECIMALS: usize = 9;
 pub(crate) struct Player {
     pub(crate) open_scene: OpenScene,
     pub(crate) steps: StepLadder,
+    /// The name of the held input that the step keys move; `None` for the driver.
+    pub(crate) input: Option<String>,
     pub(crate) playback: Playback,
     /// The time when the last frame was due.
     frame: Duration,
@@ -46,6 +48,7 @@ impl Player {
         let open_scene = OpenScene::new(opened);
         Player {
             steps: steps_of(&open_scene),
+            input: None,
             playback: Playback::new(),
             open_scene,
             frame: Duration::ZERO,
@@ -61,13 +64,18 @@ impl Player {
         let before = std::mem::replace(&mut self.open_scene, open_scene);
         // A reread file may have a slide as its driver instead of a link.
         if turned != self.turns() {
-            self.steps = steps_of(&self.open_scene);
+            self.reset_steps();
         }
         match time.filter(|_| self.open_scene.timetable().is_some()) {
             Some(time) => self.move_to_time(time, now),
             None => self.move_to_coordinate(self.open_scene.driver_range().clamp(at), now),
         }
         before
+    }
+
+    /// Restores the initial step of the driver.
+    pub(crate) fn reset_steps(&mut self) {
+        self.steps = steps_of(&self.open_scene);
     }
 
     fn turns(&self) -> bool {

@@ -1,6 +1,7 @@
 //! Tests the whole workbench, with access to its internals.
 
 mod candidates;
+mod inputs;
 mod monkey;
 mod mouse;
 mod slow_line;

@@ -1,9 +1,12 @@
 //! Defines further inputs, which follow the driver.
 
 use super::{
-    Body, Defect, Driver, ElementId, Input, InputTable, LinkId, Mechanism, PointId, SlideId,
+    Body, Defect, Driver, ElementId, Input, InputTable, LimitOf, LinkId, Mechanism, PointId,
+    SlideId,
 };
+use crate::Vec2;
 use crate::angle::TURN;
+use std::sync::Arc;
 
 /// An input whose coordinate follows the driver's, such as a second crank on the same shaft or a
 /// cylinder switched with another one.
@@ -28,6 +31,17 @@ pub enum InputLaw {
     },
     /// A table of both coordinates.
     Table(InputTable),
+}
+
+impl InputLaw {
+    /// Returns the law of an input that rests at a coordinate.
+    #[must_use]
+    pub fn held(at: f64) -> InputLaw {
+        InputLaw::Ratio {
+            ratio: 0.0,
+            phase: at,
+        }
+    }
 }
 
 impl TimedInput {
@@ -128,6 +142,67 @@ impl Mechanism {
     #[must_use]
     pub fn timed(&self) -> &[TimedInput] {
         &self.parts.timed
+    }
+
+    /// Returns the coordinate of an input where the driver's is `at`; `None` if it is none.
+    #[must_use]
+    pub fn input_coordinate(&self, input: Input, at: f64) -> Option<f64> {
+        if input == self.driver().input {
+            return Some(at);
+        }
+        Some(self.timed_input(input)?.coordinate(at))
+    }
+
+    /// Returns a copy in which another input is the driver and moves alone, at 1 rad/s or 1 unit/s.
+    /// All other inputs are held where they are while the present driver is at `at`, and so are
+    /// factors of loads over the driver's coordinate. The copy opens there, in the assembly nearest
+    /// to the positions `start`.
+    ///
+    /// The limits of the driver itself and of tables end with their motion. Returns `None` if
+    /// `input` is no input of the mechanism.
+    #[must_use]
+    pub fn led_by(&self, input: Input, at: f64, start: Vec<(PointId, Vec2)>) -> Option<Mechanism> {
+        let opening = self.input_coordinate(input, at)?;
+        let is_rotary = self.driver().turns();
+        let others = self.inputs().filter(|&other| other != input);
+        let held = others.filter_map(|other| {
+            let law = InputLaw::held(self.input_coordinate(other, at)?);
+            Some(TimedInput { input: other, law })
+        });
+        let timed = held.collect();
+        let mut led = self.clone();
+        let parts = Arc::make_mut(&mut led.parts);
+        parts.driver = Driver {
+            input,
+            start: opening,
+            speed: 1.0,
+            acceleration: 0.0,
+        };
+        parts.timed = timed;
+        parts.start = start;
+        parts.limits.retain(|limit| limit.of.is_of_element());
+        let loads = std::mem::take(&mut parts.loads).into_iter();
+        parts.loads = loads.map(|load| load.held_at(at, is_rotary)).collect();
+        (parts.typed_rates, parts.converted_rates) = (None, false);
+        Some(led)
+    }
+
+    /// Returns a copy that opens with its inputs at these coordinates, in their order. All but the
+    /// driver are held there.
+    #[must_use]
+    pub fn posed(&self, at: &[f64]) -> Mechanism {
+        let mut posed = self.clone();
+        let parts = Arc::make_mut(&mut posed.parts);
+        if let Some((&first, others)) = at.split_first() {
+            parts.driver.start = first;
+            for (timed, &at) in parts.timed.iter_mut().zip(others) {
+                timed.law = InputLaw::held(at);
+            }
+        }
+        parts
+            .limits
+            .retain(|limit| !matches!(limit.of, LimitOf::Table(_)));
+        posed
     }
 
     /// Returns every input, the driver's first: one per degree of freedom.

@@ -30,6 +30,17 @@ pub enum LimitOf {
     Table(Input),
 }
 
+impl LimitOf {
+    /// Returns `true` for the coordinate of a link or a slide, which is limited whatever drives it.
+    #[must_use]
+    pub fn is_of_element(self) -> bool {
+        match self {
+            LimitOf::Slide(_) | LimitOf::Angle { .. } => true,
+            LimitOf::Driver | LimitOf::Table(_) => false,
+        }
+    }
+}
+
 /// A coordinate bounded by two stops: the motion ends where it meets one.
 ///
 /// Positions are in the scene's length unit, angles in degrees. An angle is tracked along the

@@ -80,6 +80,29 @@ impl Profile {
         unused.map(at).collect()
     }
 
+    /// Returns the value at a coordinate. With `turns`, a profile that spans whole turns repeats.
+    fn value(&self, at: f64, is_rotary: bool) -> f64 {
+        let [first, .., last] = self.knots[..] else {
+            return self.knots.first().map_or(1.0, |knot| knot[1]);
+        };
+        let span = last[0] - first[0];
+        let at = match self.repeats(is_rotary) {
+            true => first[0] + (at - first[0]).rem_euclid(span),
+            false => at,
+        };
+        // The second of two knots at a jump.
+        let behind = self.knots.partition_point(|knot| knot[0] <= at);
+        let before = behind.checked_sub(1).and_then(|k| self.knots.get(k));
+        match (before, self.knots.get(behind)) {
+            (Some(before), Some(behind)) => {
+                let share = (at - before[0]) / (behind[0] - before[0]);
+                before[1] + share * (behind[1] - before[1])
+            }
+            (None, _) => first[1],
+            (Some(_), None) => last[1],
+        }
+    }
+
     /// Returns `true` if the profile is 1 everywhere.
     #[must_use]
     pub fn is_one(&self) -> bool {
@@ -211,6 +234,30 @@ impl Load {
             | Load::Torque { .. }
             | Load::Press { .. }
             | Load::TorsionSpring { .. } => None,
+        }
+    }
+
+    /// Returns the load that remains while the driver rests at a coordinate.
+    pub(super) fn held_at(self, at: f64, is_rotary: bool) -> Load {
+        match self {
+            Load::Force {
+                point,
+                force,
+                frame,
+                over,
+            } => Load::Force {
+                point,
+                force: force * over.value(at, is_rotary),
+                frame,
+                over: Profile::default(),
+            },
+            Load::Torque { link, torque, over } => {
+                Load::torque(link, torque * over.value(at, is_rotary))
+            }
+            Load::Press { .. }
+            | Load::Spring { .. }
+            | Load::GasSpring { .. }
+            | Load::TorsionSpring { .. } => self,
         }
     }
 

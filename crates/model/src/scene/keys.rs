@@ -206,6 +206,7 @@ STEP =
     "dwell": Number(In(Measure::Time), Positive), ["dwell"], dwell_of_step, "";
 
 TIMED =
+    "at": Number(Driver, Any), [], where_an_input_is_held, no_default;
     "ratio": Number(Of(Measure::Factor), Any), [], ratio_of_input, "1";
     "phase": Number(Driver, Any), [], phase_of_input, "0";
     "over": Knots([DriverItself, Driver], "value"), [], table_of_input, no_default;

@@ -48,6 +48,7 @@ mod defect;
 mod elements;
 mod inputs;
 mod keys;
+mod lead;
 mod loading;
 mod names;
 mod numbers;

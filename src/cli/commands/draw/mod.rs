@@ -13,6 +13,7 @@ mod text;
 use crate::PointId;
 use crate::cli::choice::{OrAuto, one_of};
 use crate::cli::failure::{Failure, note};
+use crate::cli::lead::LeadArgs;
 use crate::cli::output::{OutputArgs, write_to, writes_to_terminal};
 use crate::cli::picture::{ASPECT, GLYPHS, Size};
 use crate::cli::place::{PlaceArgs, check_nothing_hidden, out_of_reach, place};
@@ -79,6 +80,8 @@ const MAX_SECONDS: i64 = 60;
 pub(in crate::cli) struct DrawArgs {
     #[command(flatten)]
     scene: SceneArgs,
+    #[command(flatten)]
+    lead: LeadArgs,
     #[command(flatten)]
     place: PlaceArgs,
     #[arg(help = words().trace_points())]
@@ -164,7 +167,8 @@ pub(in crate::cli) fn draw(args: &DrawArgs, screen: TextScreen) -> Result<(), Fa
     if args.format.is_binary && writes_to_terminal(args.output.output.as_deref()) {
         return Err(Failure::Usage(words().no_text(args.format.name)));
     }
-    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
+    let opened = args.scene.open_for(&args.output)?;
+    let SolvableScene { scene, solver } = args.lead.applied_to(opened)?;
     let at = place(&args.place, &scene, &solver, screen);
     let wanted = wanted(args, &scene)?;
     let mut state = solver.state();

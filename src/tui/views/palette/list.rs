@@ -56,9 +56,9 @@ impl CommandList {
         words_of(self.line.text()).1
     }
 
-    /// Lists the matching commands: exact names, then beginnings of words, then the closest, then the
-    /// shortest, and in the table's order if they are equal. Commands that the text spells out, such
-    /// as `w` or `135`, come first.
+    /// Lists the matching commands: exact names, then beginnings of words, then the closest, then
+    /// the shortest, and in the table's order if they are equal. Commands that the text spells out,
+    /// such as `w` or `135`, come first.
     pub(crate) fn narrow(&mut self) {
         let typed = plain(self.line.text());
         let costs = rows().enumerate().filter_map(|(at, row)| {
@@ -94,8 +94,8 @@ fn words_of(typed: &str) -> (&str, &str) {
 
 /// Returns the commands that the typed text spells out, as in vi.
 fn spelled(typed: &str) -> Vec<ListEntry> {
-    let number = with_point(typed.trim()).and_then(|text| text.parse::<f64>().ok());
-    let is_number = number.is_some_and(f64::is_finite);
+    let number = |text: &str| with_point(text).and_then(|text| text.parse::<f64>().ok());
+    let is_number = |text: &str| number(text.trim()).is_some_and(f64::is_finite);
     match words_of(typed) {
         ("w", "") => vec![ListEntry::Command(Action::Save)],
         ("wq", "") => vec![ListEntry::SaveAndQuit],
@@ -108,7 +108,8 @@ fn spelled(typed: &str) -> Vec<ListEntry> {
             let intended = themes.filter(|theme| theme.name().starts_with(name));
             intended.map(ListEntry::Theme).collect()
         }
-        _ if is_number => vec![ListEntry::GoTo],
+        // A coordinate, or the name of an input and its coordinate.
+        (_, rest) if is_number(typed) || is_number(rest) => vec![ListEntry::GoTo],
         _ => Vec::new(),
     }
 }
@@ -293,6 +294,7 @@ mod tests {
             ("e press", ListEntry::OpenFile),
             ("135", ListEntry::GoTo),
             ("-12.5", ListEntry::GoTo),
+            ("r7 45", ListEntry::GoTo),
             ("theme d", ListEntry::Theme(Theme::Dark)),
             ("theme", ListEntry::Theme(Theme::Auto)),
         ] {

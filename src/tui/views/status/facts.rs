@@ -93,10 +93,14 @@ pub(super) fn driver(open_scene: &OpenScene) -> String {
     }
 }
 
-/// Returns the driver coordinate with the time of a motion over time; if the view's rates ignore
-/// that motion, with the driver's speed instead.
+/// Returns the coordinate of the selected input: that of a held input, or the driver's with the
+/// time of a motion over time; if the view's rates ignore that motion, with the driver's speed
+/// instead.
 pub(super) fn driver_in_time(app: &App) -> String {
     let open_scene = app.open_scene();
+    if let Some(input) = app.selected_input() {
+        return shown(&input, app.glyphs()).into_owned();
+    }
     let driver = driver(open_scene);
     let Some(timetable) = open_scene.timetable() else {
         return driver;

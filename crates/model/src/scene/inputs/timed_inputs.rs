@@ -12,6 +12,7 @@ use crate::wording::words;
 use crate::{Input, InputLaw, InputTable, TimedInput};
 
 const INPUT: &str = "r7 = { ratio = 1, phase = 30 }";
+const HELD: &str = "r7 = { at = 30 }";
 const TABLE: &str = "rod = { over = [[1.0, 0.2], [1.3, 0.35]] }";
 
 #[derive(Debug)]
@@ -54,9 +55,14 @@ fn input<'v>(
     let of = words().input_called(&name.to_string());
     let table = reader.open([&of, &of], keys::TIMED, INPUT, value)?;
     reader.only_known(&table);
-    let law = match table.get("over") {
-        Some(over) => by_table(reader, &table, over)?,
-        None => {
+    one_law(reader, &table)?;
+    let law = match (table.get("over"), table.has("at")) {
+        (Some(over), _) => by_table(reader, &table, over)?,
+        (None, true) => DraftInputLaw::Ratio {
+            ratio: 0.0,
+            phase: reader.number_of(&table, "at")?,
+        },
+        (None, false) => {
             let ratio = reader.number_or(&table, "ratio", 1.0);
             let phase = reader.number_or(&table, "phase", 0.0);
             let (ratio, phase) = (ratio?, phase?);
@@ -67,22 +73,30 @@ fn input<'v>(
     Some(DraftTimed { name, law, from })
 }
 
+/// Reports an input with two laws, and returns `None`.
+fn one_law(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<()> {
+    let find = |keys: &[&str]| table.names().find(|key| keys.contains(&key.text));
+    let laws = [find(&["over"]), find(&["at"]), find(&["ratio", "phase"])];
+    let mut laws = laws.into_iter().flatten();
+    if let (Some(law), Some(other)) = (laws.next(), laws.next()) {
+        reader.report(
+            Diagnostic::new(words().input_has_two_laws(&table.of, law.text, other.text))
+                .at(other.span, words().says_the_same_otherwise())
+                .and(law.span, words().one_law())
+                .help(words().for_example(HELD))
+                .help(words().for_example(TABLE)),
+        );
+        return None;
+    }
+    Some(())
+}
+
 fn by_table(
     reader: &mut Reader<'_>,
     table: &KeyTable<'_>,
     over: &WrittenValue<'_>,
 ) -> Option<DraftInputLaw> {
     let span = over.span();
-    let mut others = table.names();
-    if let Some(other) = others.find(|key| ["ratio", "phase"].contains(&key.text)) {
-        reader.report(
-            Diagnostic::new(words().table_beside(&table.of, other.text))
-                .at(other.span, words().says_the_same_otherwise())
-                .and(span, words().the_table())
-                .help(words().for_example(TABLE)),
-        );
-        return None;
-    }
     let what = table.what(reader, "over");
     let knots = profile::over_driver(reader, &what, TABLE, over)?;
     Some(DraftInputLaw::Table { knots, span })

@@ -26,6 +26,8 @@ catalogue! {
         type_where_to_go = "go to a position";
         opening = "opening";
         where_the_scene_opens = "initial position";
+        input = "input";
+        the_next_input = "the next input";
         assemblies = "assemblies";
         other_assemblies = "other assemblies";
 

@@ -34,9 +34,9 @@ catalogue! {
         driver_and_input = "[driver's coordinate, own coordinate]";
         places_must_grow(what: &str, first: &str, second: &str) =
             "{what}: the driver's coordinates must increase from knot to knot, but {second} follows {first}";
-        table_beside(of: &str, key: &str) = "{of} has both a table `over` and `{key}`: keep one of them";
+        input_has_two_laws(of: &str, one: &str, other: &str) = "{of} has both `{one}` and `{other}`: keep one of them";
         says_the_same_otherwise = "a second rule for the same input";
-        the_table = "the table";
+        one_law = "the first rule";
         table_does_not_close(of: &str, first: f64, last: f64) =
             "{of}: the table covers whole turns of the driver, but starts at {first} and ends at {last}, so it \
              cannot repeat";

@@ -109,6 +109,24 @@ catalogue! {
             let intended = intended.map_or(String::new(), |intended| format!("; {intended}"));
             format!("the scene has no value `{name}`{intended}")
         };
+        input_is_held(name: &str, at: &str, unit: &str) = "{name} is held at {at} {unit}";
+        no_held_inputs = "the scene holds no input; `r7 = { at = 30 }` in [inputs] holds one";
+        keys_step_the_driver(name: &str) = "the step keys move the driver, {name}";
+        keys_step_an_input(name: &str, at: &str, unit: &str) = "the step keys move {name}, held at {at} {unit}";
+        input_is_not_held(name: &str) = "{name} follows the driver; give it `at` in [inputs] to hold it";
+        path_too_long(most: usize) = "more than {most} rows";
+        path_is_empty = "no row of numbers below the names of the inputs";
+        path_names_twice(name: &str) = "two columns are called `{name}`";
+        path_row_has_cells(line: u64, cells: usize, names: usize) =
+            "line {line} has {cells} cells, and the first one {names}";
+        path_cell(line: u64, name: &str, cell: &str) =
+            "line {line}: `{cell}` below `{name}` is not a number without a unit";
+        path_has_no_rates(name: &str) = "`{name}` needs a speed, and the rows of `--path` have no times; name positions only";
+        poses_out_of_reach(outside: u64, rows: u64) = "{outside} of {rows} rows cannot be reached by the inputs";
+        no_input_named(name: &str, names: &str, meant: Option<&str>) = {
+            let meant = meant.map_or(String::new(), |meant| format!("; {meant}"));
+            format!("the scene has no input `{name}`; its inputs: {names}{meant}")
+        };
         follows_from_formula(value: &str, formula: &str) =
             "{value} is given by {formula}: press Enter to edit";
         follows_from_parameters(value: &str, formula: &str, names: &str) =

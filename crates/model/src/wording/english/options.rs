@@ -153,6 +153,10 @@ catalogue! {
         folder_of_manual = "The folder of the web site; files of the same names are replaced";
         place_of_driver =
             "The driver's angle in deg, or the position of a driven slide [default: where the scene opens]";
+        path_of_inputs =
+            "A CSV file with the coordinates of the inputs, a column for each, named after its link or slide; writes a row for each";
+        input_that_moves =
+            "The input that moves, by the name of its link or slide; all other inputs are held [default: the driver]";
         assembly_of_group = "The assembly of a group where the scene opens, as check lists them; separated by commas";
         write_to_a_file = "Write to a file instead of standard output, completely or not at all";
         add_to_version = "With --version: also print the features, target, profile and licence of this build";

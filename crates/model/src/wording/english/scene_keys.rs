@@ -36,6 +36,8 @@ catalogue! {
         opening_angle =
             "direction of the driven link's x axis where the scene opens, in deg; required unless `points` is a list";
         opening_position = "position of a driven slide where the scene opens: along the guide from `through`";
+        where_an_input_is_held =
+            "instead of all others: the coordinate at which the input is held, in deg or, for a slide, in the scene's `unit`";
         ratio_of_input = "change of its coordinate per 1 of the driver's, each in degrees or the scene's `unit`";
         phase_of_input = "its coordinate where the driver's is 0: the direction of a link's x axis in deg, or the position of a slide";
         table_of_input =
@@ -76,10 +78,10 @@ catalogue! {
         origin_by_default = "the origin of the link's frame";
         distance_of_place = "its distance";
         direction_of_place = "its direction in deg, from the link's x axis";
-        mass_of_link = "in kg; needs `com`";
-        inertia_of_link = "about the centre of mass in kg m^2; needs `com`";
         distances_of_place = "or: its distances from two points, as the sides of a triangle";
         side_of_place = "its side of the line from the first of the two points to the second: `\"left\"` or `\"right\"`";
+        mass_of_link = "in kg; needs `com`";
+        inertia_of_link = "about the centre of mass in kg m^2; needs `com`";
         pin_in_the_slot = "the pin that moves in the slot, free to turn";
         link_without_turning = "or: the link that slides without turning, its origin on the guide";
         what_carries_the_guide = "the body that carries the guide: `\"ground\"` or a link";
@@ -139,9 +141,9 @@ catalogue! {
         // Defaults.
         name_of_the_file = "the file's name";
         no_default = "none";
+        direction_if_drawn = "as drawn";
         unit_speed = "1 rad/s, or 1 unit/s";
         no_vector_by_default = "no vector";
-        direction_if_drawn = "as drawn";
         the_lower_end = "the lower end";
         unknown_by_default = "unknown";
     }

@@ -26,6 +26,8 @@ catalogue! {
         type_where_to_go = "bir konuma git";
         opening = "açılış";
         where_the_scene_opens = "başlangıç konumu";
+        input = "giriş";
+        the_next_input = "sonraki giriş";
         assemblies = "montajlar";
         other_assemblies = "diğer montaj biçimleri";
 

@@ -37,9 +37,9 @@ catalogue! {
         places_must_grow(what: &str, first: &str, second: &str) =
             "{what}: tahrikin koordinatları düğümden düğüme artmalı, ama {first} değerinden sonra {second} \
              geliyor";
-        table_beside(of: &str, key: &str) = "{of}: hem `over` tablosu hem `{key}` var: birini bırakın";
+        input_has_two_laws(of: &str, one: &str, other: &str) = "{of}: hem `{one}` hem `{other}` var: birini bırakın";
         says_the_same_otherwise = "aynı giriş için ikinci bir kural";
-        the_table = "tablo";
+        one_law = "ilk kural";
         table_does_not_close(of: &str, first: f64, last: f64) =
             "{of}: tablo tahrikin tam turlarını kapsıyor, ama {first} değerinde başlayıp {last} değerinde \
              bitiyor, bu yüzden yinelenemez";

@@ -103,6 +103,24 @@ catalogue! {
             let intended = intended.map_or(String::new(), |intended| format!("; {intended}"));
             format!("sahnede `{name}` adında değer yok{intended}")
         };
+        input_is_held(name: &str, at: &str, unit: &str) = "{name}, {at} {unit} değerinde tutulur";
+        no_held_inputs = "sahnede tutulan giriş yok; [inputs] içinde `r7 = { at = 30 }` bir giriş tutar";
+        keys_step_the_driver(name: &str) = "adım tuşları tahriki, {name} girişini hareket ettirir";
+        keys_step_an_input(name: &str, at: &str, unit: &str) = "adım tuşları {name} girişini hareket ettirir; tutulduğu yer {at} {unit}";
+        input_is_not_held(name: &str) = "{name} tahriki izler; tutmak için [inputs] içinde `at` verin";
+        path_too_long(most: usize) = "{most} satırdan fazla";
+        path_is_empty = "girişlerin adları altında sayı satırı yok";
+        path_names_twice(name: &str) = "iki sütunun adı `{name}`";
+        path_row_has_cells(line: u64, cells: usize, names: usize) =
+            "satır {line}: {cells} hücre var, ilk satırda {names}";
+        path_cell(line: u64, name: &str, cell: &str) =
+            "satır {line}: `{name}` altındaki `{cell}` birimsiz bir sayı değil";
+        path_has_no_rates(name: &str) = "`{name}` için hız gerekir, `--path` satırlarında zaman yok; yalnız konum adlandırın";
+        poses_out_of_reach(outside: u64, rows: u64) = "{rows} satırın {outside} tanesine girişler ulaşamıyor";
+        no_input_named(name: &str, names: &str, meant: Option<&str>) = {
+            let meant = meant.map_or(String::new(), |meant| format!("; {meant}"));
+            format!("sahnede `{name}` adında giriş yok; girişleri: {names}{meant}")
+        };
         follows_from_formula(value: &str, formula: &str) =
             "{value}, {formula} ile veriliyor: yazmak için Enter";
         follows_from_parameters(value: &str, formula: &str, names: &str) =

@@ -125,6 +125,10 @@ catalogue! {
         format_web = "El kitabı, web sitesi olarak: her konuya bir sayfa";
         folder_of_manual = "Web sitesinin klasörü; aynı adlı dosyaların yerine yenileri yazılır";
         place_of_driver = "Tahrik açısı deg olarak ya da tahrik kızağının konumu [yoksa: sahnenin açıldığı yer]";
+        path_of_inputs =
+            "Girişlerin koordinatlarını içeren CSV dosyası, uzvunun ya da kızağının adıyla her giriş için bir sütun; her satır için bir satır yazar";
+        input_that_moves =
+            "Hareket eden giriş, uzvunun ya da kızağının adıyla; öteki girişler tutulur [yoksa: tahrik]";
         assembly_of_group =
             "Sahnenin açıldığı yerde bir grubun montaj biçimi, check çıktısındaki gibi; virgülle ayrılır";
         write_to_a_file = "Standart çıktı yerine dosyaya yazın, ya tam ya hiç";

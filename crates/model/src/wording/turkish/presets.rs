@@ -1,5 +1,5 @@
-//! Turkish translations of the titles, sources and notes in the built-in scenes, and of the titles of
-//! the built-in tasks. A changed text has no translation and is shown as it is.
+//! Turkish translations of the titles, sources and notes in the built-in scenes, and of the titles
+//! of the built-in tasks. A changed text has no translation and is shown as it is.
 
 /// Returns the translation of a text in a built-in scene, or any other text unchanged.
 pub(super) fn said(text: &str) -> &str {
@@ -8,7 +8,7 @@ pub(super) fn said(text: &str) -> &str {
 }
 
 #[rustfmt::skip]
-const TEXTS: [(&str, &str); 109] = [
+const TEXTS: [(&str, &str); 117] = [
     (
         "Four-bar crank-rocker",
         "Dört çubuk, krank-sarkaç",
@@ -444,5 +444,37 @@ const TEXTS: [(&str, &str); 109] = [
     (
         "Stirrer",
         "Karıştırıcı",
+    ),
+    (
+        "Five-bar of two motors",
+        "İki motorlu beş çubuk",
+    ),
+    (
+        "dimensions chosen for krank; the base of 120 and the arms of 100 and 140 are those of a common exercise",
+        "boyutlar krank için seçildi; 120 taban ile 100 ve 140 kollar, yaygın bir alıştırmanın ölçüleri",
+    ),
+    (
+        "Two motors on the ground move the point P in the plane. One of them moves while the other is held: the inputs r2 and r5.",
+        "Şasedeki iki motor P noktasını düzlemde hareket ettirir. Biri hareket ederken öteki tutulur: r2 ve r5 girişleri.",
+    ),
+    (
+        "Robot arm of two motors",
+        "İki motorlu robot kolu",
+    ),
+    (
+        "The motor of the shoulder is on the ground, and that of the elbow on the upper arm. Each holds the weight of the arm while the other one moves.",
+        "Omuz motoru şasede, dirsek motoru üst koldadır. Biri hareket ederken öteki kolun ağırlığını tutar.",
+    ),
+    (
+        "Excavator with three cylinders",
+        "Üç silindirli ekskavatör",
+    ),
+    (
+        "The cylinders of boom, arm and bucket are three inputs. The boom's cylinder moves while the other two are held at their lengths.",
+        "Bom, kol ve kepçe silindirleri üç giriştir. Bom silindiri hareket ederken öteki ikisi kendi boylarında tutulur.",
+    ),
+    (
+        "dimensions chosen for krank",
+        "boyutlar krank için seçildi",
     ),
 ];

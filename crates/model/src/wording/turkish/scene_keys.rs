@@ -36,6 +36,8 @@ catalogue! {
         the_pushed_slide = "ya da: tahrik edilen kızak";
         opening_angle = "sahnenin açıldığı yerde tahrik uzvunun x ekseninin yönü, deg olarak; `points` liste değilse zorunlu";
         opening_position = "tahrik edilen kızağın açılıştaki konumu: kılavuz boyunca `through` noktasından";
+        where_an_input_is_held =
+            "ötekilerin yerine: girişin tutulduğu koordinat, deg olarak ya da kızakta sahnenin `unit` birimiyle";
         ratio_of_input =
             "tahrikin koordinatının 1 artışına karşılık kendi koordinatının değişimi: her biri derece ya da \
              sahnenin `unit` birimi";
@@ -74,10 +76,10 @@ catalogue! {
         origin_by_default = "uzvun eksen takımının başlangıcı";
         distance_of_place = "uzaklığı";
         direction_of_place = "yönü, uzvun x ekseninden, deg olarak";
-        mass_of_link = "kg olarak; `com` gerekir";
-        inertia_of_link = "ağırlık merkezine göre, kg m^2 olarak; `com` gerekir";
         distances_of_place = "ya da: iki noktadan uzaklıkları, bir üçgenin kenarları gibi";
         side_of_place = "ilk noktadan ikincisine giden doğrunun hangi yanında olduğu: `\"left\"` (sol) ya da `\"right\"` (sağ)";
+        mass_of_link = "kg olarak; `com` gerekir";
+        inertia_of_link = "ağırlık merkezine göre, kg m^2 olarak; `com` gerekir";
         pin_in_the_slot = "yarıkta hareket eden pim, dönmekte serbest";
         link_without_turning = "ya da: dönmeden kayan uzuv, başlangıcı kılavuzun üstünde";
         what_carries_the_guide = "kılavuzu taşıyan cisim: `\"ground\"` ya da bir uzuv";
@@ -130,9 +132,9 @@ catalogue! {
         // Defaults.
         name_of_the_file = "dosyanın adı";
         no_default = "yok";
+        direction_if_drawn = "çizimdeki yön";
         unit_speed = "1 rad/s ya da 1 birim/s";
         no_vector_by_default = "vektör yok";
-        direction_if_drawn = "çizimdeki yön";
         the_lower_end = "alttaki uç";
         unknown_by_default = "bilinmiyor";
     }

@@ -1,0 +1,150 @@
+//! Steps held inputs: each step or typed coordinate is an edit of its value `at`.
+
+use super::{App, Mode};
+use crate::Input;
+use crate::scene::Value;
+use crate::tui::document::history::Deed;
+use crate::tui::player::steps::StepLadder;
+use crate::wording::words;
+use std::time::Duration;
+
+impl App {
+    /// Selects the next input for the step keys: the driver, then each held input.
+    pub(super) fn select_next_input(&mut self) {
+        let held: Vec<String> = self.held_inputs().map(|(name, _)| name).collect();
+        if held.is_empty() {
+            self.shell.set_message(words().no_held_inputs());
+            return;
+        }
+        let selected = self.player.input.as_ref();
+        let next = match selected.and_then(|name| held.iter().position(|other| other == name)) {
+            None => held.first(),
+            Some(at) => held.get(at + 1),
+        };
+        self.select_input(next.cloned());
+    }
+
+    /// Selects a held input for the step keys, or the driver.
+    fn select_input(&mut self, name: Option<String>) {
+        let found = name.and_then(|name| self.held_value(&name));
+        let Some((input, value)) = found else {
+            self.player.input = None;
+            self.player.reset_steps();
+            let scene = self.player.open_scene.scene();
+            let driver = scene.input_name(scene.mechanism.driver().input);
+            let message = words().keys_step_the_driver(driver);
+            self.shell.set_message(message);
+            return;
+        };
+        let scene = self.player.open_scene.scene();
+        let name = scene.input_name(input).to_owned();
+        let message = words().keys_step_an_input(&name, &value.text(), value.unit);
+        self.player.steps = match input {
+            Input::Turn(_) => StepLadder::of_angle(),
+            Input::Push(_) => StepLadder::of_length(value.number.abs()),
+        };
+        self.player.input = Some(name);
+        self.shell.set_message(message);
+    }
+
+    /// Returns the held inputs with their names.
+    fn held_inputs(&self) -> impl Iterator<Item = (String, Input)> {
+        let scene = self.player.open_scene.scene();
+        let values = scene.values();
+        let inputs = scene.mechanism.timed().iter().map(|timed| timed.input);
+        inputs.filter_map(move |input| {
+            let name = scene.input_name(input).to_owned();
+            let is_held = values.iter().any(|value| value.name == held_name(&name));
+            is_held.then_some((name, input))
+        })
+    }
+
+    /// Returns the held input of this name, with the value of its coordinate.
+    fn held_value(&self, name: &str) -> Option<(Input, Value)> {
+        let scene = self.player.open_scene.scene();
+        let mut inputs = scene.mechanism.timed().iter().map(|timed| timed.input);
+        let input = inputs.find(|&input| scene.input_name(input) == name)?;
+        let mut values = scene.values().into_iter();
+        Some((input, values.find(|value| value.name == held_name(name))?))
+    }
+
+    /// Moves the selected input by a step: the driver, or a held input.
+    pub(super) fn step_selected(&mut self, sense: f64, now: Duration) {
+        let by = sense * self.player.steps.size();
+        let selected = self.player.input.as_deref();
+        let Some((_, value)) = selected.and_then(|name| self.held_value(name)) else {
+            return self.step(by, now);
+        };
+        if value.formula.is_some() {
+            return self.report_dependencies(&value);
+        }
+        let step = Deed::Nudge(value.name.clone());
+        self.replace_value(&value, value.moved(by), step, now);
+    }
+
+    /// Moves the input named on a line, `r7 45`, or selects it for the step keys, `r7`. Returns
+    /// `false` for a line without a name.
+    pub(super) fn accept_input(&mut self, line: &str, now: Duration) -> bool {
+        let line = line.trim();
+        let (name, number) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
+        let scene = self.player.open_scene.scene();
+        let input = match scene.input_named(name) {
+            Ok(input) => input,
+            Err(why) => {
+                let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic());
+                let names_an_input = is_name && !number.is_empty();
+                if names_an_input {
+                    self.shell.set_message(why);
+                }
+                return names_an_input;
+            }
+        };
+        let is_driver = input == scene.mechanism.driver().input;
+        let held = self.held_value(name);
+        if held.is_none() && !is_driver {
+            self.shell.set_message(words().input_is_not_held(name));
+            return true;
+        }
+        if number.trim().is_empty() {
+            self.select_input(Some(name.to_owned()));
+            self.shell.mode = Mode::Normal;
+            return true;
+        }
+        let Some((_, value)) = held else {
+            // The coordinate of the driver, as without its name.
+            self.accept_driver_coordinate(number.trim(), now);
+            return true;
+        };
+        match value.typed(number) {
+            Ok(text) => {
+                let edit = Deed::Other(value.name.clone());
+                if self.replace_value(&value, text, edit, now) {
+                    self.shell.mode = Mode::Normal;
+                }
+            }
+            Err(why) => self.shell.set_message(why.to_string()),
+        }
+        true
+    }
+
+    /// Returns the selected held input with its coordinate, such as `r7 45 deg`; `None` for the
+    /// driver.
+    pub(crate) fn selected_input(&self) -> Option<String> {
+        let name = self.player.input.as_ref()?;
+        let (input, _) = self.held_value(name)?;
+        let scene = self.player.open_scene.scene();
+        let at = scene
+            .mechanism
+            .input_coordinate(input, self.player.open_scene.at())?;
+        let unit = match input {
+            Input::Turn(_) => "deg",
+            Input::Push(_) => scene.unit.symbol(),
+        };
+        Some(format!("{name} {at} {unit}"))
+    }
+}
+
+/// Returns the name of the value at which an input is held.
+fn held_name(input: &str) -> String {
+    format!("{input} at")
+}
