@@ -99,7 +99,7 @@ fn typing_filters_the_list_immediately() {
     let list: Vec<&str> = screen.lines().skip(1).take(22).collect();
     assert_eq!(collapse_blanks(&pane(&list.join("\n"), false)), found);
     let lines = [
-        "Open a scene search: ram 4 of 40",
+        "Open a scene search: ram 4 of 43",
         "| Press with a ram",
         "| 5 links, 1 slide, unit mm; r2 turns fully",
         "| without turning, so the tool below its pin",
@@ -114,7 +114,7 @@ fn typing_filters_the_list_immediately() {
         .type_in("walk")
         .painted_text();
     assert!(
-        screen.contains("search: LEG walk") && screen.contains("2 of 40"),
+        screen.contains("search: LEG walk") && screen.contains("2 of 43"),
         "{screen}"
     );
     assert!(screen.contains("> jansen-leg"), "{screen}");
@@ -126,13 +126,13 @@ fn typing_filters_the_list_immediately() {
     );
     let nothing = session.type_in("q?").painted_text();
     assert!(nothing.contains("no match; Ctrl-U"), "{nothing}");
-    assert!(nothing.contains("0 of 40"), "{nothing}");
+    assert!(nothing.contains("0 of 43"), "{nothing}");
     // The list is empty, and Enter does nothing.
     assert_eq!(
         session.press("Enter Down Up PgDn Right").painted_text(),
         nothing
     );
-    assert!(session.press("Ctrl-U").painted_text().contains("40 of 40"));
+    assert!(session.press("Ctrl-U").painted_text().contains("43 of 43"));
 }
 
 #[test]
@@ -335,6 +335,6 @@ fn printable_keys_search_and_other_keys_do_no_harm() {
     session.workbench.resize(19, 5);
     assert!(session.painted_text().contains("krank needs"));
     session.workbench.resize(40, 12);
-    assert!(session.press("Ctrl-U").painted_text().contains("40 of 40"));
+    assert!(session.press("Ctrl-U").painted_text().contains("43 of 43"));
     assert!(!session.workbench.press("Ctrl-C"));
 }
