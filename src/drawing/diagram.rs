@@ -31,6 +31,8 @@ pub struct DiagramArrow {
     pub name: String,
     /// The vector's kind.
     pub kind: ArrowKind,
+    /// The vector of a loop to which it belongs; empty if it belongs to none.
+    pub vector: String,
 }
 
 /// The kind of a diagram's vector.
@@ -109,13 +111,25 @@ impl VectorDiagram {
 
     /// Adds a vector. One that is not finite is left out.
     pub fn add(&mut self, from: Vec2, to: Vec2, name: impl Into<String>, kind: ArrowKind) {
+        self.add_of("", from, to, &name.into(), kind);
+    }
+
+    /// Adds a vector that belongs to a vector of a loop.
+    pub(crate) fn add_of(
+        &mut self,
+        vector: &str,
+        from: Vec2,
+        to: Vec2,
+        name: &str,
+        kind: ArrowKind,
+    ) {
         if from.is_finite() && to.is_finite() {
-            let name = name.into();
             self.arrows.push(DiagramArrow {
                 from,
                 to,
-                name,
+                name: name.to_owned(),
                 kind,
+                vector: vector.to_owned(),
             });
         }
     }
@@ -148,13 +162,27 @@ impl VectorDiagram {
     /// Returns the diagram in characters, line by line.
     #[must_use]
     pub fn characters(&self) -> Vec<String> {
+        let figure = self.figure(|_| Role::Velocity);
+        let extents = Extents::of_places(&self.places(), &[]);
+        let (cols, maximum) = CHARACTERS;
+        let of_rows = |rows| WorldView::fit(&extents, cols, rows, CELL_ASPECT);
+        let drawn = render(
+            &figure,
+            &WorldView::lowest_window(maximum, of_rows),
+            Glyphs::Ascii,
+        );
+        lines_drawn(&drawn.text())
+    }
+
+    /// Returns the figure of the vectors with their names, each with the role of its vector.
+    pub(crate) fn figure(&self, role_of: impl Fn(&DiagramArrow) -> Role) -> Figure {
         let mut figure = Figure::new();
         for arrow in &self.arrows {
             let (from, to) = (arrow.from, arrow.to);
             figure.add(Shape::Arrow {
                 from,
                 to,
-                role: Role::Velocity,
+                role: role_of(arrow),
                 cut: false,
             });
             figure.add(Shape::Label {
@@ -169,22 +197,15 @@ impl VectorDiagram {
             figure.add(Shape::Arrow {
                 from: middle,
                 to,
-                role: Role::Velocity,
+                role: role_of(arrow),
                 cut: false,
             });
         }
-        let extents = Extents::of_places(&self.places(), &[]);
-        let (cols, maximum) = CHARACTERS;
-        let of_rows = |rows| WorldView::fit(&extents, cols, rows, CELL_ASPECT);
-        let drawn = render(
-            &figure,
-            &WorldView::lowest_window(maximum, of_rows),
-            Glyphs::Ascii,
-        );
-        lines_drawn(&drawn.text())
+        figure
     }
 
-    fn places(&self) -> Vec<Vec2> {
+    /// Returns the ends of all vectors.
+    pub(crate) fn places(&self) -> Vec<Vec2> {
         self.arrows.iter().flat_map(|a| [a.from, a.to]).collect()
     }
 }

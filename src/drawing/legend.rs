@@ -42,7 +42,7 @@ const GAP: &str = "   ";
 
 impl LegendEntry {
     /// Creates the arrow of a round value, with `cells_each` cell widths per unit.
-    pub(super) fn arrow(role: Role, letter: &str, unit: &str, cells_each: f64) -> LegendEntry {
+    pub(crate) fn arrow(role: Role, letter: &str, unit: &str, cells_each: f64) -> LegendEntry {
         let value = round_up(MIN_LEN / cells_each);
         match value {
             Some(value) => LegendEntry::Arrow {

@@ -35,7 +35,7 @@ impl Raster {
     }
 
     /// Clears the raster to `cols` x `rows`, keeping the memory.
-    pub(super) fn reset(&mut self, cols: u16, rows: u16) {
+    pub(crate) fn reset(&mut self, cols: u16, rows: u16) {
         self.cols = cols;
         self.rows = rows;
         self.cells.clear();

@@ -13,6 +13,7 @@ mod document;
 mod exercise;
 mod external_comparison;
 mod forces;
+mod loop_polygons;
 mod motor;
 mod sweep;
 mod synthesis;
@@ -74,7 +75,8 @@ pub use tolerance::{
 pub use verdict::{Verdict, VerdictPart, motion_text};
 pub use working::{
     Agreement, Guess, GuessError, InstantCentre, LoopVector, LoopVectors, PointMotion, PointParts,
-    PositionMethod, VectorFigure, WorkedMethod, WorkedState, Working, WorkingNotation, WorkingPart,
+    PositionMethod, RelativeMotion, VectorFigure, WorkedMethod, WorkedState, Working,
+    WorkingNotation, WorkingPart,
 };
 #[cfg(feature = "tui")]
 pub(crate) use {

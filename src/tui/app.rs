@@ -188,6 +188,7 @@ impl App {
         Language::current_language().next().speak();
         self.views.motor = MotorStudy::default();
         self.views.working.forget();
+        self.views.polygons.forget();
         self.previews.forget();
         self.player.open_scene.rebuild_texts();
         if let Some(list) = &mut self.candidates {

@@ -277,7 +277,12 @@ struct Session<T> {
     frame_is_due: bool,
     /// `true` if that justifies a new frame before the last one is completely sent.
     anew: bool,
+    /// `true` if more than the clock has caused the next frame.
+    is_requested: bool,
 }
+
+/// The frame limit in bytes below which playback sends only the drawing: that of 19,200 baud.
+const MOTION_ONLY_LIMIT: usize = 500;
 
 /// The signal by which the process is to end; `None` for a normal exit.
 type EndSignal = Option<i32>;
@@ -290,6 +295,7 @@ impl<T: Console> Session<T> {
             workbench,
             frame_is_due: true,
             anew: true,
+            is_requested: true,
         }
     }
 
@@ -330,7 +336,9 @@ impl<T: Console> Session<T> {
         }
         self.frame_is_due = true;
         // An animation waits for a slow line: halves of two different frames would show neither.
-        self.anew |= events.iter().any(|wake| *wake != Wake::Room);
+        let is_requested = events.iter().any(|wake| *wake != Wake::Room);
+        self.anew |= is_requested;
+        self.is_requested |= is_requested;
         // All pending events are handled before one frame shows the result.
         self.take_all(events)
     }
@@ -351,7 +359,12 @@ impl<T: Console> Session<T> {
         let space = self.tty.max_frame_len();
         let frame = if self.anew {
             self.workbench.app().measure_cost();
-            self.workbench.paint_within(space)
+            let is_requested = std::mem::take(&mut self.is_requested);
+            if is_requested || space >= MOTION_ONLY_LIMIT {
+                self.workbench.paint_within(space)
+            } else {
+                self.workbench.paint_motion(space)
+            }
         } else {
             self.workbench.paint_rest(space)
         };

@@ -32,6 +32,8 @@ pub struct Workbench {
     still: Still,
     /// The bytes that remove the last image, not sent yet.
     removal: &'static [u8],
+    /// `true` if the last frame showed a message.
+    had_message: bool,
 }
 
 impl Workbench {
@@ -118,6 +120,7 @@ impl Workbench {
             sent: Vec::new(),
             still: Still::default(),
             removal: &[],
+            had_message: false,
         }
     }
 
@@ -166,14 +169,35 @@ impl Workbench {
     /// Paints a frame for a line with capacity for about `room` bytes: urgent areas first, and the
     /// rest by [`Workbench::paint_rest`].
     pub(super) fn paint_within(&mut self, space: usize) -> &[u8] {
+        self.compose();
+        self.painter.frame(&views::urgent(&self.app), space)
+    }
+
+    /// Paints a frame of the playback for a slow line: only the drawing and the lines with the
+    /// driver's position. The rest of the screen stays as it is until the next
+    /// [`Workbench::paint_within`].
+    pub(super) fn paint_motion(&mut self, space: usize) -> &[u8] {
+        let had_message = self.had_message;
+        self.compose();
+        if !had_message && self.app.only_moves() {
+            let moving = views::moving(&self.app, &self.sketch);
+            if !moving.is_empty() {
+                self.painter.keep_outside(&moving);
+            }
+        }
+        self.painter.frame(&views::urgent(&self.app), space)
+    }
+
+    /// Renders the wanted screen.
+    fn compose(&mut self) {
         self.app.update_before_frame();
         let app = &self.app;
+        self.had_message = app.message().is_some();
         views::prepare(app, &mut self.sketch);
         self.painter.paint_with(app.palette());
         let canvas = self.painter.canvas(views::area(app));
         views::render(app, &self.sketch, canvas);
         self.uncover();
-        self.painter.frame(&views::urgent(&self.app), space)
     }
 
     /// Continues a cut frame, with the screen as it was then.

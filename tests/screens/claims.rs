@@ -39,6 +39,9 @@ pub(crate) fn spelled(screen: &str) -> String {
         ("┘", "+"),
         ("┬", "+"),
         ("┤", "+"),
+        ("├", "+"),
+        ("┼", "+"),
+        ("═", "="),
         ("◄", "<"),
         ("►", ">"),
         ("▲", "^"),
@@ -138,7 +141,7 @@ pub(crate) fn drawing(body: &str) -> String {
 }
 
 /// Characters of the bar between two panes, and of its junctions with titles.
-const BARS: [char; 5] = ['|', '│', '┬', '┤', '+'];
+const BARS: [char; 7] = ['|', '│', '┬', '┤', '├', '┼', '+'];
 
 /// Asserts that a ghost only adds dots to blank cells, or Braille dots to dotted cells. Names may
 /// give way to dots, and the window may have moved. Returns the number of changed cells.

@@ -53,7 +53,10 @@ impl DrawingPane {
             glyphs.contains(&cell.map_or("", |cell| cell.contents()))
         };
         let body = 1..rows - 2;
-        let bar = (20..cols).find(|col| body.clone().all(|row| is(row, *col, &["│", "┬", "┤"])));
+        let bar = (20..cols).find(|col| {
+            body.clone()
+                .all(|row| is(row, *col, &["│", "┬", "┤", "├", "┼"]))
+        });
         let end = bar.unwrap_or(cols);
         // On a narrow screen without panes, the tables lie below, under a rule or their own titles.
         let below = |row: &u16| {
@@ -149,7 +152,8 @@ fn every_frame_has_tabs_panes_values_and_state() {
         assert!(last.contains("ok") && last.contains(" motion "), "{place}");
         // Panes.
         let titles = lines[1];
-        let panes = ["tables", "scene"].map(|pane| titles.contains(&format!("─ {pane} ─")));
+        let panes = [("tables", titles), ("scene", &screen)]
+            .map(|(pane, text)| text.contains(&format!("─ {pane} ─")));
         let plots = screen.contains("\n─ plots ─");
         let expected = match (cols, rows) {
             (200, _) => ([true, true], true),

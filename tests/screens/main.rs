@@ -45,6 +45,7 @@ mod picker;
 mod player;
 #[cfg(feature = "tui")]
 mod plots;
+mod polygons;
 #[cfg(feature = "tui")]
 mod scene;
 #[cfg(feature = "tui")]

@@ -4,10 +4,10 @@
 use super::{ReportedState, picture};
 use crate::Vec2;
 use crate::angle;
-use crate::drawing::{ArrowKind, DiagramArc, VectorDiagram};
+use crate::drawing::{ArrowKind, VectorDiagram};
 use crate::page::{Illustration, Page, Table};
 use crate::report::text::number::{direction, significant};
-use crate::report::working::{LoopVector, LoopVectors, PointMotion, VectorFigure};
+use crate::report::working::{LoopVector, LoopVectors, PointMotion};
 use crate::solver::Order;
 use crate::wording::words;
 use std::sync::Arc;
@@ -21,7 +21,7 @@ impl ReportedState<'_> {
     /// Adds the closed polygon of the vectors of each loop.
     pub(super) fn polygons(&self, page: &mut Page) {
         for (number, of) in self.loops.iter().enumerate() {
-            if let Some(diagram) = polygon(of, self.scene.unit.symbol()) {
+            if let Some(diagram) = of.polygon(Order::Position, self.scene.unit.symbol()) {
                 let sum = match self.loops.len() {
                     1 => words().polygon_drawn(&of.sum),
                     _ => words().polygon_of_loop(number + 1, &of.sum),
@@ -136,35 +136,6 @@ fn show(
     );
 }
 
-/// Draws the vectors of a loop, head to tail, with the angles at their tails; returns `None`
-/// without an assembly.
-fn polygon(of: &LoopVectors, unit: &str) -> Option<VectorDiagram> {
-    let mut diagram = VectorDiagram {
-        unit: unit.to_owned(),
-        ..VectorDiagram::default()
-    };
-    let mut at = Vec2::ZERO;
-    for side in &of.vectors {
-        let vector = side.vector?;
-        let (tail, next) = match side.is_reversed {
-            false => (at, at + vector),
-            true => (at - vector, at - vector),
-        };
-        let is_own = |figure: &VectorFigure| figure.is_sought && figure.found_by.is_none();
-        let is_sought = side.figures[0].iter().any(is_own);
-        let kind = match (side.is_driven, is_sought) {
-            (true, _) => ArrowKind::Driven,
-            (false, true) => ArrowKind::Sought,
-            (false, false) => ArrowKind::Given,
-        };
-        diagram.add(tail, tail + vector, side.name.as_str(), kind);
-        let (to, name) = side.theta.clone();
-        diagram.arcs.push(DiagramArc { at: tail, to, name });
-        at = next;
-    }
-    Some(diagram)
-}
-
 /// Draws velocities or accelerations from one pole, with the components of which they are sums.
 fn from_pole(motions: &[&PointMotion], order: Order, unit: &str) -> VectorDiagram {
     let is_velocity = order == Order::Velocity;
@@ -219,64 +190,4 @@ fn from_pole(motions: &[&PointMotion], order: Order, unit: &str) -> VectorDiagra
         }
     }
     diagram
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::page::ArtElement;
-    use crate::report::Working;
-    use crate::scene::{Scene, presets};
-    use crate::solver::Solver;
-
-    /// Returns the vectors of a polygon in drawing order.
-    fn drawn(diagram: &VectorDiagram) -> Vec<Vec2> {
-        let art = diagram.artwork("loop");
-        let of = |element: &ArtElement| match element {
-            ArtElement::Path { runs, class, .. }
-                if ["given", "driven", "sought"].contains(&class.as_str()) =>
-            {
-                Some(runs[0][1] - runs[0][0])
-            }
-            _ => None,
-        };
-        art.elements().iter().filter_map(of).collect()
-    }
-
-    #[test]
-    fn polygons_of_presets_close_throughout_motion() {
-        let mut closed = 0;
-        for preset in presets::all() {
-            let scene = Scene::parse(preset.text, preset.name).unwrap();
-            let solver = Solver::new(&scene.mechanism).unwrap();
-            let working = Working::new(&scene, &solver);
-            let mut state = solver.state();
-            let (low, high) = solver.motion().range.ends();
-            for k in 0..=4 {
-                // Rounding may put the sum beyond the end.
-                let at = (low + (high - low) * f64::from(k) / 4.0).min(high);
-                let _ = solver.solve(at, Order::Acceleration, &mut state);
-                for of in working.loop_vectors(&scene, &solver, &state, 6) {
-                    let diagram = polygon(&of, "mm").unwrap();
-                    let drawn = drawn(&diagram);
-                    // A vector of length zero is not drawn.
-                    let has_length = |v: &&LoopVector| v.vector.unwrap().norm() > 1e-9;
-                    let vectors: Vec<_> = of.vectors.iter().filter(has_length).collect();
-                    assert_eq!(vectors.len(), drawn.len(), "{} at {at}", preset.name);
-                    let terms = vectors.into_iter().zip(drawn);
-                    let sum = terms.fold(Vec2::ZERO, |sum, (vector, line)| {
-                        sum + if vector.is_reversed { -line } else { line }
-                    });
-                    assert!(
-                        sum.norm() < 1.0,
-                        "{} at {at}: {} {sum:?}",
-                        preset.name,
-                        of.sum
-                    );
-                    closed += 1;
-                }
-            }
-        }
-        assert!(closed > 150, "{closed}");
-    }
 }

@@ -47,7 +47,8 @@ pub use context::Agreement;
 pub use methods::{Guess, GuessError, PositionMethod, WorkedMethod};
 pub use point_parts::{PointMotion, PointParts};
 pub use symbols::WorkingNotation;
-pub use vectors::{LoopVector, LoopVectors, VectorFigure};
+pub(super) use symbols::of_point;
+pub use vectors::{LoopVector, LoopVectors, RelativeMotion, VectorFigure};
 
 use crate::page::Page;
 use crate::scene::Scene;

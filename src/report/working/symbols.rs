@@ -54,7 +54,7 @@ pub(super) fn accel(name: &str) -> String {
 }
 
 /// Returns the symbol of a point's value: aB, but `a_r3.com`.
-pub(super) fn of_point(figure: &str, name: &str) -> String {
+pub(in crate::report) fn of_point(figure: &str, name: &str) -> String {
     if name.len() <= 2 {
         format!("{figure}{name}")
     } else {

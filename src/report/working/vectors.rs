@@ -10,7 +10,7 @@ use super::symbols;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
 use crate::wording::words;
-use crate::{SlideId, Vec2};
+use crate::{Body, SlideId, Vec2};
 
 /// A loop of vectors.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +36,25 @@ pub struct LoopVector {
     pub theta: (f64, String),
     /// Length and angle, for each order of derivative.
     pub figures: [[VectorFigure; 2]; 3],
+    /// The motion of its head relative to its tail.
+    pub motion: RelativeMotion,
+}
+
+/// The motion of a vector's head relative to its tail, split along and across the vector.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RelativeMotion {
+    /// The name of the head; if only the tail moves, that of the tail, to which the components then
+    /// belong.
+    pub of: String,
+    /// The suffix of the symbol, such as `/B`; empty if the other end is fixed.
+    pub about: String,
+    /// `true` if only the tail moves.
+    pub is_of_tail: bool,
+    /// The velocity along the vector and across it; `None` if there are no rates.
+    pub velocity: Option<[Vec2; 2]>,
+    /// The acceleration: the centripetal one, the tangential one, Coriolis's, and that along the
+    /// vector.
+    pub acceleration: Option<[Vec2; 4]>,
 }
 
 /// A value of a vector.
@@ -127,6 +146,54 @@ fn vector(context: &Context<'_>, of: &Loop, term: Term) -> LoopVector {
         theta: (reading.theta, side.theta()),
         figures: [Order::Position, Order::Velocity, Order::Acceleration]
             .map(|order| figures(context, of, (side, reading), order)),
+        motion: relative_motion(context, side, reading),
+    }
+}
+
+fn relative_motion(context: &Context<'_>, side: &Side, reading: &SideReading) -> RelativeMotion {
+    let [is_tail_fixed, is_head_fixed] = [&side.tail, &side.head].map(|name| {
+        let mechanism = &context.scene.mechanism;
+        let mut points = mechanism.point_ids();
+        match points.find(|&point| context.scene.point_name(point) == Some(name.as_str())) {
+            Some(point) => mechanism.point(point).ground.is_some(),
+            // An invented point of a guide.
+            None => match side.shape {
+                SideShape::Slide(slide) => mechanism.slide(slide).on == Body::Ground,
+                _ => false,
+            },
+        }
+    });
+    let is_of_tail = is_head_fixed && !is_tail_fixed;
+    let of = if is_of_tail { &side.tail } else { &side.head };
+    let about = match is_tail_fixed || is_head_fixed {
+        true => String::new(),
+        false => format!("/{}", side.tail),
+    };
+    let sign = if is_of_tail { -1.0 } else { 1.0 };
+    let SideReading {
+        r,
+        rate,
+        accel,
+        omega,
+        alpha,
+        u,
+        ..
+    } = *reading;
+    let (along, across) = (u * sign, u.perp() * sign);
+    let exists = context.has_rates();
+    RelativeMotion {
+        of: of.clone(),
+        about,
+        is_of_tail,
+        velocity: exists.then(|| [along * rate, across * (r * omega)]),
+        acceleration: exists.then(|| {
+            [
+                along * (-r * omega * omega),
+                across * (r * alpha),
+                across * (2.0 * rate * omega),
+                along * accel,
+            ]
+        }),
     }
 }
 

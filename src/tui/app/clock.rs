@@ -58,6 +58,12 @@ impl App {
         [frame, message].into_iter().flatten().min()
     }
 
+    /// Returns `true` if the playback alone changes the screen until the next key.
+    pub(crate) fn only_moves(&self) -> bool {
+        let is_playing = self.player.playback.is_playing() && self.shell.mode.is_normal();
+        is_playing && !self.is_working() && self.shell.message.is_none()
+    }
+
     /// Resumes playback from the same position after the process was suspended.
     pub(crate) fn wake(&mut self, now: Duration) {
         self.player.rebase(now);

@@ -332,6 +332,7 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         entry(A::Look(View::Working), "working", W::working, W::the_working_shown, &[Char('7')]),
         entry(A::Look(View::Motor), "motor", W::motor, W::the_motor_over_a_cycle, &[Char('8')]),
         entry(A::Look(View::Lengths), "lengths", W::lengths, W::what_each_length_does, &[Char('9'), Char('e')]),
+        entry(A::Look(View::Polygons), "polygons", W::polygons, W::vectors_of_each_loop, &[Char('0')]),
         ] },
         ActionSection { title: W::the_panes, entries: &[
         entry(A::NextPane, "pane", W::pane, W::the_next_pane, &[Char(';')]),

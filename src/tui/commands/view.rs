@@ -24,11 +24,13 @@ pub enum View {
     Working,
     /// The motor's duty over a cycle.
     Motor,
+    /// The position, velocity and acceleration polygon of each loop.
+    Polygons,
 }
 
 impl View {
     /// All views, in the order of their keys.
-    pub(crate) const ALL: [View; 9] = [
+    pub(crate) const ALL: [View; 10] = [
         View::Motion,
         View::Tables,
         View::Plots,
@@ -38,6 +40,7 @@ impl View {
         View::Working,
         View::Motor,
         View::Lengths,
+        View::Polygons,
     ];
 
     fn row(self) -> &'static ViewRow {
@@ -92,5 +95,6 @@ static ROWS: [ViewRow; View::ALL.len()] = {
         row(View::Working, "working", W::working_line_by_line, W::in_the_working),
         row(View::Motor, "motor", W::motor_over_a_cycle, W::in_the_motor_view),
         row(View::Lengths, "lengths", W::lengths_and_figures, W::in_the_lengths_view),
+        row(View::Polygons, "polygons", W::polygons_of_each_loop, W::in_the_polygons_view),
     ]
 };

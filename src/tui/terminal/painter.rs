@@ -124,6 +124,18 @@ impl Painter {
         &mut self.wanted
     }
 
+    /// Keeps the terminal's contents outside some areas in the wanted screen.
+    pub(crate) fn keep_outside(&mut self, areas: &[Rect]) {
+        if self.stale || self.shown.area != self.wanted.area {
+            return;
+        }
+        for at in self.wanted.area.positions() {
+            if !areas.iter().any(|area| area.contains(at)) {
+                self.wanted[at].clone_from(&self.shown[at]);
+            }
+        }
+    }
+
     /// Returns the bytes that update the terminal, `urgent` parts first; none if it is up to date.
     /// About `room` bytes at most: [`Painter::is_cut`] says whether that was enough.
     pub(crate) fn frame(&mut self, urgent: &[Rect], space: usize) -> &[u8] {

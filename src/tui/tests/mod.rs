@@ -5,6 +5,7 @@ mod inputs;
 mod monkey;
 mod mouse;
 mod slow_line;
+mod space;
 mod stage;
 mod tolerances;
 

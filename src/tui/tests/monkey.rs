@@ -390,7 +390,12 @@ fn check(app: &App) {
     }
     let scrolls = matches!(
         app.view(),
-        View::Accuracy | View::Lengths | View::Motion | View::Working | View::Motor
+        View::Accuracy
+            | View::Lengths
+            | View::Motion
+            | View::Working
+            | View::Motor
+            | View::Polygons
     );
     if app.mode().is_normal() && scrolls {
         let maximum = views::max_scroll(app);

@@ -17,22 +17,27 @@ const SIZE: Size = Size::new(80, 24);
 const HALF_A_SECOND: Duration = Duration::from_millis(500);
 
 fn workbench(at: Option<f64>) -> Workbench {
+    workbench_on(at, SIZE)
+}
+
+fn workbench_on(at: Option<f64>, size: Size) -> Workbench {
     let capability = Capability {
         glyphs: Glyphs::Braille,
         colours: Colours::Indexed,
         modern: true,
     };
     let opened = opening::preset(presets::find("four-bar").unwrap()).unwrap();
-    Workbench::on(opened, at, capability, SIZE)
+    Workbench::on(opened, at, capability, size)
 }
 
-fn emulator() -> vt100::Parser {
-    let [rows, cols] = [SIZE.height, SIZE.width].map(|n| NonZeroU16::new(n).unwrap());
+fn emulator(size: Size) -> vt100::Parser {
+    let [rows, cols] = [size.height, size.width].map(|n| NonZeroU16::new(n).unwrap());
     vt100::Parser::new(rows, cols, 0)
 }
 
 fn rows(terminal: &vt100::Parser) -> Vec<String> {
-    terminal.screen().rows(0, SIZE.width).collect()
+    let (_, width) = terminal.screen().size();
+    terminal.screen().rows(0, width.get()).collect()
 }
 
 fn last_row(rows: &[String]) -> &str {
@@ -41,7 +46,7 @@ fn last_row(rows: &[String]) -> &str {
 
 /// Returns the rows that a line of unlimited speed shows.
 fn shown_at_once(at: Option<f64>, keys: &str) -> Vec<String> {
-    let (mut workbench, mut terminal) = (workbench(at), emulator());
+    let (mut workbench, mut terminal) = (workbench(at), emulator(SIZE));
     assert!(workbench.press(keys));
     terminal.process(workbench.paint());
     rows(&terminal)
@@ -58,10 +63,14 @@ struct Slow {
 impl Slow {
     /// Opens the four-bar and waits until its first screen is complete.
     fn open(rate: u32) -> Slow {
-        let line = SlowLine::new(rate, SIZE);
+        Slow::open_on(rate, SIZE)
+    }
+
+    fn open_on(rate: u32, size: Size) -> Slow {
+        let line = SlowLine::new(rate, size);
         let mut slow = Slow {
-            session: Session::new(line, workbench(None)),
-            terminal: emulator(),
+            session: Session::new(line, workbench_on(None, size)),
+            terminal: emulator(size),
             shown: 0,
         };
         slow.settle();
@@ -236,6 +245,45 @@ fn playback_keeps_pace_with_clock() {
         );
     }
     assert!(last > 600.0, "{last}");
+}
+
+/// The last row is sent before the drawing, and both before the next last row. So each angle in the
+/// last row is that of a drawing.
+#[test]
+fn playback_shows_three_drawings_per_second_and_one_on_large_screen() {
+    for (size, minimum) in [
+        (SIZE, 3.0),
+        (Size::new(120, 40), 1.5),
+        (Size::new(200, 60), 1.0),
+    ] {
+        let mut slow = Slow::open_on(SLOW_LINE_RATE, size);
+        slow.press("space");
+        // The key itself is answered by a frame of the whole screen.
+        slow.pass(Duration::from_secs(4));
+        let mut angles: Vec<f64> = Vec::new();
+        let seconds = 20;
+        for _ in 0..seconds * 20 {
+            slow.pass(Duration::from_millis(50));
+            angles.extend(angle(&rows(&slow.terminal)));
+            angles.dedup();
+        }
+        let shown = (angles.len() - 1) as f64 / f64::from(seconds);
+        assert!(shown >= minimum, "{size}: {shown} drawings per second");
+    }
+}
+
+/// The tables pause during playback and are complete after it.
+#[test]
+fn pausing_playback_completes_screen() {
+    let mut slow = Slow::open(SLOW_LINE_RATE);
+    slow.press("space");
+    slow.pass(Duration::from_secs(3));
+    slow.press("space");
+    slow.settle();
+    let expected = slow.session.workbench.text();
+    let shown: Vec<String> = rows(&slow.terminal);
+    let shown: Vec<&str> = shown.iter().map(|row| row.trim_end()).collect();
+    assert_eq!(shown, expected.lines().collect::<Vec<_>>());
 }
 
 /// The terminal has answered so far, and then stops.

@@ -104,6 +104,13 @@ impl LayoutName {
     }
 }
 
+/// The space that the contents of panes need.
+pub(crate) trait PaneNeeds {
+    /// Returns the number of rows of a view at a width, without its title; `None` if it is unknown
+    /// or has no limit.
+    fn rows(&self, view: View, width: u16) -> Option<u16>;
+}
+
 /// The user's arrangement of the panes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Composition {
@@ -147,16 +154,26 @@ impl Composition {
     }
 
     /// Returns the shown panes with their areas in `body`.
-    pub(crate) fn placed(&self, looked_at: View, screen: Size, body: Rect) -> Vec<PlacedView> {
+    pub(crate) fn placed(
+        &self,
+        looked_at: View,
+        screen: Size,
+        body: Rect,
+        needs: &impl PaneNeeds,
+    ) -> Vec<PlacedView> {
         let views = self.visible_views(looked_at, screen);
         if let [view] = *views {
-            return vec![PlacedView {
-                view,
-                title: None,
-                area: body,
+            // A maximized drawing has its title, and no tables next to it.
+            return vec![match self.is_alone(screen) && view == View::Motion {
+                true => titled(view, body),
+                false => PlacedView {
+                    view,
+                    title: None,
+                    area: body,
+                },
             }];
         }
-        let frames = frames(views.len(), screen, body, self.split).into_iter();
+        let frames = frames(&views, screen, body, self.split, needs).into_iter();
         let placed = views.into_iter().zip(frames);
         placed.map(|(view, frame)| titled(view, frame)).collect()
     }
@@ -254,42 +271,132 @@ fn titled(view: View, frame: Rect) -> PlacedView {
     }
 }
 
+/// The columns next to the drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum SideColumns {
+    /// One column with one pane.
+    One(u16),
+    /// One column with two panes, of which the upper one has this height.
+    Stacked(u16, u16),
+    /// Two columns.
+    Two(u16, u16),
+}
+
+impl SideColumns {
+    /// Returns the columns in which as many panes as possible show all of their lines. Wider columns
+    /// leave the drawing its share of the screen.
+    fn of(views: &[View], screen: Size, body: Rect, needs: &impl PaneNeeds) -> SideColumns {
+        let percent = SIDE_COLUMN_PERCENT[views.len().clamp(2, 4) - 2];
+        let usual = percent_of(body.width, percent).min(MAX_SIDE_WIDTH);
+        let share = SHARES[usize::from(views.len() > 2)];
+        let cells = share * f64::from(screen.width) * f64::from(screen.height);
+        let below = match views.get(2) {
+            Some(view) => height_below(*view, usual, needs),
+            None => 0,
+        };
+        let rows = f64::from(body.height.saturating_sub(below).max(1));
+        // The separator counts as part of the drawing. The cast saturates.
+        let room = body.width.saturating_sub((cells / rows).ceil() as u16);
+        let widths = usual..=MAX_SIDE_WIDTH.min(room).max(usual);
+        let height = body.height.saturating_sub(1);
+        let rows = |at: usize, width| needs.rows(views[at], width);
+        let fits = |at: usize, width| rows(at, width).is_some_and(|rows| rows <= height);
+        if views.len() < 4 {
+            let width = widths.clone().find(|width| fits(1, *width));
+            return SideColumns::One(width.unwrap_or(usual));
+        }
+        let both = |width| Some((rows(1, width)?, rows(3, width)?));
+        let stacked = widths.clone().find_map(|width| {
+            let (upper, lower) = both(width)?;
+            let spare = height.checked_sub(upper.checked_add(lower)?.checked_add(1)?)?;
+            // Each pane gets its part of the spare rows.
+            let share = f64::from(upper) / f64::from((upper + lower).max(1));
+            let more = (f64::from(spare) * share).floor() as u16;
+            Some(SideColumns::Stacked(width, 1 + upper + more))
+        });
+        if let Some(stacked) = stacked {
+            return stacked;
+        }
+        let most = room.saturating_sub(usual + 1).min(MAX_SIDE_WIDTH);
+        let mut wider = (usual..=most).filter(|_| fits(3, usual));
+        if let Some(width) = wider.find(|width| fits(1, *width)) {
+            return SideColumns::Two(width, usual);
+        }
+        let is_short = |rows: u16| height.saturating_sub(rows) > height / 3;
+        let width = *widths.end();
+        match (both(usual), both(width)) {
+            // A short pane next to a scrolling one gives it its spare rows.
+            (Some((1.., lower)), Some((upper, _))) if is_short(upper) && lower > height => {
+                SideColumns::Stacked(width, 1 + upper)
+            }
+            (Some((upper, _)), Some((_, lower))) if upper > height && is_short(lower) => {
+                SideColumns::Stacked(width, height.saturating_sub(lower))
+            }
+            _ => SideColumns::Two(usual, usual),
+        }
+    }
+}
+
 /// Returns the frames of two or more panes; adjacent columns are separated by a line.
-fn frames(count: usize, screen: Size, body: Rect, split: i8) -> Vec<Rect> {
-    let asides: u16 = if count > 3 { 2 } else { 1 };
-    let percent = SIDE_COLUMN_PERCENT[count.clamp(2, 4) - 2];
-    let aside = percent_of(body.width, percent).min(MAX_SIDE_WIDTH);
-    let drawing = body.width.saturating_sub(asides * (aside + 1));
-    let rest = body.width.saturating_sub((asides - 1) * (aside + 1));
-    let drawing = moved(drawing, rest, split);
+fn frames(
+    views: &[View],
+    screen: Size,
+    body: Rect,
+    split: i8,
+    needs: &impl PaneNeeds,
+) -> Vec<Rect> {
+    let columns = SideColumns::of(views, screen, body, needs);
+    let (aside, third) = match columns {
+        SideColumns::One(width) | SideColumns::Stacked(width, _) => (width, 0),
+        SideColumns::Two(width, third) => (width, third + 1),
+    };
+    let rest = body.width.saturating_sub(third);
+    let drawing = moved(rest.saturating_sub(aside + 1), rest, split);
     let side = rest.saturating_sub(drawing + 1);
     let column = |x, width| Rect {
         x: body.x + x,
         width,
         ..body
     };
+    let below = |frame: Rect, height: u16| Rect {
+        y: frame.y + height,
+        height: frame.height.saturating_sub(height),
+        ..frame
+    };
     let mut frames = vec![column(0, drawing), column(drawing + 1, side)];
-    if count > 2 {
-        let height = drawing_rows(screen, drawing, body.height);
+    if views.len() > 2 {
+        let wanted = height_below(views[2], drawing, needs);
+        let height = drawing_rows(screen, drawing, body.height, wanted);
         frames[0].height = height;
-        frames.push(Rect {
-            y: body.y + height,
-            height: body.height - height,
-            ..column(0, drawing)
-        });
+        frames.push(below(column(0, drawing), height));
     }
-    if count > 3 {
-        frames.push(column(drawing + side + 2, aside));
+    match columns {
+        SideColumns::One(_) => {}
+        SideColumns::Stacked(_, height) => {
+            frames[1].height = height;
+            frames.push(below(column(drawing + 1, side), height));
+        }
+        SideColumns::Two(_, third) => frames.push(column(drawing + side + 2, third)),
     }
     frames
 }
 
-/// Returns the height of the drawing above another pane, such that it gets its share of the screen.
-fn drawing_rows(screen: Size, width: u16, height: u16) -> u16 {
+/// Returns the height with the title that a pane below the drawing should have: a plot as much as
+/// its panels need.
+fn height_below(view: View, width: u16, needs: &impl PaneNeeds) -> u16 {
+    let rows = needs.rows(view, width).filter(|_| view == View::Plots);
+    rows.map_or(0, |rows| rows.saturating_add(1))
+        .max(MIN_HEIGHT_BELOW)
+}
+
+/// Returns the height of the drawing above another pane, such that it gets its share of the screen,
+/// and at least half of the height if the other pane then has the rows that it wants.
+fn drawing_rows(screen: Size, width: u16, height: u16, wanted_below: u16) -> u16 {
     let cells = SHARES[1] * f64::from(screen.width) * f64::from(screen.height);
     let rows = (1..height).find(|rows| f64::from(*rows) * f64::from(width) >= cells);
     let maximum = height.saturating_sub(MIN_HEIGHT_BELOW);
-    rows.unwrap_or(height).max(height / 2).min(maximum)
+    let half = (height / 2).min(height.saturating_sub(wanted_below));
+    rows.unwrap_or(height).max(half).min(maximum)
 }
 
 #[cfg(test)]
@@ -299,6 +406,31 @@ mod tests {
     /// Returns the screen without its first line and its last two.
     fn body(screen: Size) -> Rect {
         Rect::new(0, 1, screen.width, screen.height.saturating_sub(3))
+    }
+
+    /// Panes whose needs are unknown.
+    struct Unknown;
+
+    impl PaneNeeds for Unknown {
+        fn rows(&self, _view: View, _width: u16) -> Option<u16> {
+            None
+        }
+    }
+
+    /// Panes with these numbers of cells in the tables and of rows in the scene.
+    struct Known {
+        table_cells: u16,
+        scene_rows: u16,
+    }
+
+    impl PaneNeeds for Known {
+        fn rows(&self, view: View, width: u16) -> Option<u16> {
+            match view {
+                View::Tables => Some(self.table_cells.div_ceil(width)),
+                View::Scene => Some(self.scene_rows),
+                _ => None,
+            }
+        }
     }
 
     fn sizes() -> impl Iterator<Item = Size> {
@@ -374,7 +506,7 @@ mod tests {
                 let mut composition = Composition::of(layout);
                 composition.split = split;
                 let body = body(size);
-                let placed = composition.placed(View::Motion, size, body);
+                let placed = composition.placed(View::Motion, size, body, &Unknown);
                 let mut cells = 0;
                 for (n, pane) in placed.iter().enumerate() {
                     let frame = pane.title.map_or(pane.area, |title| title.union(pane.area));
@@ -402,7 +534,7 @@ mod tests {
     #[test]
     fn drawing_has_its_share_of_screen() {
         for (layout, size) in all() {
-            let placed = Composition::of(layout).placed(View::Motion, size, body(size));
+            let placed = Composition::of(layout).placed(View::Motion, size, body(size), &Unknown);
             let share = match placed.len() {
                 1 => continue,
                 2 => SHARES[0],
@@ -429,7 +561,8 @@ mod tests {
                 let mut before: Vec<PlacedView> = Vec::new();
                 for height in 34..=90 {
                     let size = Size::new(width, height);
-                    let placed = Composition::of(layout).placed(View::Motion, size, body(size));
+                    let placed =
+                        Composition::of(layout).placed(View::Motion, size, body(size), &Unknown);
                     // A plot gets the space that the drawing leaves.
                     for pane in before.iter().filter(|pane| pane.view != View::Plots) {
                         let now = placed.iter().find(|now| now.view == pane.view).unwrap();
@@ -441,12 +574,69 @@ mod tests {
         }
     }
 
+    /// No pane is more than one third empty while another one scrolls, and everything that fits into
+    /// some arrangement is shown.
+    #[test]
+    fn spare_rows_go_to_panes_that_need_them() {
+        let size = Size::new(200, 60);
+        for table_cells in (400..=6000).step_by(200) {
+            for scene_rows in (5..=120).step_by(5) {
+                let needs = Known {
+                    table_cells,
+                    scene_rows,
+                };
+                let placed = Composition::default().placed(View::Motion, size, body(size), &needs);
+                let panes = [&placed[1], &placed[3]].map(|pane| {
+                    let rows = needs.rows(pane.view, pane.area.width).unwrap();
+                    let height = pane.area.height;
+                    (rows > height, height.saturating_sub(rows) > height / 3)
+                });
+                let scrolls = panes.iter().any(|(scrolls, _)| *scrolls);
+                let is_empty = panes.iter().any(|(_, is_empty)| *is_empty);
+                assert!(
+                    !(scrolls && is_empty),
+                    "{table_cells} {scene_rows}: {placed:?}"
+                );
+                let fits = table_cells.div_ceil(44) + scene_rows < 56;
+                assert!(!(fits && scrolls), "{table_cells} {scene_rows}: {placed:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn tables_widen_until_all_rows_fit() {
+        let size = Size::new(120, 40);
+        let width = |table_cells| {
+            let needs = Known {
+                table_cells,
+                scene_rows: 0,
+            };
+            let placed = Composition::default().placed(View::Motion, size, body(size), &needs);
+            // The drawing keeps its share of the screen.
+            assert!(placed[0].area.height < 30 && placed[2].area.height >= 7);
+            placed[1].area.width
+        };
+        assert_eq!(width(30 * 43), 43);
+        assert_eq!(width(36 * 48), 48);
+        assert_eq!(width(36 * 90), 43, "no width is enough");
+    }
+
+    #[test]
+    fn maximized_pane_is_alone_and_has_its_title() {
+        let size = Size::new(120, 40);
+        let mut composition = Composition::default();
+        assert!(composition.toggle_alone(size));
+        let placed = composition.placed(View::Motion, size, body(size), &Unknown);
+        assert_eq!(placed.len(), 1);
+        assert!(placed[0].title.is_some() && placed[0].area.width == 120);
+    }
+
     #[test]
     fn split_moves_within_screen() {
         let size = Size::new(120, 40);
         let mut composition = Composition::default();
         let width = |composition: &Composition| {
-            composition.placed(View::Motion, size, body(size))[0]
+            composition.placed(View::Motion, size, body(size), &Unknown)[0]
                 .area
                 .width
         };

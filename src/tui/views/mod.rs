@@ -22,7 +22,9 @@ pub(crate) mod motor;
 mod page;
 pub(crate) mod palette;
 mod pane;
+pub(crate) mod placement;
 pub(crate) mod plots;
+pub(crate) mod polygons;
 mod popup;
 mod question;
 pub(crate) mod recovery_offer;
@@ -74,6 +76,7 @@ impl View {
             View::Lengths => &lengths::LengthsView,
             View::Working => &working::WorkingView,
             View::Motor => &motor::MotorView,
+            View::Polygons => &polygons::PolygonsView,
         }
     }
 }
@@ -117,6 +120,20 @@ pub(crate) fn urgent(app: &App) -> [Rect; 2] {
         false => last.union(text),
     };
     [answer, overlay]
+}
+
+/// Returns the areas that move during playback on a slow line: the drawing, the line below it with
+/// the position in the cycle, and the last line. Empty if no drawing is visible.
+pub(crate) fn moving(app: &App, sketch: &Sketch) -> Vec<Rect> {
+    let Some(drawing) = sketch.area() else {
+        return Vec::new();
+    };
+    let area = full_area(app.size());
+    let cycle = Rect {
+        height: drawing.height + 1,
+        ..drawing
+    };
+    vec![cycle, row(area, area.height - 1)]
 }
 
 /// Renders the whole screen into an empty buffer.
@@ -208,9 +225,18 @@ fn pane_of(view: View, is_among_others: bool) -> &'static dyn Pane {
 
 /// Returns the shown views and their areas.
 fn placed(app: &App) -> Vec<PlacedView> {
-    let size = app.size();
-    app.composition()
-        .placed(app.view(), size, body(full_area(size)))
+    app.views.placement.of(app)
+}
+
+/// Returns the shown views, each with the number of its lines and of the visible ones.
+#[cfg(test)]
+pub(crate) fn extents(app: &App) -> Vec<(View, usize, usize)> {
+    let placed = placed(app).into_iter();
+    let extent = |pane: PlacedView| {
+        let (lines, visible) = pane_of(pane.view, pane.title.is_some()).extent(app, pane.area);
+        (pane.view, lines, visible)
+    };
+    placed.map(extent).collect()
 }
 
 /// Returns the current view's pane and its area.

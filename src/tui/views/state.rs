@@ -7,7 +7,9 @@ use super::lengths::LengthsStudy;
 use super::motion::tracked_points::FollowedPoints;
 use super::motion::viewport::Viewport;
 use super::motor::study::MotorStudy;
+use super::placement::Placement;
 use super::plots::curves::Plots;
+use super::polygons::LoopPolygons;
 use super::{View, forces};
 use crate::tui::figures::cursor::Cursor;
 use crate::tui::figures::force_figures::ForceFigures;
@@ -32,6 +34,9 @@ pub(crate) struct ViewStates {
     pub(crate) forces: LiveResult<ForceFigures>,
     pub(crate) lengths: LiveResult<LengthsStudy>,
     pub(crate) working: LiveResult<Explained>,
+    pub(crate) polygons: LiveResult<LoopPolygons>,
+    /// The placed panes.
+    pub(crate) placement: Placement,
     /// The lines by which each view is scrolled.
     pub(crate) scroll: [usize; View::ALL.len()],
     /// The last search text.
@@ -55,6 +60,8 @@ impl ViewStates {
             forces: LiveResult::default(),
             lengths: LiveResult::default(),
             working: LiveResult::default(),
+            polygons: LiveResult::default(),
+            placement: Placement::default(),
             scroll: [0; View::ALL.len()],
             sought: String::new(),
             searched: None,
@@ -92,6 +99,12 @@ impl ViewStates {
             open_scene,
             Explained::new,
             Explained::go,
+        );
+        self.polygons.refresh(
+            shows(View::Polygons),
+            open_scene,
+            LoopPolygons::new,
+            LoopPolygons::go,
         );
         self.method.refresh(shows(View::Accuracy), open_scene);
         self.viewport.focus(open_scene, &self.followed);

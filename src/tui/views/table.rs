@@ -26,13 +26,14 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
 
 /// Returns the tables' layout for an area.
 pub(super) fn placed(app: &App, area: Rect) -> Placed<'_> {
-    app.sheet().placed(area.width.into(), app.glyphs())
+    app.sheet()
+        .placed_in(area.width.into(), area.height.into(), app.glyphs())
 }
 
 /// Returns the number of lines of the tables and the number of visible ones.
 pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
-    let lines = placed(app, area).lines();
-    (lines.len(), below_title(app, area).height.into())
+    let area = below_title(app, area);
+    (placed(app, area).line_count(), area.height.into())
 }
 
 /// Prints the title above tables of differences.

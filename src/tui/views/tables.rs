@@ -120,6 +120,13 @@ pub(super) fn lines(app: &App, area: Rect) -> (Vec<TableLine>, usize) {
     (table::placed(app, area).lines(), area.height.into())
 }
 
+/// Returns the minimum number of lines at a width, with the title.
+pub(super) fn min_lines(app: &App, width: u16) -> usize {
+    let area = place(Rect::new(0, 0, width, 1));
+    let placed = app.sheet().dense(area.width.into(), app.glyphs());
+    placed.line_count() + usize::from(table::title_lines(app))
+}
+
 /// Returns the area of the values, between the marks to their left and the margin to their right.
 fn place(area: Rect) -> Rect {
     Rect {

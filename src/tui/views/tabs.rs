@@ -80,6 +80,12 @@ fn fitted(app: &App, width: u16) -> (Vec<Tab>, u16) {
     let all = || View::ALL.into_iter();
     let complete = || all().map(|view| tab(app, view, named(view)));
     let brief = || all().map(|view| tab(app, view, in_short(view)));
+    // The last view gives way on 80 columns, unless it is the current one.
+    let most = || {
+        let stays = |view: &View| *view != View::Polygons || *view == app.view();
+        let views = all().filter(stays);
+        views.map(|view| tab(app, view, in_short(view)))
+    };
     let own = |view: View| {
         if view == app.view() {
             named(view)
@@ -88,14 +94,16 @@ fn fitted(app: &App, width: u16) -> (Vec<Tab>, u16) {
         }
     };
     let keys = || all().map(|view| tab(app, view, own(view)));
-    let candidates: [(Vec<Tab>, u16); 4] = [
+    let candidates: [(Vec<Tab>, u16); 5] = [
         (complete().collect(), 1),
         (complete().collect(), 0),
         (brief().collect(), 0),
+        (most().collect(), 0),
         (keys().collect(), 0),
     ];
-    // The bracket behind the last tab must fit too.
-    let fits = |(tabs, gap): &(Vec<Tab>, u16)| needed(tabs, *gap) < width;
+    // The bracket behind the last tab must fit too, and blanks give way to the hints.
+    let hints = GAP + columns(&hints(app)) + 2;
+    let fits = |(tabs, gap): &(Vec<Tab>, u16)| needed(tabs, *gap) + hints * gap < width;
     let mut fitting = candidates.into_iter().skip_while(|tabs| !fits(tabs));
     fitting.next().unwrap_or_else(|| (keys().collect(), 0))
 }

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!  Four-bar crank-rocker     step 5 deg   1 turn in 4 s         alone
-//! -[Four-bar crank-rocker]-- step 5 deg --+- tables ---------   among others
+//! =[Four-bar crank-rocker]== step 5 deg ==+- tables ---------   among others
 //! ```
 
 use super::layout::PlacedView;
@@ -66,8 +66,8 @@ pub(super) fn heading(app: &App, space: u16) -> (String, String) {
     (cut(&title, left.into()), joined)
 }
 
-/// Renders the title of a pane among others in a line above it, in brackets if the pane is the
-/// current one.
+/// Renders the title of a pane among others in a line above it. That of the current pane is in
+/// brackets, and its line is double and bright.
 pub(super) fn over_pane(
     app: &App,
     is_looked_at: bool,
@@ -75,7 +75,10 @@ pub(super) fn over_pane(
     area: Rect,
     buffer: &mut Buffer,
 ) {
-    rule(app.glyphs(), area, buffer);
+    match is_looked_at {
+        true => double_rule(app.glyphs(), area, buffer),
+        false => rule(app.glyphs(), area, buffer),
+    }
     let (left, right) = heading(area.width.saturating_sub(SIDES));
     let (style, ends) = match is_looked_at {
         true => (theme::part(ScreenPart::Title), ('[', ']')),
@@ -88,6 +91,19 @@ pub(super) fn over_pane(
         let text = format!(" {right} ");
         let right = area.right().saturating_sub(1);
         print_right(buffer, right, area.y, &text, style);
+    }
+}
+
+/// Draws the line above the current pane.
+fn double_rule(glyphs: Glyphs, area: Rect, buffer: &mut Buffer) {
+    let glyph = match glyphs {
+        Glyphs::Ascii => '=',
+        Glyphs::Line | Glyphs::Braille | Glyphs::Blocks(_) => '\u{2550}',
+    };
+    for position in area.positions() {
+        buffer[position]
+            .set_char(glyph)
+            .set_style(theme::part(ScreenPart::Title));
     }
 }
 
@@ -106,21 +122,29 @@ pub(super) fn lines_between(glyphs: Glyphs, placed: &[PlacedView], buffer: &mut 
         let line = Rect::new(x - 1, top, 1, bottom - top);
         rule(glyphs, line, buffer);
         for title in titles() {
-            let joint = match (title.right() == line.x, title.y == top) {
-                (_, true) => joints(glyphs).0,
-                (true, false) => joints(glyphs).1,
-                (false, false) => continue,
+            let [above, left, right, both] = joints(glyphs);
+            let ends_here = titles().any(|other| other.y == title.y && other.right() == line.x);
+            let begins_here = titles().any(|other| other.y == title.y && other.x == line.x + 1);
+            let joint = match (title.y == top, ends_here, begins_here) {
+                (true, ..) => above,
+                (false, true, true) => both,
+                (false, true, false) => left,
+                (false, false, true) => right,
+                (false, false, false) => continue,
             };
             buffer[(line.x, title.y)].set_char(joint);
         }
     }
 }
 
-/// Returns the characters where a line begins below a title, and where a title ends at a line.
-fn joints(glyphs: Glyphs) -> (char, char) {
+/// Returns the characters where a line begins below a title, and where it has a title at its left,
+/// at its right, and on both sides.
+fn joints(glyphs: Glyphs) -> [char; 4] {
     match glyphs {
-        Glyphs::Ascii => ('+', '+'),
-        Glyphs::Line | Glyphs::Braille | Glyphs::Blocks(_) => ('\u{252c}', '\u{2524}'),
+        Glyphs::Ascii => ['+'; 4],
+        Glyphs::Line | Glyphs::Braille | Glyphs::Blocks(_) => {
+            ['\u{252c}', '\u{2524}', '\u{251c}', '\u{253c}']
+        }
     }
 }
 

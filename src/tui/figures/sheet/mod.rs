@@ -113,12 +113,76 @@ impl Sheet {
 
     /// Lays out the tables for a width.
     pub(crate) fn placed(&self, width: usize, glyphs: Glyphs) -> Placed<'_> {
+        let place = |part| {
+            let (columns, units) = self.place(part, width, glyphs);
+            let units = columns.ranges().map(|_| units).collect();
+            (columns, units)
+        };
+        Placed {
+            sheet: self,
+            glyphs,
+            parts: [SheetPart::Vectors, SheetPart::Points].map(place),
+            is_dense: false,
+        }
+    }
+
+    /// Lays out the tables for an area. If they do not fit otherwise but would without some of their
+    /// lines of units and blank lines, these are left out.
+    pub(crate) fn placed_in(&self, width: usize, height: usize, glyphs: Glyphs) -> Placed<'_> {
+        let usual = self.placed(width, glyphs);
+        if usual.line_count() <= height {
+            return usual;
+        }
+        let dense = self.dense(width, glyphs);
+        let with_blanks = Placed {
+            is_dense: false,
+            ..dense.clone()
+        };
+        match [with_blanks, dense].map(|placed| (placed.line_count() <= height, placed)) {
+            [(true, placed), _] | [_, (true, placed)] => placed,
+            _ => usual,
+        }
+    }
+
+    /// Lays out the tables in as few lines as possible.
+    pub(crate) fn dense(&self, width: usize, glyphs: Glyphs) -> Placed<'_> {
         Placed {
             sheet: self,
             glyphs,
             parts: [SheetPart::Vectors, SheetPart::Points]
-                .map(|part| self.place(part, width, glyphs)),
+                .map(|part| self.place_densely(part, width, glyphs)),
+            is_dense: true,
         }
+    }
+
+    /// Lays out the columns of a part such that as many as possible are side by side. The units
+    /// follow the names on one line wherever they fit.
+    fn place_densely(
+        &self,
+        part: SheetPart,
+        width: usize,
+        glyphs: Glyphs,
+    ) -> (ColumnLayout, Vec<Units>) {
+        let columns = self.columns(part);
+        let opens = |c: usize| columns.get(c).is_none_or(|column| column.opens);
+        let fit = |widths| ColumnLayout::fit(&SETTING, self.names(), widths, opens, width);
+        let widths = |units| move |column: &Column| column.width(glyphs, units);
+        let below = fit(columns.iter().map(widths(Units::Below)).collect());
+        let mut fitted = Vec::new();
+        let mut units = Vec::new();
+        for chunk in below.ranges() {
+            let behind = columns[chunk.clone()].iter().map(widths(Units::Behind));
+            let behind: Vec<usize> = behind.collect();
+            let needed = self.names() + behind.iter().map(|w| SETTING.gap + w).sum::<usize>();
+            if needed <= width {
+                fitted.extend(behind);
+                units.push(Units::Behind);
+            } else {
+                fitted.extend(columns[chunk.clone()].iter().map(widths(Units::Below)));
+                units.push(Units::Below);
+            }
+        }
+        (fit(fitted), units)
     }
 
     /// Lays out the columns of a part. The units follow the names on one line if that does not
@@ -145,6 +209,16 @@ impl Sheet {
         let positions = chunk.start == 0;
         rows.filter(|&row| part == SheetPart::Vectors || positions || !self.fixed[row])
             .collect()
+    }
+
+    /// Returns the number of rows with values in these columns.
+    fn row_count_of(&self, part: SheetPart, chunk: &Range<usize>) -> usize {
+        match part {
+            SheetPart::Points if chunk.start > 0 => {
+                self.fixed.iter().filter(|is_fixed| !**is_fixed).count()
+            }
+            _ => self.row_count(part),
+        }
     }
 
     /// Returns the minimum width for pairs of related columns, and the width at which all columns
@@ -177,8 +251,10 @@ impl Sheet {
 pub(crate) struct Placed<'s> {
     sheet: &'s Sheet,
     glyphs: Glyphs,
-    /// The layout of each part's columns, and the place of their units.
-    parts: [(ColumnLayout, Units); 2],
+    /// The layout of each part's columns, and the place of the units of each chunk.
+    parts: [(ColumnLayout, Vec<Units>); 2],
+    /// `true` if no blank lines separate the chunks of a part.
+    is_dense: bool,
 }
 
 impl Placed<'_> {
@@ -193,6 +269,22 @@ impl Placed<'_> {
         lines
     }
 
+    /// Returns the number of lines of both parts.
+    pub(crate) fn line_count(&self) -> usize {
+        let [vectors, points] = [SheetPart::Vectors, SheetPart::Points].map(|part| {
+            let (columns, units) = &self.parts[part as usize];
+            let chunks = columns.ranges().zip(units);
+            let heights = chunks.filter_map(|(chunk, units)| {
+                let rows = self.sheet.row_count_of(part, chunk);
+                (rows > 0).then_some(rows + 1 + usize::from(*units == Units::Below))
+            });
+            let blank = usize::from(!self.is_dense);
+            let all = heights.fold(0, |all, height| all + blank + height);
+            all.saturating_sub(blank)
+        });
+        vectors + points + usize::from(vectors > 0 && points > 0)
+    }
+
     /// Returns the number of lines of the vectors.
     pub(crate) fn vector_lines(&self) -> usize {
         self.part(SheetPart::Vectors).len()
@@ -202,12 +294,12 @@ impl Placed<'_> {
     fn part(&self, part: SheetPart) -> Vec<TableLine> {
         let mut lines = Vec::new();
         let (columns, units) = &self.parts[part as usize];
-        for chunk in columns.ranges() {
+        for (chunk, units) in columns.ranges().zip(units) {
             let rows = self.sheet.rows_of(part, chunk);
             if rows.is_empty() {
                 continue;
             }
-            if !lines.is_empty() {
+            if !lines.is_empty() && !self.is_dense {
                 lines.push(TableLine::Blank);
             }
             lines.push(TableLine::Names(part, chunk.clone()));
@@ -229,12 +321,14 @@ impl Placed<'_> {
             | TableLine::Row(part, _, chunk) => (*part, chunk),
         };
         let (columns, units) = &self.parts[part as usize];
+        let place = columns.ranges().position(|range| range == chunk);
+        let units = place.and_then(|place| units.get(place));
         let shown = self.sheet.columns(part).get(chunk.clone());
         let cells = shown.unwrap_or_default().iter().map(|column| match line {
             TableLine::Row(_, row, _) => column.cell(tables, part, *row),
             TableLine::Units(..) => column.plain(column.unit(self.glyphs)),
             TableLine::Names(..) | TableLine::Blank => {
-                column.plain(column.title(self.glyphs, *units))
+                column.plain(column.title(self.glyphs, units.copied().unwrap_or(Units::Below)))
             }
         });
         let cells: Vec<Cell> = cells.collect();
@@ -318,9 +412,18 @@ mod tests {
             for glyphs in [Glyphs::Ascii, Glyphs::Braille] {
                 let (narrow, wide) = sheet.widths(glyphs);
                 assert!(narrow <= 36, "{}: {narrow}", tables.scene);
-                for width in narrow..=wide + 20 {
-                    let placed = sheet.placed(width, glyphs);
+                let layouts = (narrow..=wide + 20).flat_map(|width| {
+                    let both = [sheet.placed(width, glyphs), sheet.dense(width, glyphs)];
+                    both.map(|placed| (width, placed))
+                });
+                for (width, placed) in layouts {
                     let lines = placed.lines();
+                    assert_eq!(
+                        lines.len(),
+                        placed.line_count(),
+                        "{}: {width}",
+                        tables.scene
+                    );
                     let figures = |row: &TableLine| placed.show(row, &tables).spans.len() - 1;
                     let rows = lines.iter().filter(|l| matches!(l, TableLine::Row(..)));
                     let shown: usize = rows.map(figures).sum();

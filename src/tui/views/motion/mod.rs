@@ -36,6 +36,44 @@ pub(crate) struct Sketch {
     drawn: Option<DrawnStage>,
     /// The drawing's area on the screen, and the view on the scene's plane.
     window: Option<(Rect, drawing::WorldView)>,
+    /// The visible polygons.
+    polygons: Vec<PolygonSketch>,
+}
+
+/// A polygon of a loop, kept so that labels stay on the same sides from frame to frame.
+#[derive(Debug, Default)]
+pub(crate) struct PolygonSketch {
+    labels: Labels,
+    raster: Raster,
+    /// The panel's number and the area of its drawing.
+    of: (usize, Rect),
+    /// The scale of the drawing.
+    pub(super) scale: Option<drawing::LegendEntry>,
+}
+
+impl PolygonSketch {
+    /// Starts an empty drawing. Labels keep their places only in the same panel and area.
+    pub(super) fn start(&mut self, number: usize, area: Rect) {
+        if self.of != (number, area) {
+            self.of = (number, area);
+            self.labels = Labels::default();
+        }
+        self.scale = None;
+        self.raster.reset(area.width, area.height);
+    }
+
+    /// Returns the labels and the raster to draw in.
+    pub(super) fn drawing(&mut self) -> (&mut Labels, &mut Raster) {
+        (&mut self.labels, &mut self.raster)
+    }
+
+    pub(super) fn raster(&self) -> &Raster {
+        &self.raster
+    }
+
+    pub(super) fn number(&self) -> usize {
+        self.of.0
+    }
 }
 
 /// A scene in a window with its layers. A different one needs different places of labels.
@@ -74,9 +112,24 @@ impl Sketch {
         &self.raster
     }
 
+    /// Returns the polygons of the last frame, to draw them again.
+    pub(super) fn polygons(&mut self) -> &mut Vec<PolygonSketch> {
+        &mut self.polygons
+    }
+
+    /// Returns the polygons.
+    pub(super) fn drawn_polygons(&self) -> &[PolygonSketch] {
+        &self.polygons
+    }
+
     /// Starts a frame in which the drawing is not placed yet.
     pub(super) fn start_frame(&mut self) {
         self.window = None;
+    }
+
+    /// Returns the drawing's area on the screen, if it is visible.
+    pub(super) fn area(&self) -> Option<Rect> {
+        self.window.map(|(area, _)| area)
     }
 
     /// Returns the place of the scene at a cell of the drawing; `None` outside the drawing.

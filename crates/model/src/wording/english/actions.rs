@@ -53,6 +53,8 @@ catalogue! {
         the_motor_over_a_cycle = "the motor over a cycle";
         lengths = "lengths";
         what_each_length_does = "effect of each length";
+        polygons = "polygons";
+        vectors_of_each_loop = "polygons of each loop";
 
         the_panes = "The panes";
         pane = "pane";

@@ -17,7 +17,7 @@ catalogue! {
         save_to(file: &str) = "save to {file}";
         open_named(name: &str) = "open {name}";
         go_to_coordinate(at: &str) = "go to {at}";
-        theme_is(name: &str) = "theme: {name}";
+        theme_is(name: &str) = "theme: {name}; to keep it, set theme = \"{name}\" in config.toml";
         manual_of(topic: &str, about: &str) = "manual, {topic}: {about}";
         manual_tells_of_it(topics: &str) = "see the manual: {topics}";
         manual_title = "krank manual";

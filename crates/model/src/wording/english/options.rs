@@ -180,7 +180,7 @@ catalogue! {
         glyphs_of_quadrants = "Quadrant blocks, in most fonts";
         glyphs_of_sextants = "Sextant blocks, in some fonts";
         glyphs_of_octants = "Octant blocks, in few fonts";
-        trace_points = "Trace points over the whole motion";
+        trace_points = "Trace points over the whole motion; none hides those that the scene names";
         draw_velocities = "Draw velocity arrows";
         draw_accelerations = "Draw acceleration arrows";
         draw_forces = "Draw loads, joint and guide forces, with their magnitudes";

@@ -34,6 +34,14 @@ catalogue! {
         in_the_motor_view = "In the motor view";
         lengths_and_figures = "Effect of each length";
         in_the_lengths_view = "In the lengths view";
+        polygons_of_each_loop = "Position, velocity and acceleration polygon of each loop";
+        in_the_polygons_view = "In the polygons view";
+
+        // Polygons.
+        position_polygon = "position";
+        velocity_polygon = "velocity";
+        acceleration_polygon = "acceleration";
+        polygon_in_loop(order: &str, number: usize) = "{order}, loop {number}";
 
         // Tables.
         found = "found";

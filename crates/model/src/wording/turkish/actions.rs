@@ -53,6 +53,8 @@ catalogue! {
         the_motor_over_a_cycle = "bir döngüde motor";
         lengths = "boylar";
         what_each_length_does = "her boyun etkisi";
+        polygons = "poligon";
+        vectors_of_each_loop = "döngülerin poligonları";
 
         the_panes = "Bölmeler";
         pane = "bölme";

@@ -17,7 +17,7 @@ catalogue! {
         save_to(file: &str) = "{file} dosyasına kaydet";
         open_named(name: &str) = "{name} aç";
         go_to_coordinate(at: &str) = "{at} konumuna git";
-        theme_is(name: &str) = "tema: {name}";
+        theme_is(name: &str) = "tema: {name}; kalıcı olması için config.toml dosyasına theme = \"{name}\" yazın";
         manual_of(topic: &str, about: &str) = "el kitabı, {topic}: {about}";
         manual_tells_of_it(topics: &str) = "el kitabına bakın: {topics}";
         manual_title = "krank el kitabı";

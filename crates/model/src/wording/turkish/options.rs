@@ -153,7 +153,7 @@ catalogue! {
         glyphs_of_quadrants = "Çeyrek bloklar, çoğu yazı tipinde";
         glyphs_of_sextants = "Altılı bloklar, kimi yazı tipinde";
         glyphs_of_octants = "Sekizli bloklar, az yazı tipinde";
-        trace_points = "Noktaların bütün hareketteki izlerini çizin";
+        trace_points = "Noktaların bütün hareketteki izlerini çizin; none, sahnenin adlandırdıklarını gizler";
         draw_velocities = "Hız oklarını çizin";
         draw_accelerations = "İvme oklarını çizin";
         draw_forces = "Yükleri, mafsal ve kılavuz kuvvetlerini büyüklükleriyle çizin";

@@ -46,6 +46,14 @@ catalogue! {
         in_the_motor_view = "Motor görünümünde";
         lengths_and_figures = "Her boyun etkisi";
         in_the_lengths_view = "Boylar görünümünde";
+        polygons_of_each_loop = "Her döngünün konum, hız ve ivme poligonu";
+        in_the_polygons_view = "Poligon görünümünde";
+
+        // Polygons.
+        position_polygon = "konum";
+        velocity_polygon = "hız";
+        acceleration_polygon = "ivme";
+        polygon_in_loop(order: &str, number: usize) = "{order}, {number}. döngü";
 
         // Tables.
         found = "bulunan";

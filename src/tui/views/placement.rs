@@ -1,0 +1,96 @@
+//! Places the panes by the space that their contents need. The result is kept until something that
+//! it depends on changes.
+
+use super::layout::{Composition, PaneNeeds, PlacedView};
+use super::{body, full_area, tables};
+use crate::drawing::Glyphs;
+use crate::tui::app::{App, View};
+use crate::tui::figures::sheet::SheetPart;
+use crate::tui::player::scene_version::SceneRevision;
+use crate::wording::Language;
+use ratatui::layout::{Rect, Size};
+use std::cell::RefCell;
+
+/// The placed panes, with everything that they depend on.
+#[derive(Debug, Default)]
+pub(crate) struct Placement {
+    kept: RefCell<Option<(PlacementKey, Vec<PlacedView>)>>,
+}
+
+#[derive(Debug, PartialEq)]
+struct PlacementKey {
+    composition: Composition,
+    view: View,
+    size: Size,
+    aspect: f64,
+    glyphs: Glyphs,
+    language: Language,
+    scene: SceneRevision,
+    is_compared: bool,
+    /// The number of vectors, of points, of values of the scene and of panels of the plot.
+    rows: [usize; 4],
+}
+
+impl PlacementKey {
+    fn of(app: &App) -> PlacementKey {
+        let sheet = app.sheet();
+        PlacementKey {
+            composition: *app.composition(),
+            view: app.view(),
+            size: app.size(),
+            aspect: app.aspect(),
+            glyphs: app.glyphs(),
+            language: Language::current_language(),
+            scene: app.open_scene().edition().clone(),
+            is_compared: app.compared().is_some(),
+            rows: [
+                sheet.row_count(SheetPart::Vectors),
+                sheet.row_count(SheetPart::Points),
+                app.editor().values().len(),
+                app.views.plots.plot().map_or(0, |plot| plot.panels.len()),
+            ],
+        }
+    }
+}
+
+impl Placement {
+    /// Returns the shown views and their areas.
+    pub(super) fn of(&self, app: &App) -> Vec<PlacedView> {
+        let key = PlacementKey::of(app);
+        if let Some((of, placed)) = &*self.kept.borrow()
+            && *of == key
+        {
+            return placed.clone();
+        }
+        let (view, size) = (app.view(), app.size());
+        let body = body(full_area(size));
+        let placed = (app.composition()).placed(view, size, body, &Contents(app));
+        self.kept.replace(Some((key, placed.clone())));
+        placed
+    }
+}
+
+/// The contents of the panes.
+struct Contents<'a>(&'a App);
+
+impl PaneNeeds for Contents<'_> {
+    fn rows(&self, view: View, width: u16) -> Option<u16> {
+        let Contents(app) = self;
+        let lines = match view {
+            View::Tables => tables::min_lines(app, width),
+            View::Scene => {
+                // The lines that are no values are those that a pane does not count as visible.
+                let height = u16::MAX / 2;
+                let (values, visible) = view.pane().extent(app, Rect::new(0, 0, width, height));
+                values + usize::from(height).saturating_sub(visible)
+            }
+            View::Plots => {
+                let plot = app.views.plots.plot().ok()?;
+                let fits = |rows: &u16| plot.panels_in(*rows) >= plot.panels.len();
+                return (1..app.size().height).find(fits);
+            }
+            _ => return None,
+        };
+        u16::try_from(lines).ok()
+    }
+}
