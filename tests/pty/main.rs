@@ -4,6 +4,7 @@
 #![cfg(all(feature = "tui", target_os = "linux"))]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod colour;
 mod ending;
 mod environment;
 mod first_start;
