@@ -27,7 +27,7 @@ pub(crate) enum LockOutcome {
     /// This process holds the lock until the file is closed.
     Ours,
     /// Another process holds the lock.
-    OtherSessions,
+    HeldElsewhere,
     /// The file system has no locks, as some network file systems.
     Unknown,
 }
@@ -38,7 +38,7 @@ pub(crate) fn take(file: &File) -> LockOutcome {
         match flock(file, FlockOperation::NonBlockingLockExclusive) {
             Ok(()) => return LockOutcome::Ours,
             Err(Errno::INTR) => {}
-            Err(Errno::WOULDBLOCK) => return LockOutcome::OtherSessions,
+            Err(Errno::WOULDBLOCK) => return LockOutcome::HeldElsewhere,
             Err(_) => return LockOutcome::Unknown,
         }
     }
@@ -54,7 +54,7 @@ const MAX_TRIES: u32 = 100;
 pub(super) fn hold(path: &Path) -> Result<File, WriteError> {
     for _ in 0..MAX_TRIES {
         let file = open_file(path, OFlags::RDWR).or_else(|_| open_file(path, OFlags::RDONLY))?;
-        if take(&file) == LockOutcome::OtherSessions {
+        if take(&file) == LockOutcome::HeldElsewhere {
             return Err(WriteError::Busy);
         }
         // The previous holder of the lock may have replaced the file.
@@ -86,8 +86,8 @@ pub(super) fn of_folder(folder: &Path) -> Result<Option<File>, WriteError> {
         match take(&folder) {
             LockOutcome::Ours => return Ok(Some(folder)),
             LockOutcome::Unknown => return Ok(None),
-            LockOutcome::OtherSessions if Instant::now() >= end => return Err(WriteError::Busy),
-            LockOutcome::OtherSessions => sleep(PAUSE),
+            LockOutcome::HeldElsewhere if Instant::now() >= end => return Err(WriteError::Busy),
+            LockOutcome::HeldElsewhere => sleep(PAUSE),
         }
     }
 }

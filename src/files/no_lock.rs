@@ -9,7 +9,7 @@ pub(crate) enum LockOutcome {
     /// The lock is held until the file is closed.
     Ours,
     /// Another process holds the lock.
-    OtherSessions,
+    HeldElsewhere,
     /// There are no locks.
     Unknown,
 }

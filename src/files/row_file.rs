@@ -175,7 +175,7 @@ impl ResumableFile {
         let mut options = OpenOptions::new();
         let options = options.read(true).write(true).create(true).truncate(false);
         let file = options.open(path)?;
-        if lock::take(&file) == LockOutcome::OtherSessions || !is_at(&file, path) {
+        if lock::take(&file) == LockOutcome::HeldElsewhere || !is_at(&file, path) {
             return Err(WriteError::Busy);
         }
         let mut reader = BufReader::new(file);

@@ -83,7 +83,7 @@ impl DraftFile {
             };
             // Another process may have swept the folder before the lock was taken, and removed this
             // file.
-            if lock::take(&file) != LockOutcome::OtherSessions && file.metadata()?.nlink() > 0 {
+            if lock::take(&file) != LockOutcome::HeldElsewhere && file.metadata()?.nlink() > 0 {
                 return Ok(DraftFile {
                     file,
                     folder: folder.to_owned(),
@@ -186,7 +186,7 @@ fn unnamed(folder: &Path, mode: Mode) -> Option<File> {
     let flags = OFlags::RDWR | OFlags::TMPFILE | OFlags::CLOEXEC;
     let file = File::from(open(folder, flags, mode).ok()?);
     let is_linkable = fs::metadata(descriptor(&file)).is_ok();
-    (is_linkable && lock::take(&file) != LockOutcome::OtherSessions).then_some(file)
+    (is_linkable && lock::take(&file) != LockOutcome::HeldElsewhere).then_some(file)
 }
 
 #[cfg(not(any(target_os = "linux", target_os = "android")))]
