@@ -290,9 +290,11 @@ impl SideColumns {
         let usual = percent_of(body.width, percent).min(MAX_SIDE_WIDTH);
         let share = SHARES[usize::from(views.len() > 2)];
         let cells = share * f64::from(screen.width) * f64::from(screen.height);
-        let below = match views.get(2) {
-            Some(view) => height_below(*view, usual, needs),
-            None => 0,
+        // On a middle screen the tables are more important than a second plot.
+        let below = match *views {
+            [_, _, plot, _] => height_below(plot, usual, needs),
+            [_, _, _] => MIN_HEIGHT_BELOW,
+            _ => 0,
         };
         let rows = f64::from(body.height.saturating_sub(below).max(1));
         // The separator counts as part of the drawing. The cast saturates.
