@@ -15,17 +15,12 @@ use std::fmt;
 use std::ops::{Add, Mul, Sub};
 use std::rc::Rc;
 
-/// Number of scenes of an ordinary run.
+/// Number of scenes of an ordinary run. All pass. Of 12,000 scenes 53 end too early, and none is wrong.
 const ORDINARY: u64 = 180;
-/// Seeds of an ordinary run that fail so far. All end too early, where a change point lies close to an end, or one of a
-/// coupled group close to a point where the input reverses. The test fails if another seed fails, or if one of these
-/// passes. Of 12,000 scenes 296 end too early, and none is wrong.
-const KNOWN: [u64; 6] = [82, 91, 94, 103, 106, 118];
-
 /// Seeds of scenes in which a change point once led into another motion, or that took minutes to open.
-const ONCE_WRONG: [u64; 21] = [
+const ONCE_WRONG: [u64; 22] = [
     906, 1483, 1952, 2446, 3218, 3278, 3439, 3850, 3970, 4057, 4760, 4808, 4946, 5510, 5676, 5740,
-    6190, 7020, 7194, 7870, 7922,
+    6190, 7020, 7194, 7870, 7922, 9967,
 ];
 
 /// A point of the plane, multiplied like a complex number.
@@ -2085,12 +2080,13 @@ fn planted_motions_are_followed_to_their_ends() {
             );
         }
     }
-    if (count, first) == (ORDINARY, 1) {
-        assert_eq!(failing, KNOWN, "seeds");
-        return;
-    }
     let [_, wrong, cut, _] = counts["all"];
-    assert_eq!([wrong, cut], [0, 0], "wrong and cut of {count} scenes");
+    assert_eq!(
+        [wrong, cut],
+        [0, 0],
+        "wrong and cut of {count} scenes; the first seeds are {:?}",
+        &failing[..failing.len().min(20)]
+    );
 }
 
 #[test]

@@ -54,6 +54,12 @@ impl Series {
         Series::by(known.min(self.known), |n, _| self.c[n])
     }
 
+    /// Returns the value of the known terms at t.
+    pub(crate) fn value(&self, t: Double) -> Double {
+        let known = self.c[..self.known].iter().rev();
+        known.fold(Double::ZERO, |sum, &c| sum * t + c)
+    }
+
     /// Returns the series of the coefficients' absolute values. Its sums and products bound those
     /// of the series.
     pub(crate) fn majorant(self) -> Series {

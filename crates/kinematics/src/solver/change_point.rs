@@ -25,6 +25,11 @@ const MAX_LAST_TERM: f64 = 1e-15;
 /// Maximum relative difference between a coordinate and a change point that counts as none.
 const EQUALITY_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
+/// Maximum distance from a fold at which a bent series is evaluated.
+const MAX_BENT_WIDTH: f64 = 0.05;
+/// Number of Newton steps from a coordinate to the parameter of a bent series.
+const INVERSIONS: usize = 5;
+
 /// The known Taylor coefficients of a function of the driver's coordinate.
 type Taylor = Vec<Vec2>;
 
@@ -50,6 +55,8 @@ pub(super) struct ChangePointCrossing {
     pub off_centre: f64,
     /// The sign of the distances from the centre at which the series holds, or 0 for both.
     pub side: f64,
+    /// The driver's coordinate along the series, if it is not the parameter of the series.
+    pub bend: Option<Bend>,
     points: Vec<(PointId, Taylor)>,
     links: Vec<(LinkId, Taylor)>,
 }
@@ -244,6 +251,9 @@ fn eval_series(series: &[Vec2], dq: f64) -> [Vec2; 3] {
 impl ChangePointCrossing {
     /// Returns `true` if the series holds at a distance from the change point.
     fn holds(&self, dq: f64) -> bool {
+        if let Some(bend) = &self.bend {
+            return bend.parameter(dq).is_some_and(|by| by.abs() < self.zone);
+        }
         let away = dq + self.off_centre;
         away.abs() < self.zone && away * self.side >= 0.0
     }
@@ -298,6 +308,7 @@ impl ChangePointCrossing {
             zone,
             off_centre: 0.0,
             side: 0.0,
+            bend: None,
             points,
             links,
         })
@@ -305,14 +316,31 @@ impl ChangePointCrossing {
 
     /// Writes the states of the group's points and links at a distance from the change point.
     pub(super) fn write(&self, dq: f64, state: &mut State) {
-        let dq = dq + self.off_centre;
+        let (by, rates) = match &self.bend {
+            None => (dq + self.off_centre, None),
+            Some(bend) => {
+                let by = bend.parameter(dq).unwrap_or(0.0);
+                (by, Some(bend.rates(by)))
+            }
+        };
+        let values = |series: &[Vec2]| {
+            let [p, first, second] = eval_series(series, by);
+            match rates {
+                None => [p, first, second],
+                // x' = (dx/dt) / (dq/dt), and its derivative by q in the same manner.
+                Some([rate, curvature]) => {
+                    let v = first / rate;
+                    [p, v, (second - v * curvature) / (rate * rate)]
+                }
+            }
+        };
         for (point, series) in &self.points {
-            let [p, v, a] = eval_series(series, dq);
+            let [p, v, a] = values(series);
             state.points[point.index()] = PointState { p, v, a };
         }
         for (link, series) in &self.links {
             // d' = w k x d and d'' = a k x d - w^2 d.
-            let [d, rate, second] = eval_series(series, dq);
+            let [d, rate, second] = values(series);
             let length = d.norm();
             let (w, a) = (d.cross(rate), d.cross(second));
             state.links[link.index()] = LinkState {
@@ -321,6 +349,71 @@ impl ChangePointCrossing {
                 a,
             };
         }
+    }
+}
+
+/// The driver's coordinate along a series whose parameter runs along a curve of the motion: the driver
+/// reverses at a fold.
+#[derive(Clone, Debug)]
+pub(super) struct Bend {
+    /// The parameter at the fold; it is 0 at the change point.
+    fold: f64,
+    /// The coordinate at the fold, relative to the change point, in radians or scaled lengths.
+    end: f64,
+    /// The coefficients of the coordinate about the fold, from the second power on.
+    coefficients: Vec<f64>,
+}
+
+impl Bend {
+    /// Creates the coordinate from its series about the change point. Returns `None` if the fold is
+    /// not an extreme of the coordinate.
+    pub(super) fn new(coordinate: &Series, fold: Double) -> Option<Bend> {
+        let mut shifted: Vec<Double> = coordinate.c[..coordinate.known].to_vec();
+        // Horner's scheme, once for each coefficient.
+        for first in 0..shifted.len() {
+            for n in (first..shifted.len() - 1).rev() {
+                let higher = shifted[n + 1] * fold;
+                shifted[n] += higher;
+            }
+        }
+        let coefficients: Vec<f64> = shifted.get(2..)?.iter().map(|c| c.hi).collect();
+        let is_extreme = coefficients.first().is_some_and(|c| c.abs() > 0.0);
+        is_extreme.then_some(Bend {
+            fold: fold.hi,
+            end: shifted[0].hi,
+            coefficients,
+        })
+    }
+
+    /// Returns the parameter at a distance of the coordinate from the change point, on the side of
+    /// the fold on which the change point lies. Returns `None` beyond the fold and outside every zone.
+    pub(super) fn parameter(&self, dq: f64) -> Option<f64> {
+        let left = dq - self.end;
+        let square = left / self.coefficients.first()?;
+        // Far away, the coefficients do not represent the coordinate.
+        if !(0.0 < square && square < MAX_BENT_WIDTH * MAX_BENT_WIDTH) {
+            return None;
+        }
+        let mut by = -square.sqrt().copysign(self.fold);
+        for _ in 0..INVERSIONS {
+            let terms = self.coefficients.iter().enumerate().rev();
+            let (value, rate) = terms.fold((0.0, 0.0), |(value, rate), (k, c)| {
+                (value * by + c, rate * by + c * (k + 2) as f64)
+            });
+            by -= (value * by - left / by) / rate;
+        }
+        by.is_finite().then_some(self.fold + by)
+    }
+
+    /// Returns the first two derivatives of the coordinate by the parameter.
+    fn rates(&self, parameter: f64) -> [f64; 2] {
+        let by = parameter - self.fold;
+        let terms = self.coefficients.iter().enumerate().rev();
+        let [rate, curvature] = terms.fold([0.0; 2], |[rate, curvature], (k, c)| {
+            let n = (k + 2) as f64;
+            [rate * by + c * n, curvature * by + c * (n * (n - 1.0))]
+        });
+        [rate * by, curvature]
     }
 }
 
@@ -338,4 +431,44 @@ fn zone<'a>(series: impl Iterator<Item = &'a Taylor>, known: usize) -> Option<f6
         }
     }
     (zone > 0.0).then_some(zone)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Number;
+
+    /// Returns q = s^2 (s - 1) / 2 + c with s = t - 1e-5. It is 0 at t = 0 and reverses at t = 1e-5.
+    fn bent() -> (Bend, impl Fn(f64) -> f64) {
+        let fold = Double::exactly(1e-5);
+        let s = Series::line(-fold, Double::ONE).cut(8);
+        let cubic = s * s * (s - Series::exactly(1.0)) * Series::exactly(0.5);
+        let at_zero = cubic.c[0];
+        let bend = Bend::new(&(cubic - Series::constant(at_zero)), fold).unwrap();
+        (bend, move |t: f64| {
+            let s = t - 1e-5;
+            s * s * (s - 1.0) * 0.5 - at_zero.hi
+        })
+    }
+
+    #[test]
+    fn parameter_is_the_inverse_of_the_coordinate_before_the_fold() {
+        let (bend, coordinate) = bent();
+        for t in [-1e-2, -1e-4, -1e-5, 0.0, 5e-6, 9.9e-6] {
+            let found = bend.parameter(coordinate(t)).unwrap();
+            assert!((found - t).abs() < 1e-12, "{t}: {found}");
+        }
+        assert_eq!(bend.parameter(6e-11), None);
+    }
+
+    #[test]
+    fn rates_are_the_derivatives_of_the_coordinate() {
+        let (bend, _) = bent();
+        for t in [-1e-2, -1e-4, 5e-6] {
+            let s = t - 1e-5;
+            let [rate, curvature] = bend.rates(t);
+            assert!((rate / (1.5 * s * s - s) - 1.0).abs() < 1e-14);
+            assert!((curvature / (3.0 * s - 1.0) - 1.0).abs() < 1e-14);
+        }
+    }
 }

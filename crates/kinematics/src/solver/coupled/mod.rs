@@ -3,6 +3,7 @@
 mod build;
 mod by_length;
 mod comparison;
+mod curve_series;
 mod curve_tracing;
 mod enclose;
 mod equations;
@@ -18,6 +19,7 @@ mod series;
 mod singular;
 
 pub(super) use comparison::ClosingCondition;
+pub(super) use curve_series::CrossingPlace;
 pub(super) use curve_tracing::{EQUALITY_TOLERANCE, distance};
 pub(super) use enclose::Views;
 pub use newton_system::{Newton, NewtonRow, NewtonUnknown};

@@ -21,14 +21,18 @@ const TANGENTIAL: f64 = 1e-9;
 const CORRECTIONS: usize = 2;
 
 /// A factored matrix; a singular one is bordered by its null vectors.
-struct BorderedMatrix {
+pub(super) struct BorderedMatrix {
     matrix: Vec<f64>,
     pivots: Vec<usize>,
     n: usize,
 }
 
 impl BorderedMatrix {
-    fn new(matrix: &[f64], n: usize, border: Option<(&[f64], &[f64])>) -> Option<BorderedMatrix> {
+    pub(super) fn new(
+        matrix: &[f64],
+        n: usize,
+        border: Option<(&[f64], &[f64])>,
+    ) -> Option<BorderedMatrix> {
         let m = n + usize::from(border.is_some());
         let mut bordered = vec![0.0; m * m];
         for i in 0..n {
@@ -47,7 +51,7 @@ impl BorderedMatrix {
         })
     }
 
-    fn solve(&self, right: &[f64], last: f64) -> Vec<f64> {
+    pub(super) fn solve(&self, right: &[f64], last: f64) -> Vec<f64> {
         let mut right = right.to_vec();
         right.resize(self.n, last);
         lu::solve(&self.matrix, &self.pivots, &mut right, self.n);
@@ -108,21 +112,15 @@ impl Coupled {
         let z = buffers.z.to_vec();
         let matrix = buffers.matrix.to_vec();
         let Workspace { state, scratch, .. } = series;
-        let n = self.unknowns();
         let mut path = Path {
-            group: self,
             q,
-            z: &z,
-            unknowns: vec![Series::default(); n],
             known: self.known(q, state),
+            ..Path::new(self, &z)
         };
         let done = path.solve(&matrix, toward, state, scratch).is_some();
         if done {
-            let mut buffers = self.open(scratch);
-            buffers.first.fill(Series::default());
-            buffers.second.fill(Series::default());
-            path.fill(path.known, &mut buffers);
-            self.write(q, state, &buffers);
+            let known = path.known;
+            path.write(q, known, series);
         }
         done
     }
@@ -130,16 +128,36 @@ impl Coupled {
 
 /// The unknowns of a group as series: joints relative to their positions in z, angles relative to
 /// their directions in z.
-struct Path<'a> {
+pub(super) struct Path<'a> {
     group: &'a Coupled,
-    q: Series,
+    pub(super) q: Series,
     z: &'a [f64],
-    unknowns: Vec<Series>,
+    pub(super) unknowns: Vec<Series>,
     /// Number of coefficients to compute.
     known: usize,
 }
 
-impl Path<'_> {
+impl<'a> Path<'a> {
+    pub(super) fn new(group: &'a Coupled, z: &'a [f64]) -> Path<'a> {
+        Path {
+            group,
+            q: Series::default(),
+            z,
+            unknowns: vec![Series::default(); group.unknowns()],
+            known: 0,
+        }
+    }
+
+    /// Writes the group's points and links, with the first `known` coefficients of the unknowns.
+    pub(super) fn write(&mut self, q: Series, known: usize, series: &mut Workspace<Series>) {
+        let Workspace { state, scratch, .. } = series;
+        let mut buffers = self.group.open(scratch);
+        buffers.first.fill(Series::default());
+        buffers.second.fill(Series::default());
+        self.fill(known, &mut buffers);
+        self.group.write(q, state, &buffers);
+    }
+
     fn solve(
         &mut self,
         matrix: &[f64],
@@ -203,31 +221,12 @@ impl Path<'_> {
             self.add(1, &null.v, -share);
             dot(&null.w, &next)
         };
-        // a s^2 + b s + c = 0.
-        let (none, plus, minus) = (at(0.0), at(1.0), at(-1.0));
-        let (a, b) = (0.5 * (plus + minus) - none, 0.5 * (plus - minus));
-        let wanted = dot(toward, &null.v);
-        let discriminant = b * b - 4.0 * a * none;
-        // Negated so that NaN is rejected.
-        if !(discriminant > TANGENTIAL * (b * b + (a * none).abs())) {
-            return None;
-        }
-        let half = -0.5 * (b + discriminant.sqrt().copysign(b));
-        let roots = [half / a, none / half];
-        let mut roots = roots.into_iter().filter(|s| s.is_finite());
-        let first = roots.next()?;
-        let nearer = roots.fold(first, |best, s| {
-            if (s - wanted).abs() < (best - wanted).abs() {
-                s
-            } else {
-                best
-            }
-        });
-        Some((nearer, 2.0 * a * nearer + b))
+        let values = [at(0.0), at(1.0), at(-1.0)];
+        tangent(values, dot(toward, &null.v))
     }
 
     /// Returns the k-th coefficients of the equations.
-    fn coefficients(
+    pub(super) fn coefficients(
         &self,
         k: usize,
         state: &State<Series>,
@@ -239,7 +238,7 @@ impl Path<'_> {
         buffers.right.iter().map(|r| r.c[k].hi).collect()
     }
 
-    fn add(&mut self, k: usize, change: &[f64], times: f64) {
+    pub(super) fn add(&mut self, k: usize, change: &[f64], times: f64) {
         for (unknown, change) in self.unknowns.iter_mut().zip(change) {
             unknown.c[k] += Double::exactly(change * times);
         }
@@ -264,4 +263,27 @@ impl Path<'_> {
             (buffers.z[at], buffers.z[at + 1]) = (turned.x, turned.y);
         }
     }
+}
+
+/// Returns the zero nearest to `wanted` of a quadratic polynomial a s^2 + b s + c with these values
+/// at 0, 1 and -1, and the slope there. Returns `None` if the zeros are too close to each other.
+pub(super) fn tangent([c, plus, minus]: [f64; 3], wanted: f64) -> Option<(f64, f64)> {
+    let (a, b) = (0.5 * (plus + minus) - c, 0.5 * (plus - minus));
+    let discriminant = b * b - 4.0 * a * c;
+    // Negated so that NaN is rejected.
+    if !(discriminant > TANGENTIAL * (b * b + (a * c).abs())) {
+        return None;
+    }
+    let half = -0.5 * (b + discriminant.sqrt().copysign(b));
+    let roots = [half / a, c / half];
+    let mut roots = roots.into_iter().filter(|s| s.is_finite());
+    let first = roots.next()?;
+    let nearer = roots.fold(first, |best, s| {
+        if (s - wanted).abs() < (best - wanted).abs() {
+            s
+        } else {
+            best
+        }
+    });
+    Some((nearer, 2.0 * a * nearer + b))
 }

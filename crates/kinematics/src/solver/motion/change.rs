@@ -109,6 +109,7 @@ impl Walker<'_> {
     pub(super) fn pass(&mut self, limit: f64) -> Option<f64> {
         self.anchors.forget_beyond(self.engine, limit, self.sense);
         self.unproved.clear();
+        self.refused = None;
         if let Some(extreme) = self.ahead.take().filter(|e| e.limit() == limit) {
             return self
                 .pass_extreme(&extreme)
@@ -156,6 +157,9 @@ impl Walker<'_> {
         } = extreme;
         let junction = self.junction(at, None);
         let beyond = junction.and_then(|junction| self.pass_junction(&junction));
+        if beyond.is_none() && first.is_none() {
+            self.refused = Some((step, at));
+        }
         let mut is_singular = || {
             matches!(
                 self.singularity_at(step, at),

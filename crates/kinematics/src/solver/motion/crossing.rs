@@ -61,7 +61,9 @@ impl Walker<'_> {
         let passed = steps.filter(is_coupled).find_map(|step| {
             self.state.clone_from(&saved);
             self.flip(step);
-            if !self.try_step(before, beyond, &saved) {
+            // Dyads behind the group may have a change point at the same coordinate. The junction
+            // decides on which side they continue.
+            if !self.try_part(step + 1, (before, beyond), &saved) {
                 return None;
             }
             let reached = self.state.clone();
@@ -165,6 +167,22 @@ impl Walker<'_> {
         self.state.clone_from(before);
         let dq = engine.difference(before.at, limit);
         group.predict(&mut group.open(&mut self.state.scratch), dq);
+        let (crossing, at) = self.nearest_crossing(step, (limit, by))?;
+        let z = group.open(&mut self.state.scratch).z.to_vec();
+        let met = self.meets(step, at, crossing).is_some();
+        met.then_some(Change { step, at, z, rate })
+    }
+
+    /// Solves the equations of a crossing from the z in the scratch. Returns the crossing of a coupled
+    /// group within `by` of a limit at which the branches count as crossing in doubles, and its
+    /// coordinate.
+    pub(super) fn nearest_crossing(
+        &mut self,
+        step: usize,
+        (limit, by): (f64, f64),
+    ) -> Option<(Crossing, f64)> {
+        let engine = self.engine;
+        let group = &engine.program.coupled[engine.program.steps[step].coupled()?];
         let mut at = limit;
         let mut crossing = None;
         for _ in 0..STEPS {
@@ -189,38 +207,32 @@ impl Walker<'_> {
             }
         }
         let is_here = engine.difference(limit, at).abs() < by;
-        let z = group.open(&mut self.state.scratch).z.to_vec();
         let crossing = crossing.filter(|_| is_here)?;
-        let met = match crossing.unfolding.abs() {
-            far if far > OPENED + REACH_SLACK * engine.frame.far => false,
-            _ => self.meets(step, at, crossing),
-        };
-        met.then_some(Change { step, at, z, rate })
+        let is_open = crossing.unfolding.abs() > OPENED + REACH_SLACK * engine.frame.far;
+        (!is_open).then_some((crossing, at))
     }
 
-    /// Returns `true` if the branches meet according to the typed decimals. Also returns `true` if
-    /// these are not available: then the result in doubles counts.
-    fn meets(&mut self, step: usize, at: f64, crossing: Crossing) -> bool {
+    /// Returns the coordinate of a crossing if the branches meet according to the typed decimals. If
+    /// these are not available, the result in doubles counts.
+    pub(super) fn meets(&mut self, step: usize, at: f64, crossing: Crossing) -> Option<Double> {
         // The steps before it must have a closed form.
         let Some(exact) = self.exact.filter(|exact| step <= exact.closed) else {
-            return true;
+            return Some(Double::exactly(at));
         };
         let group = exact.engine.program.steps[step].coupled();
         let Some(group) = group.and_then(|index| exact.engine.program.coupled.get(index)) else {
-            return true;
+            return Some(Double::exactly(at));
         };
         let mut twice = exact.engine.state::<Double>(self.state.travels.len());
         let (q, _) = self.engine.coordinate(at);
         let unfolding = group.unfolding(crossing, q, &mut self.state, &mut twice.scratch);
-        let Some(mut unfolding) = unfolding else {
-            return false;
-        };
+        let mut unfolding = unfolding?;
         let mut at = Double::exactly(at);
         for _ in 0..CORRECTIONS {
             let how = (&self.state.signs[..], None);
             let order = Order::Acceleration;
             if exact.run(step, at, order, how, &mut twice.state) != Condition::Ok {
-                return false;
+                return None;
             }
             let (q, _) = exact.engine.coordinate(at);
             let Workspace { state, scratch, .. } = &mut twice;
@@ -229,6 +241,7 @@ impl Walker<'_> {
         }
         // An error of a length shifts an equation by at most twice that error.
         let unknowns = unfolding.unknowns() as f64;
-        unfolding.by.hi.abs() <= 2.0 * unknowns * exact.typed_slack()
+        let is_met = unfolding.by.hi.abs() <= 2.0 * unknowns * exact.typed_slack();
+        is_met.then_some(at)
     }
 }

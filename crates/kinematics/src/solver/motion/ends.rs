@@ -175,7 +175,7 @@ impl Walker<'_> {
 
     /// Returns the fold of a coupled group close to a limit by Newton's method on {F = 0, J v = 0,
     /// c.v = 1}. Stores the state at the fold because the group's own matrix is singular there.
-    fn fold(
+    pub(super) fn fold(
         &mut self,
         step: usize,
         index: usize,

@@ -257,6 +257,7 @@ pub(super) fn explore<'e>(
         ahead: None,
         singly: None,
         unresolved: None,
+        refused: None,
         unproved: Vec::new(),
         meeting_assemblies: Vec::new(),
         samples: Vec::new(),

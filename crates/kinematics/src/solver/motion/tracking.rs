@@ -113,6 +113,8 @@ pub(super) struct Walker<'e> {
     pub(super) singly: Option<f64>,
     /// The step, group and coordinate of a dyad whose extreme at the next limit is lost in rounding.
     pub(super) unresolved: Option<(usize, usize, f64)>,
+    /// The step and coordinate of the extreme that could not be passed at the next limit.
+    pub(super) refused: Option<(usize, Double)>,
     /// The groups whose assemblies are known to meet at the next limit.
     pub(super) unproved: Vec<GroupId>,
     /// The ends of the range at which groups are lined up.
@@ -188,6 +190,9 @@ impl Walker<'_> {
                 // undetermined.
                 let beyond = self.pass(limit).filter(|&at| self.ahead(at) > passed);
                 let Some(beyond) = beyond else {
+                    if let Some(end) = self.end_behind_crossing(limit) {
+                        return Ok(WalkEnd::Limit(end));
+                    }
                     let end = self.refined(limit, &last);
                     let limit = self.last_resolved(from, limit);
                     // Beyond a change point that is not passed, the motion may be another one.
@@ -463,6 +468,17 @@ impl Walker<'_> {
     /// moves, corrections and rotations are small enough. The state may change even if the step
     /// fails.
     pub(super) fn try_step(&mut self, from: f64, to: f64, before: &State) -> bool {
+        self.try_part(self.engine.program.steps.len(), (from, to), before)
+    }
+
+    /// Tries one step as [`Walker::try_step`] does, but runs and checks only the first `count` steps
+    /// of the plan.
+    pub(super) fn try_part(
+        &mut self,
+        count: usize,
+        (from, to): (f64, f64),
+        before: &State,
+    ) -> bool {
         let dq = self.engine.difference(from, to);
         let mut planned = Vec::new();
         for group in &self.engine.program.coupled {
@@ -474,7 +490,12 @@ impl Walker<'_> {
             planned.push(first);
             group.predict(&mut buffers, dq);
         }
-        if self.run(to, Order::Acceleration) != Condition::Ok {
+        let condition = if count == self.engine.program.steps.len() {
+            self.run(to, Order::Acceleration)
+        } else {
+            self.run_some(0..count, to, Order::Acceleration)
+        };
+        if condition != Condition::Ok {
             return false;
         }
         let corrections = &self.state.scratch.first;

@@ -6,6 +6,7 @@
 //! 2p, and its sign changes if p is odd. All series are in double-double. They are proved by
 //! solving the mechanism on both sides of the coordinate.
 
+mod curve;
 mod pair;
 mod proof;
 mod series_steps;
@@ -17,9 +18,11 @@ use crate::arithmetic::{Series, TERMS};
 use crate::solver::elements::{Dyad, POSITION, SingularShift, StepOutcome, root};
 use crate::solver::workspace::Workspace;
 use crate::{Double, Vec2};
+use curve::Curve;
 pub(super) use pair::PairFound;
 use pair::{Paired, paired};
 pub(super) use singularity::DyadSingularity;
+use std::ops::Range;
 
 /// Number of terms of the first attempt.
 pub(super) const FIRST: usize = 16;
@@ -45,6 +48,8 @@ pub(super) struct Junction {
     pub(super) missed: Vec<Missed>,
     /// The signs of all groups below and above the coordinate.
     sides: [Vec<f64>; 2],
+    /// The driver's coordinate, if it is not the parameter of the series.
+    curve: Option<Curve>,
 }
 
 /// A group singular at a junction.
@@ -170,11 +175,37 @@ impl Walker<'_> {
             folds: Vec::new(),
             missed: Vec::new(),
             sides: [signs.clone(), signs.clone()],
+            curve: None,
         };
-        let (q, direction) = self.coordinate_of(at, terms);
-        for (i, step) in engine.program.steps.iter().enumerate() {
+        let coordinate = self.coordinate_of(at, terms);
+        let steps = 0..engine.program.steps.len();
+        self.expand(steps, coordinate, crossing, &mut junction)?;
+        let is_pair = junction.folds.iter().any(|f| f.pair);
+        let wanted = if is_pair {
+            WANTED_BY_PAIR
+        } else {
+            MIN_KNOWN_COEFFICIENTS
+        };
+        if junction.known() < wanted && terms + MORE <= TERMS {
+            return Err(Refusal::Terms);
+        }
+        Ok(junction)
+    }
+
+    /// Places steps in series, with all groups that are singular at the junction.
+    fn expand(
+        &mut self,
+        steps: Range<usize>,
+        (q, direction): (Series, Vec2<Series>),
+        crossing: Option<&Change>,
+        junction: &mut Junction,
+    ) -> Result<(), Refusal> {
+        let engine = &self.exact.ok_or(Refusal::End)?.engine;
+        let at = junction.at;
+        for i in steps {
+            let step = &engine.program.steps[i];
             if let Some(dyad) = step.dyad() {
-                self.lead(i, dyad, q, &mut junction)?;
+                self.lead(i, dyad, q, junction)?;
                 continue;
             }
             let done = if let Some(index) = step.coupled() {
@@ -194,16 +225,7 @@ impl Walker<'_> {
                 return Err(Refusal::End);
             }
         }
-        let is_pair = junction.folds.iter().any(|f| f.pair);
-        let wanted = if is_pair {
-            WANTED_BY_PAIR
-        } else {
-            MIN_KNOWN_COEFFICIENTS
-        };
-        if junction.known() < wanted && terms + MORE <= TERMS {
-            return Err(Refusal::Terms);
-        }
-        Ok(junction)
+        Ok(())
     }
 
     /// Places a dyad in series, through its change point if it has one at this coordinate.

@@ -11,7 +11,7 @@ use crate::{Double, Number, Vec2};
 
 /// Maximum difference between series and motion in positions and directions, at a distance from the
 /// junction.
-const PROOF_TOLERANCE: f64 = 1e-9;
+pub(super) const PROOF_TOLERANCE: f64 = 1e-9;
 /// Maximum difference between series and motion, relative to the distance of the other assembly.
 const OTHER: f64 = 0.1;
 /// Factor by which a zone shrinks if the series cannot be proved in it.
@@ -105,10 +105,20 @@ impl Walker<'_> {
         };
         let signs = &junction.sides[usize::from(dq > 0.0)];
         self.state.state.signs.copy_from_slice(signs);
-        let at = self.moved_exactly(junction.at, Double::exactly(dq));
+        let by = match &junction.curve {
+            None => Double::exactly(dq),
+            Some(curve) => curve.offset_at(dq),
+        };
+        let at = self.moved_exactly(junction.at, by);
         let (q, direction) = self.coordinate_of(at, 1);
         let mut here = engine.state::<Series>(self.state.travels.len());
         for i in 0..steps {
+            if let Some(curve) = junction.curve.as_ref().filter(|curve| curve.step == i) {
+                if !self.stays_on_curve(curve, (at, q), (junction, dq), &mut here) {
+                    return false;
+                }
+                continue;
+            }
             let fold = junction.folds.binary_search_by_key(&i, |fold| fold.step);
             let Some(dyad) = engine.program.steps[i].dyad() else {
                 if self
@@ -164,10 +174,6 @@ impl Walker<'_> {
 /// Returns the distance of a position from that of a series, evaluated at a distance `dq`.
 fn miss(text: Vec2<Series>, here: Vec2<Series>, dq: f64) -> f64 {
     let dq = Double::exactly(dq);
-    let sum = |s: Series| {
-        let known = s.c[..s.known].iter().rev();
-        known.fold(Double::ZERO, |sum, &c| sum * dq + c)
-    };
-    let off = Vec2::new(sum(text.x) - here.x.c[0], sum(text.y) - here.y.c[0]);
+    let off = text.map(|s| s.value(dq)) - here.map(|s| s.c[0]);
     off.norm().hi
 }

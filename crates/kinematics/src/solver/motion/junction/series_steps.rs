@@ -96,7 +96,7 @@ impl Walker<'_> {
 
     /// Copies the constant terms of the series, as positions and directions, to the state in
     /// doubles.
-    fn take_places(&mut self, series: &State<Series>) {
+    pub(super) fn take_places(&mut self, series: &State<Series>) {
         let here = &mut self.state.state;
         for (point, from) in here.points.iter_mut().zip(&series.points) {
             point.p = from.p.nearest();

@@ -1,0 +1,449 @@
+//! Passes a change point directly before a fold, where the driver reverses and the range ends.
+//!
+//! A series in the driver's coordinate converges only up to the fold. The parameter of these series
+//! runs along a curve instead, through the change point and past the fold: the height of the dyad
+//! that reaches its limit, or a component of the coupled group that folds. The driver's coordinate is
+//! a series as well, and its extreme is the end of the range.
+
+use super::proof::PROOF_TOLERANCE;
+use super::{Junction, SingularGroup};
+use crate::arithmetic::Series;
+use crate::solver::Order;
+use crate::solver::change_point::{Bend, ChangePointCrossing};
+use crate::solver::coupled::CrossingPlace;
+use crate::solver::elements::SingularShift;
+use crate::solver::motion::Folded;
+use crate::solver::motion::proved_ends::BoundedEnd;
+use crate::solver::motion::tracking::Walker;
+use crate::solver::state::Condition;
+use crate::solver::workspace::Workspace;
+use crate::{Double, Number, Vec2};
+
+/// Distances before a limit, in radians or scaled lengths, from which the group's curve is followed.
+const BEFORE: [f64; 5] = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8];
+/// Number of terms of the series.
+const CURVE_TERMS: usize = 20;
+/// Number of corrections per coefficient of the driver's coordinate.
+const CORRECTIONS: usize = 2;
+/// Number of Newton steps to the fold.
+const STEPS: usize = 12;
+/// Range of the distance between change point and fold along the curve. If it is smaller, rounding
+/// hides their order. If it is larger, a series in the driver's coordinate passes the change point.
+const APART: std::ops::Range<f64> = 1e-7..1e-2;
+/// Minimum zone of the series, in units of the distance between change point and fold.
+const WIDER: f64 = 3.0;
+/// Factor by which a zone shrinks if the series cannot be proved in it.
+const ZONE_RATIO: f64 = 0.3;
+/// Maximum number of zones tried.
+const ZONES: i32 = 8;
+/// Maximum difference between the series and the arriving motion, relative to the distance along the
+/// curve. The other branch is about as far away as that distance.
+const ARRIVAL: f64 = 1e-3;
+/// Maximum difference between the fold of the series and that of the group's equations, in radians or
+/// scaled lengths.
+const FOLD_TOLERANCE: f64 = 1e-11;
+
+/// The driver's coordinate along a curve.
+#[derive(Clone, Debug)]
+pub(super) struct Curve {
+    /// The step of the group that folds.
+    pub(super) step: usize,
+    /// The height of that group if it is a dyad.
+    height: Option<Series>,
+    /// The coordinate relative to that of the junction, in radians or scaled lengths.
+    offset: Series,
+}
+
+impl Curve {
+    /// Returns the driver's coordinate at a distance along the curve, relative to the junction's.
+    pub(super) fn offset_at(&self, by: f64) -> Double {
+        self.offset.value(Double::exactly(by))
+    }
+
+    /// Returns the distance along the curve at which the driver reverses.
+    fn fold(&self) -> Option<Double> {
+        let rate = self.offset.derivative();
+        let bend = rate.derivative();
+        let mut at = Double::ZERO;
+        let mut last = f64::INFINITY;
+        for _ in 0..STEPS {
+            let by = rate.value(at) / bend.value(at);
+            at += -by;
+            last = by.abs().hi;
+        }
+        // Negated so that NaN is rejected.
+        let is_found = last < 1e-25 && APART.contains(&at.abs().hi);
+        is_found.then_some(at)
+    }
+}
+
+impl Walker<'_> {
+    /// Returns the end of the range at a fold close to a limit, if there is a change point directly
+    /// before it. The motion up to the fold is then known.
+    pub(in crate::solver::motion) fn end_behind_crossing(
+        &mut self,
+        limit: f64,
+    ) -> Option<BoundedEnd> {
+        let anchors = self.anchors.clone();
+        let saved = self.state.clone();
+        BEFORE.into_iter().find_map(|by| {
+            let found = self.end_behind_crossing_from(limit, by);
+            if found.is_none() {
+                self.anchors.clone_from(&anchors);
+                self.state.clone_from(&saved);
+            }
+            found
+        })
+    }
+
+    /// Returns the end as [`Walker::end_behind_crossing`] does, from a distance `by` before the limit.
+    fn end_behind_crossing_from(&mut self, limit: f64, by: f64) -> Option<BoundedEnd> {
+        let engine = self.engine;
+        let before = engine.moved(limit, -self.sense * by);
+        self.anchors.forget_beyond(engine, before, self.sense);
+        if self.ahead(before) <= 0.0 || !self.step_to(before) {
+            return None;
+        }
+        let arrived = self.state.clone();
+        let near = (limit, before);
+        let (step, at) = self.refused.unwrap_or_default();
+        let by_dyad = (0..step).find_map(|leader| {
+            self.state.clone_from(&arrived);
+            let junction = self.junction_by_height(leader, at)?;
+            self.end_on_curve(&junction, near, &arrived)
+        });
+        if by_dyad.is_some() {
+            return by_dyad;
+        }
+        let steps = 0..engine.program.steps.len();
+        let is_coupled = |&i: &usize| engine.program.steps[i].coupled().is_some();
+        steps.filter(is_coupled).find_map(|step| {
+            self.state.clone_from(&arrived);
+            let junction = self.curve_junction(step, (limit, by))?;
+            self.end_on_curve(&junction, near, &arrived)
+        })
+    }
+
+    /// Expands the mechanism about a change point along the height of a dyad close to its limit.
+    fn junction_by_height(&mut self, step: usize, at: Double) -> Option<Junction> {
+        let engine = &self.exact?.engine;
+        let dyad = engine.program.steps[step].dyad()?;
+        let group = dyad.group();
+        let plain = SingularShift::default();
+        let mut series = engine.state::<Series>(self.state.travels.len());
+        let mut square = |walker: &mut Self, by: Series| {
+            let (q, direction) = walker.coordinate_along(at, by);
+            walker.place_in_series(0..step, at.hi, q, direction, &mut series)?;
+            Some(dyad.square(q, plain, &series))
+        };
+        let straight = square(self, Series::line(Double::ZERO, Double::ONE).cut(2))?;
+        let (first, slope) = (straight.c[0], straight.c[1]);
+        if !(first.hi > 0.0 && slope.hi != 0.0) {
+            return None;
+        }
+        // The parameter grows with the driver's coordinate on the arriving motion.
+        let rate = slope.abs().sqrt();
+        let rate = if slope.hi < 0.0 { -rate } else { rate };
+        let height = Series::line(first.sqrt(), rate).cut(CURVE_TERMS);
+        let wanted = height * height;
+        let mut offset = Series::default();
+        for k in 1..CURVE_TERMS {
+            for _ in 0..CORRECTIONS {
+                let found = square(self, offset.cut(k + 1))?;
+                offset.c[k] += (wanted.c[k] - found.c[k]) / slope;
+            }
+        }
+        let offset = offset.cut(CURVE_TERMS);
+        square(self, offset)?;
+        let coordinate = self.coordinate_along(at, offset);
+        let signs = self.state.signs.clone();
+        let signed = if signs[group] < 0.0 { -height } else { height };
+        dyad.run_through(coordinate.0, plain, signed, &mut series.state);
+        let curve = Curve {
+            step,
+            height: Some(signed),
+            offset,
+        };
+        self.expanded(at, series, curve, None)
+    }
+
+    /// Expands the steps behind the group of a curve. `fold` is that group if it is singular.
+    fn expanded(
+        &mut self,
+        at: Double,
+        series: Workspace<Series>,
+        curve: Curve,
+        fold: Option<SingularGroup>,
+    ) -> Option<Junction> {
+        let signs = self.state.signs.clone();
+        let coordinate = self.coordinate_along(at, curve.offset);
+        let steps = curve.step + 1..self.engine.program.steps.len();
+        let mut junction = Junction {
+            at,
+            side: 0.0,
+            series,
+            folds: Vec::new(),
+            missed: Vec::new(),
+            sides: [signs.clone(), signs],
+            curve: Some(curve),
+        };
+        if let Some(fold) = fold {
+            junction.fold(fold, self.sense);
+        }
+        self.expand(steps, coordinate, None, &mut junction).ok()?;
+        (!junction.is_miss()).then_some(junction)
+    }
+
+    /// Expands the mechanism along the curve of a coupled group through a crossing close to a limit.
+    /// The state is one before the limit.
+    fn curve_junction(&mut self, step: usize, near: (f64, f64)) -> Option<Junction> {
+        let exact = self.exact?;
+        let index = exact.engine.program.steps[step].coupled()?;
+        let group = &exact.engine.program.coupled[index];
+        let rate = group.open(&mut self.state.scratch).first.to_vec();
+        let (crossing, at) = self.nearest_crossing(step, near)?;
+        let z = group.open(&mut self.state.scratch).z.to_vec();
+        let at = self.meets(step, at, crossing)?;
+        group.open(&mut self.state.scratch).z.copy_from_slice(&z);
+        let (q, _) = self.engine.coordinate(at.hi);
+        if self
+            .engine
+            .run_steps(0..step, at.hi, Order::Position, &mut self.state)
+            == Condition::NoAssembly
+        {
+            return None;
+        }
+        let matrix = group.matrix(q, &mut self.state);
+        let mut series = exact.engine.state(self.state.travels.len());
+        let place = CrossingPlace {
+            z: &z,
+            matrix: &matrix,
+            rate: &rate,
+        };
+        let offset = group.follow_curve(&place, CURVE_TERMS, &mut series, &mut |by, series| {
+            let (q, direction) = self.coordinate_along(at, by);
+            self.place_in_series(0..step, at.hi, q, direction, series)?;
+            Some(q)
+        })?;
+        let of = (step, group.group);
+        let fold = SingularGroup::tolerances_at(of, SingularShift::default(), 2);
+        let curve = Curve {
+            step,
+            height: None,
+            offset,
+        };
+        self.expanded(at, series, curve, Some(fold))
+    }
+
+    /// Returns the driver's coordinate for the steps at a distance from another, both as series.
+    fn coordinate_along(&self, at: Double, by: Series) -> (Series, Vec2<Series>) {
+        let engine = self.engine;
+        let unit = if engine.is_rotary {
+            Double::DEGREES
+        } else {
+            Double::exactly(engine.frame.scale)
+        };
+        engine.coordinate(Series::constant(at) + by * Series::constant(unit))
+    }
+
+    /// Returns the end of the range at the fold of a curve, if the curve is proved on both sides and
+    /// agrees with the arriving motion. Stores the change points and the state at the fold.
+    fn end_on_curve(
+        &mut self,
+        junction: &Junction,
+        (limit, before): (f64, f64),
+        arrived: &Workspace,
+    ) -> Option<BoundedEnd> {
+        let engine = self.engine;
+        let curve = junction.curve.as_ref()?;
+        let fold = curve.fold().filter(|fold| fold.hi * self.sense > 0.0)?;
+        let bend = Bend::new(&curve.offset, fold)?;
+        let is_known = |group: usize| {
+            let place = (group, junction.at.hi);
+            self.crossings.has(engine, place, PROOF_TOLERANCE)
+        };
+        let is_plain = junction.folds.iter().all(|fold| !fold.pair);
+        if !is_plain || junction.groups().any(is_known) || self.ahead(junction.at.hi) <= 0.0 {
+            return None;
+        }
+        // The series does not hold beyond a knot of an input table.
+        let reach = engine.difference(before, limit).abs();
+        if engine.smooth(junction.at.hi) < 2.0 * reach {
+            return None;
+        }
+        let crossings = junction.folds.iter().map(|fold| {
+            let of = (fold.group, fold.turns());
+            let outputs = engine.outputs(fold.step);
+            let crossing = ChangePointCrossing::new(junction.at, of, outputs, &junction.series)?;
+            let other = self.crossings.distance(engine, fold.group, crossing.at);
+            let is_apart = other.is_none_or(|other| other > 2.0 * reach);
+            is_apart.then_some(crossing)
+        });
+        let mut crossings = crossings.collect::<Option<Vec<ChangePointCrossing>>>()?;
+        if let (Some(group), Some(_)) = (engine.group_of(curve.step), &curve.height) {
+            // The dyad at its limit follows the same series, without a change point.
+            let outputs = engine.outputs(curve.step);
+            let of = (group, false);
+            let mut crossing =
+                ChangePointCrossing::new(junction.at, of, outputs, &junction.series)?;
+            crossing.is_led_through = true;
+            crossings.push(crossing);
+        }
+        let widest = crossings
+            .iter()
+            .map(|c| c.zone)
+            .fold(f64::INFINITY, f64::min);
+        let from = bend.parameter(engine.difference(junction.at.hi, before))?;
+        let minimum = WIDER * fold.abs().hi;
+        let steps = engine.program.steps.len();
+        let zones = (0..ZONES).map(|k| widest * ZONE_RATIO.powi(k));
+        let zone = zones
+            .take_while(|&zone| zone > minimum && zone > from.abs())
+            .find(|&zone| self.proves(junction, zone, steps))?;
+        if !self.arrives(junction, from, arrived) {
+            return None;
+        }
+        for crossing in &mut crossings {
+            crossing.zone = zone;
+            crossing.bend = Some(bend.clone());
+        }
+        let known = self.crossings.len();
+        self.crossings.add(crossings);
+        let end = self
+            .exists_on_curve(junction, fold.scaled(0.5))
+            .then(|| self.fold_on_curve(junction, fold, arrived))
+            .flatten();
+        let Some(end) = end else {
+            self.crossings.truncate(known);
+            return None;
+        };
+        let is_beyond = |at: f64| (at - before) * self.sense > 0.0;
+        self.misses.retain(|miss| !is_beyond(miss.at));
+        self.samples.retain(|&at| !is_beyond(at));
+        self.unproved.clear();
+        Some(end)
+    }
+
+    /// Returns `true` if the mechanism exists at a distance along the curve beyond the change point,
+    /// and the watched constraints hold there.
+    fn exists_on_curve(&mut self, junction: &Junction, by: Double) -> bool {
+        let Some(curve) = &junction.curve else {
+            return false;
+        };
+        let at = self.moved_exactly(junction.at, curve.offset.value(by)).hi;
+        let signs = self.state.signs.clone();
+        for step in junction.turning() {
+            self.flip(step);
+        }
+        let steps = 0..self.engine.program.steps.len();
+        let condition = self.run_some(steps, at, Order::Position);
+        self.state.state.signs = signs;
+        condition == Condition::Ok && self.check_fit().is_ok()
+    }
+
+    /// Returns `true` if the series agrees with a state of the motion before the change point.
+    fn arrives(&self, junction: &Junction, by: f64, arrived: &Workspace) -> bool {
+        let maximum = ARRIVAL * by.abs();
+        let at = Double::exactly(by);
+        let is_near = |text: Vec2<Series>, here: Vec2| {
+            (text.map(|s| s.value(at).hi) - here).norm() <= maximum
+        };
+        (0..self.engine.program.steps.len()).all(|step| {
+            let (points, links) = self.engine.outputs(step);
+            let mut points = points.iter().map(|p| p.index());
+            let mut links = links.iter().map(|l| l.index());
+            let (text, here) = (&junction.series, &arrived.state);
+            points.all(|p| is_near(text.points[p].p, here.points[p].p))
+                && links.all(|l| is_near(text.links[l].d, here.links[l].d))
+        })
+    }
+
+    /// Returns the fold of the curve's group as an end of the range, and stores the state there.
+    fn fold_on_curve(
+        &mut self,
+        junction: &Junction,
+        fold: Double,
+        arrived: &Workspace,
+    ) -> Option<BoundedEnd> {
+        let engine = self.engine;
+        let curve = junction.curve.as_ref()?;
+        let at = self.moved_exactly(junction.at, curve.offset.value(fold)).hi;
+        let is_here = |end: &BoundedEnd| engine.difference(at, end.at).abs() <= FOLD_TOLERANCE;
+        self.state.clone_from(arrived);
+        let Some(index) = engine.program.steps[curve.step].coupled() else {
+            for step in junction.turning() {
+                self.flip(step);
+            }
+            let near = self.state.clone();
+            let stored = self.stretched.len();
+            let end = self.refined(at, &near);
+            if !is_here(&end) {
+                self.stretched.truncate(stored);
+                return None;
+            }
+            return Some(end);
+        };
+        let group = &engine.program.coupled[index];
+        for point in group.joints() {
+            let place = junction.series.points[point.index()].p;
+            self.state.state.points[point.index()].p = place.map(|s| s.value(fold).hi);
+        }
+        for link in group.turning() {
+            let direction = junction.series.links[link.index()].d;
+            self.state.state.links[link.index()].d = direction.map(|s| s.value(fold).hi);
+        }
+        let Workspace { state, scratch, .. } = &mut self.state;
+        group.read(state, group.open(scratch).z);
+        let z = group.open(scratch).z.to_vec();
+        let near = self.state.clone();
+        let stored = self.folds.len();
+        let end = self.fold(curve.step, index, at, &near).filter(is_here);
+        if end.is_none() {
+            self.folds.truncate(stored);
+            self.folds.push(Folded { at, index, z });
+        }
+        Some(end.unwrap_or(BoundedEnd::unproved(at)))
+    }
+
+    /// Places the group of a curve at a distance along it. Returns `true` if the group's equations
+    /// hold there.
+    pub(super) fn stays_on_curve(
+        &mut self,
+        curve: &Curve,
+        (at, q): (Double, Series),
+        (junction, by): (&Junction, f64),
+        here: &mut Workspace<Series>,
+    ) -> bool {
+        let engine = self.engine;
+        let by = Double::exactly(by);
+        if let (Some(height), Some(exact)) = (&curve.height, self.exact) {
+            let Some(dyad) = exact.engine.program.steps[curve.step].dyad() else {
+                return false;
+            };
+            let plain = SingularShift::default();
+            let height = height.value(by);
+            let square = dyad.square(q, plain, here);
+            let off = (square.c[0] - height * height).abs().hi;
+            let height = Series::constant(height).cut(1);
+            dyad.run_through(q, plain, height, &mut here.state);
+            return off <= PROOF_TOLERANCE * by.hi * by.hi;
+        }
+        let Some(index) = engine.program.steps[curve.step].coupled() else {
+            return false;
+        };
+        let (points, links) = engine.outputs(curve.step);
+        let value = |v: Vec2<Series>| v.map(|s| Series::constant(s.value(by)).cut(1));
+        for point in points {
+            let place = junction.series.points[point.index()].p;
+            here.state.points[point.index()].p = value(place);
+        }
+        for link in links {
+            let direction = junction.series.links[link.index()].d;
+            here.state.links[link.index()].d = value(direction);
+        }
+        self.take_places(here);
+        let (q, _) = engine.coordinate(at.nearest());
+        let correction = engine.program.coupled[index].correction_at(q, &mut self.state);
+        correction.is_some_and(|size| size <= PROOF_TOLERANCE)
+    }
+}
