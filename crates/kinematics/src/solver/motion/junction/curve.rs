@@ -12,6 +12,7 @@ use crate::solver::Order;
 use crate::solver::change_point::{Bend, ChangePointCrossing};
 use crate::solver::coupled::CrossingPlace;
 use crate::solver::elements::SingularShift;
+use crate::solver::exact::Exact;
 use crate::solver::motion::Folded;
 use crate::solver::motion::proved_ends::BoundedEnd;
 use crate::solver::motion::tracking::Walker;
@@ -84,6 +85,9 @@ impl Walker<'_> {
         &mut self,
         limit: f64,
     ) -> Option<BoundedEnd> {
+        if self.refused.is_none() && !self.has_path() {
+            return None;
+        }
         let anchors = self.anchors.clone();
         let saved = self.state.clone();
         BEFORE.into_iter().find_map(|by| {
@@ -107,7 +111,7 @@ impl Walker<'_> {
         let arrived = self.state.clone();
         let near = (limit, before);
         let (step, at) = self.refused.unwrap_or_default();
-        let by_dyad = (0..step).find_map(|leader| {
+        let by_dyad = self.leaders(step, at).into_iter().find_map(|leader| {
             self.state.clone_from(&arrived);
             let junction = self.junction_by_height(leader, at)?;
             self.end_on_curve(&junction, near, &arrived)
@@ -122,6 +126,30 @@ impl Walker<'_> {
             let junction = self.curve_junction(step, (limit, by))?;
             self.end_on_curve(&junction, near, &arrived)
         })
+    }
+
+    /// Returns the dyads before a step that reach their limit directly behind a change point.
+    fn leaders(&mut self, step: usize, at: Double) -> Vec<usize> {
+        let mut leaders = Vec::new();
+        let Some(Exact { engine, .. }) = self.exact else {
+            return leaders;
+        };
+        let (q, direction) = self.coordinate_of(at, 2);
+        let mut series = engine.state::<Series>(self.state.travels.len());
+        for i in 0..step {
+            if let Some(dyad) = engine.program.steps[i].dyad() {
+                let square = dyad.square(q, SingularShift::default(), &series);
+                let [first, slope] = [square.c[0].hi, square.c[1].hi];
+                if APART.contains(&(first / slope.abs()).sqrt()) {
+                    leaders.push(i);
+                }
+            }
+            let placed = self.place_in_series(i..i + 1, at.hi, q, direction, &mut series);
+            if placed.is_none() {
+                break;
+            }
+        }
+        leaders
     }
 
     /// Expands the mechanism about a change point along the height of a dyad close to its limit.
