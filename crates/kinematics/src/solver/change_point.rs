@@ -385,6 +385,14 @@ impl Bend {
         })
     }
 
+    /// Returns `true` if the coordinate has no other extreme within a distance from the fold.
+    pub(super) fn is_monotonic(&self, distance: f64) -> bool {
+        let terms = self.coefficients.iter().enumerate();
+        let mut sizes = terms.map(|(k, c)| c.abs() * (k + 2) as f64 * distance.powi(k as i32));
+        let first = sizes.next().unwrap_or(0.0);
+        sizes.sum::<f64>() < first
+    }
+
     /// Returns the parameter at a distance of the coordinate from the change point, on the side of
     /// the fold on which the change point lies. Returns `None` beyond the fold and outside every zone.
     pub(super) fn parameter(&self, dq: f64) -> Option<f64> {

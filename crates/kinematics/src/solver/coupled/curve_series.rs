@@ -22,6 +22,9 @@ use crate::solver::workspace::Workspace;
 /// Number of corrections per coefficient: the second one finds the digits that doubles do not hold.
 const CORRECTIONS: usize = 2;
 
+/// Minimum angle between the branches at a crossing, in radians.
+const MIN_ANGLE: f64 = 0.02;
+
 /// A coupled group at a crossing.
 pub(in crate::solver) struct CrossingPlace<'a> {
     /// The unknowns z.
@@ -151,7 +154,13 @@ impl Curve<'_, '_> {
                         *value = self.next(1, series)?;
                         self.add(1, &free, -share);
                     }
-                    let (share, steep) = tangent(values, wanted)?;
+                    let (share, steep) = tangent(values, wanted).filter(|_| wanted.is_finite())?;
+                    // The arrival distinguishes branches that are further apart than this.
+                    let [none, plus, minus] = values;
+                    let bend = 0.5 * (plus + minus) - none;
+                    if steep.abs() < MIN_ANGLE * bend.abs() {
+                        return None;
+                    }
                     self.add(1, &free, share);
                     steep
                 }

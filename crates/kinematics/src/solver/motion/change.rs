@@ -157,7 +157,8 @@ impl Walker<'_> {
         } = extreme;
         let junction = self.junction(at, None);
         let beyond = junction.and_then(|junction| self.pass_junction(&junction));
-        if beyond.is_none() && first.is_none() {
+        let is_earlier = |&(_, other): &(usize, Double)| self.ahead(other.hi) <= self.ahead(at.hi);
+        if beyond.is_none() && first.is_none() && !self.refused.as_ref().is_some_and(is_earlier) {
             self.refused = Some((step, at));
         }
         let mut is_singular = || {

@@ -13,7 +13,6 @@ use crate::solver::change_point::{Bend, ChangePointCrossing};
 use crate::solver::coupled::CrossingPlace;
 use crate::solver::elements::SingularShift;
 use crate::solver::exact::Exact;
-use crate::solver::motion::Folded;
 use crate::solver::motion::proved_ends::BoundedEnd;
 use crate::solver::motion::tracking::Walker;
 use crate::solver::state::Condition;
@@ -109,12 +108,11 @@ impl Walker<'_> {
             return None;
         }
         let arrived = self.state.clone();
-        let near = (limit, before);
         let (step, at) = self.refused.unwrap_or_default();
         let by_dyad = self.leaders(step, at).into_iter().find_map(|leader| {
             self.state.clone_from(&arrived);
             let junction = self.junction_by_height(leader, at)?;
-            self.end_on_curve(&junction, near, &arrived)
+            self.end_on_curve(&junction, before, &arrived)
         });
         if by_dyad.is_some() {
             return by_dyad;
@@ -124,7 +122,7 @@ impl Walker<'_> {
         steps.filter(is_coupled).find_map(|step| {
             self.state.clone_from(&arrived);
             let junction = self.curve_junction(step, (limit, by))?;
-            self.end_on_curve(&junction, near, &arrived)
+            self.end_on_curve(&junction, before, &arrived)
         })
     }
 
@@ -279,12 +277,15 @@ impl Walker<'_> {
     fn end_on_curve(
         &mut self,
         junction: &Junction,
-        (limit, before): (f64, f64),
+        before: f64,
         arrived: &Workspace,
     ) -> Option<BoundedEnd> {
         let engine = self.engine;
         let curve = junction.curve.as_ref()?;
-        let fold = curve.fold().filter(|fold| fold.hi * self.sense > 0.0)?;
+        let grows = curve.offset.c[1].hi > 0.0;
+        let fold = curve
+            .fold()
+            .filter(|fold| grows && fold.hi * self.sense > 0.0)?;
         let bend = Bend::new(&curve.offset, fold)?;
         let is_known = |group: usize| {
             let place = (group, junction.at.hi);
@@ -294,18 +295,16 @@ impl Walker<'_> {
         if !is_plain || junction.groups().any(is_known) || self.ahead(junction.at.hi) <= 0.0 {
             return None;
         }
-        // The series does not hold beyond a knot of an input table.
-        let reach = engine.difference(before, limit).abs();
-        if engine.smooth(junction.at.hi) < 2.0 * reach {
+        // The state before must lie before the change point.
+        let from = bend.parameter(engine.difference(junction.at.hi, before))?;
+        let disc = from.abs().max(fold.abs().hi);
+        if from * self.sense >= 0.0 || !self.has_no_other_change(junction, disc) {
             return None;
         }
         let crossings = junction.folds.iter().map(|fold| {
             let of = (fold.group, fold.turns());
             let outputs = engine.outputs(fold.step);
-            let crossing = ChangePointCrossing::new(junction.at, of, outputs, &junction.series)?;
-            let other = self.crossings.distance(engine, fold.group, crossing.at);
-            let is_apart = other.is_none_or(|other| other > 2.0 * reach);
-            is_apart.then_some(crossing)
+            ChangePointCrossing::new(junction.at, of, outputs, &junction.series)
         });
         let mut crossings = crossings.collect::<Option<Vec<ChangePointCrossing>>>()?;
         if let (Some(group), Some(_)) = (engine.group_of(curve.step), &curve.height) {
@@ -321,13 +320,23 @@ impl Walker<'_> {
             .iter()
             .map(|c| c.zone)
             .fold(f64::INFINITY, f64::min);
-        let from = bend.parameter(engine.difference(junction.at.hi, before))?;
         let minimum = WIDER * fold.abs().hi;
         let steps = engine.program.steps.len();
         let zones = (0..ZONES).map(|k| widest * ZONE_RATIO.powi(k));
         let zone = zones
             .take_while(|&zone| zone > minimum && zone > from.abs())
-            .find(|&zone| self.proves(junction, zone, steps))?;
+            .find(|&zone| {
+                let sides = [-zone, zone].map(|by| curve.offset_at(by).abs().hi);
+                let wide = sides[0].max(sides[1]);
+                // The series does not hold beyond a knot of an input table.
+                let is_smooth = engine.smooth(junction.at.hi) >= wide;
+                let is_alone = junction.groups().all(|group| {
+                    let other = self.crossings.distance(engine, group, junction.at.hi);
+                    other.is_none_or(|other| other > 2.0 * wide)
+                });
+                let is_bent = bend.is_monotonic(zone + fold.abs().hi);
+                is_smooth && is_alone && is_bent && self.proves(junction, zone, steps)
+            })?;
         if !self.arrives(junction, from, arrived) {
             return None;
         }
@@ -350,6 +359,40 @@ impl Walker<'_> {
         self.samples.retain(|&at| !is_beyond(at));
         self.unproved.clear();
         Some(end)
+    }
+
+    /// Returns `true` if no group has another change point or limit within a distance along the
+    /// curve, from before the change point to the fold.
+    ///
+    /// A group that follows the driver alone would pass such a place twice, before and behind the
+    /// fold. A proof on both sides of the curve cannot detect that. By Pellet's theorem, the square
+    /// of a height has as many zeros in a disc as the power of its dominant term.
+    fn has_no_other_change(&self, junction: &Junction, disc: f64) -> bool {
+        let (Some(curve), Some(Exact { engine, .. })) = (&junction.curve, self.exact) else {
+            return false;
+        };
+        let (q, _) = self.coordinate_along(junction.at, curve.offset);
+        engine.program.steps.iter().enumerate().all(|(i, step)| {
+            if i == curve.step {
+                return true;
+            }
+            if step.coupled().is_some() {
+                return false;
+            }
+            let Some(dyad) = step.dyad() else {
+                return true;
+            };
+            let fold = junction.folds.iter().find(|fold| fold.step == i);
+            let snap = fold.map_or_else(SingularShift::default, |fold| fold.snap);
+            let square = dyad.square(q, snap, &junction.series);
+            let size = |n: usize| square.c[n].abs().hi * disc.powi(n as i32);
+            let total: f64 = (0..square.known).map(size).sum();
+            let dominant = (0..square.known).find(|&n| 2.0 * size(n) > total);
+            dominant.is_some_and(|order| match fold {
+                None => order == 0,
+                Some(fold) => order > 0 && order % 2 == 0 && fold.turns() == (order % 4 == 2),
+            })
+        })
     }
 
     /// Returns `true` if the mechanism exists at a distance along the curve beyond the change point,
@@ -422,15 +465,13 @@ impl Walker<'_> {
         }
         let Workspace { state, scratch, .. } = &mut self.state;
         group.read(state, group.open(scratch).z);
-        let z = group.open(scratch).z.to_vec();
         let near = self.state.clone();
         let stored = self.folds.len();
         let end = self.fold(curve.step, index, at, &near).filter(is_here);
         if end.is_none() {
             self.folds.truncate(stored);
-            self.folds.push(Folded { at, index, z });
         }
-        Some(end.unwrap_or(BoundedEnd::unproved(at)))
+        end
     }
 
     /// Places the group of a curve at a distance along it. Returns `true` if the group's equations
@@ -454,7 +495,7 @@ impl Walker<'_> {
             let off = (square.c[0] - height * height).abs().hi;
             let height = Series::constant(height).cut(1);
             dyad.run_through(q, plain, height, &mut here.state);
-            return off <= PROOF_TOLERANCE * by.hi * by.hi;
+            return off <= PROOF_TOLERANCE * square.c[0].abs().hi;
         }
         let Some(index) = engine.program.steps[curve.step].coupled() else {
             return false;
