@@ -184,14 +184,14 @@ fn endless_input_is_rejected_and_blocked_read_is_interruptible() {
 #[test]
 fn overwriting_keeps_mode_owner_and_symlinks() {
     let folder = fresh("kept-rights");
-    let file = folder.join("out.csv");
+    let file = folder.join("out.txt");
     fs::write(&file, "old").unwrap();
     fs::set_permissions(&file, fs::Permissions::from_mode(0o640)).unwrap();
     let is_given = std::os::unix::fs::chown(&file, Some(4321), Some(1234)).is_ok();
-    let link = folder.join("link.csv");
-    symlink("out.csv", &link).unwrap();
-    let dangling = folder.join("dangling.csv");
-    symlink("made.csv", &dangling).unwrap();
+    let link = folder.join("link.txt");
+    symlink("out.txt", &link).unwrap();
+    let dangling = folder.join("dangling.txt");
+    symlink("made.txt", &dangling).unwrap();
     let expected = run_ok(&["table", "press"]);
     for name in [&link, &dangling] {
         run_ok(&["table", "press", "-o", text(name)]);
@@ -207,7 +207,7 @@ fn overwriting_keeps_mode_owner_and_symlinks() {
     }
     assert_eq!(
         names(&folder),
-        ["dangling.csv", "link.csv", "made.csv", "out.csv"]
+        ["dangling.txt", "link.txt", "made.txt", "out.txt"]
     );
 }
 
@@ -242,7 +242,7 @@ fn file_in_unwritable_folder_is_written_in_place() {
         let place = folder.join(format!("{mode:o}"));
         fs::create_dir(&place).unwrap();
         fs::set_permissions(&place, fs::Permissions::from_mode(mode)).unwrap();
-        let file = place.join("out.csv");
+        let file = place.join("out.txt");
         fs::write(&file, "old").unwrap();
         fs::set_permissions(&file, fs::Permissions::from_mode(0o666)).unwrap();
         let name = text(&file);
@@ -254,7 +254,7 @@ fn file_in_unwritable_folder_is_written_in_place() {
         );
         let found = fs::metadata(&file).unwrap();
         assert_eq!((found.uid(), found.mode() & 0o777), (0, 0o666));
-        assert_eq!(names(&place), ["out.csv"]);
+        assert_eq!(names(&place), ["out.txt"]);
         // A file of another user without write permission stays unchanged.
         fs::set_permissions(&file, fs::Permissions::from_mode(0o644)).unwrap();
         let run_output = as_nobody(&folder, &format!("$KRANK check press -o {name}"));

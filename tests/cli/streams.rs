@@ -64,7 +64,7 @@ fn long_sweep_uses_constant_memory() {
 
 #[test]
 fn output_option_writes_results_to_a_file() {
-    let file = folder("to-a-file").join("out.csv");
+    let file = folder("to-a-file").join("out.txt");
     let path = file.to_str().unwrap();
     for args in [
         &["sweep", "four-bar"][..],

@@ -17,8 +17,8 @@ catalogue! {
         number_or_name = "bir sayı, bir ad ya da bir parantez";
         closing_bracket = "`)`";
         exponent_must_be_number = "üs 0'dan farklı bir sayı olmalı";
-        exponents_go_to(most: usize) =
-            "`^` -{most} ile {most} arasındaki sayıları alır: ötekiler için exp() ve ln() kullanın";
+        exponents_go_to(maximum: usize) =
+            "`^` -{maximum} ile {maximum} arasındaki sayıları alır: ötekiler için exp() ve ln() kullanın";
         of_plain_numbers_only(name: &str) =
             "`{name}` yalnız birimsiz sayılarla kullanılır ([parameters] içindeki gibi): türevi yoktur";
         no_function(name: &str) = "bilinmeyen fonksiyon `{name}`";
