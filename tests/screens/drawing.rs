@@ -87,10 +87,12 @@ fn line_glyphs_match_ascii_cell_by_cell() {
         for size in SIZES {
             let (_, _, view, figure) = drawn(preset.text, None, size, Layers::default());
             let lines = render(&figure, &view, Glyphs::Line).text();
-            assert!(lines.contains(['─', '│']), "{}\n{lines}", preset.name);
             let spelled = lines.replace('─', "-").replace('│', "|").replace('▒', "#");
             let characters = render(&figure, &view, Glyphs::Ascii).text();
             assert_eq!(spelled, characters, "{}", preset.name);
+            // A drawing such as that of the five-bar can have oblique lines only.
+            let is_straight = characters.contains(['-', '|']);
+            assert_eq!(lines.contains(['─', '│']), is_straight, "{}", preset.name);
         }
     }
 }
