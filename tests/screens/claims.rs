@@ -53,8 +53,8 @@ pub(crate) fn spelled(screen: &str) -> String {
 
 /// Returns the numbers of a screen, as written.
 pub(crate) fn figures(screen: &str) -> BTreeSet<String> {
-    // The zero line of a chart may touch a number.
-    let plain = |word: &str| word.trim_matches(['[', ']', '*', '·', '.']).to_owned();
+    // The zero line and the cursor of a chart may touch a number.
+    let plain = |word: &str| word.trim_matches(['[', ']', '*', '·', '.', '┆']).to_owned();
     // A cursor's bracket may touch the next number.
     let distance = |c: char| c.is_whitespace() || c == '[' || c == ']';
     let words = screen.split(distance).map(plain);
