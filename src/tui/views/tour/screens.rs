@@ -62,6 +62,7 @@ pub(crate) fn screen(number: usize, keymap: &Keymap) -> TourScreen {
                     View::Working,
                     View::Motor,
                     View::Lengths,
+                    View::Polygons,
                 ]
                 .map(look),
             ),

@@ -24,11 +24,11 @@ catalogue! {
             )
         };
         tour_of_figures = "Tables, plots, trust";
-        tour_of_figures_text(views: &[String; 8]) = {
-            let [motion, tables, plots, accuracy, forces, working, motor, lengths] = views;
+        tour_of_figures_text(views: &[String; 9]) = {
+            let [motion, tables, plots, accuracy, forces, working, motor, lengths, polygons] = views;
             format!(
                 "{tables} tables, {plots} plots, {forces} forces, {working} the working, {motor} the motor, \
-                 {motion} motion.\nValues have a proved error bound where possible; digits beyond it are dim, or \
+                 {polygons} polygons, {motion} motion.\nValues have a proved error bound where possible; digits beyond it are dim, or \
                  dots. - means no value. {accuracy} compares methods, {lengths} shows the effect of each length."
             )
         };

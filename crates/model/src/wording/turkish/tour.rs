@@ -23,11 +23,11 @@ catalogue! {
             )
         };
         tour_of_figures = "Tablolar, grafikler, güven";
-        tour_of_figures_text(views: &[String; 8]) = {
-            let [motion, tables, plots, accuracy, forces, working, motor, lengths] = views;
+        tour_of_figures_text(views: &[String; 9]) = {
+            let [motion, tables, plots, accuracy, forces, working, motor, lengths, polygons] = views;
             format!(
-                "{tables} tablo, {plots} grafik, {forces} kuvvet, {working} çözüm, {motor} motor, {motion} yine \
-                 hareket.\nDeğerlerin, olabildiğinde, kanıtlı hata sınırı vardır: ötesindeki haneler soluk ya da \
+                "{tables} tablo, {plots} grafik, {forces} kuvvet, {working} çözüm, {motor} motor, {polygons} poligon, \
+                 {motion} yine hareket.\nDeğerlerin, olabildiğinde, kanıtlı hata sınırı vardır: ötesindeki haneler soluk ya da \
                  noktadır. - değer yok demektir. {accuracy} yöntemleri, {lengths} boyların etkisini gösterir."
             )
         };
