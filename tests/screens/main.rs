@@ -45,6 +45,7 @@ mod picker;
 mod player;
 #[cfg(feature = "tui")]
 mod plots;
+#[cfg(feature = "tui")]
 mod polygons;
 #[cfg(feature = "tui")]
 mod scene;
