@@ -32,8 +32,8 @@ pub struct Workbench {
     still: Still,
     /// The bytes that remove the last image, not sent yet.
     removal: &'static [u8],
-    /// `true` if the last frame showed a message.
-    had_message: bool,
+    /// `true` if the playback alone changed the screen after the last composed frame.
+    only_moves: bool,
 }
 
 impl Workbench {
@@ -120,7 +120,7 @@ impl Workbench {
             sent: Vec::new(),
             still: Still::default(),
             removal: &[],
-            had_message: false,
+            only_moves: false,
         }
     }
 
@@ -177,9 +177,9 @@ impl Workbench {
     /// driver's position. The rest of the screen stays as it is until the next
     /// [`Workbench::paint_within`].
     pub(super) fn paint_motion(&mut self, space: usize) -> &[u8] {
-        let had_message = self.had_message;
+        let only_moved = self.only_moves;
         self.compose();
-        if !had_message && self.app.only_moves() {
+        if only_moved && self.only_moves {
             let moving = views::moving(&self.app, &self.sketch);
             if !moving.is_empty() {
                 self.painter.keep_outside(&moving);
@@ -192,7 +192,7 @@ impl Workbench {
     fn compose(&mut self) {
         self.app.update_before_frame();
         let app = &self.app;
-        self.had_message = app.message().is_some();
+        self.only_moves = app.only_moves();
         views::prepare(app, &mut self.sketch);
         self.painter.paint_with(app.palette());
         let canvas = self.painter.canvas(views::area(app));

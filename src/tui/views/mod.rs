@@ -123,9 +123,11 @@ pub(crate) fn urgent(app: &App) -> [Rect; 2] {
 }
 
 /// Returns the areas that move during playback on a slow line: the drawing, the line below it with
-/// the position in the cycle, and the last line. Empty if no drawing is visible.
+/// the position in the cycle, and the last line. Empty if no drawing is visible, or if its window
+/// follows the linkage, because the legend's scale then changes with it.
 pub(crate) fn moving(app: &App, sketch: &Sketch) -> Vec<Rect> {
-    let Some(drawing) = sketch.area() else {
+    let is_fixed = app.views.viewport.lens.is_fixed();
+    let Some(drawing) = sketch.area().filter(|_| is_fixed) else {
         return Vec::new();
     };
     let area = full_area(app.size());

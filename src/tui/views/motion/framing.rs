@@ -180,7 +180,7 @@ impl ViewportState {
     }
 
     /// Returns `true` if the window stays in place while the linkage moves.
-    pub(super) fn is_fixed(&self) -> bool {
+    pub(in crate::tui::views) fn is_fixed(&self) -> bool {
         self.framing == Framing::Motion || self.held.is_some()
     }
 
