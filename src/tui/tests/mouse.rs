@@ -335,10 +335,11 @@ fn wheel_scrolls_lists_if_arrows_are_rebound() {
     assert_ne!(workbench.app().views.cursor.row, 0);
 }
 
-/// A drag ends when another scene is opened.
+/// A drag ends when another scene is opened. The drawing needs a wide screen next to the names of
+/// these values.
 #[test]
 fn opening_another_scene_ends_pin_drag() {
-    let mut workbench = bench("jansen-leg", "M 6");
+    let mut workbench = bench_on("jansen-leg", "M 6", Size::new(MAX_WIDTH, MAX_HEIGHT));
     let ground = workbench.app().open_scene().scene();
     let ids = ground.mechanism.point_ids();
     let pins: Vec<Vec2> = ids
