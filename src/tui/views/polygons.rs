@@ -10,7 +10,7 @@
 
 use super::motion::PolygonSketch;
 use super::pane::Pane;
-use super::{Sketch, inset, mark_more, page, print, show};
+use super::{Sketch, inset, mark_more, page, print, print_line, show};
 use crate::Vec2;
 use crate::drawing::{
     self, ArrowKind, DiagramArrow, Extents, LegendEntry, Role, VectorDiagram, WorldView,
@@ -42,6 +42,11 @@ const MAX_SIDE_BY_SIDE: u16 = 3;
 /// A polygon larger than this multiple of the median size has its own scale. Rates grow without
 /// bound near a dead point.
 const MAX_SIZE_FACTOR: f64 = 3.0;
+/// The fixed scale has this factor of space beyond the largest sampled polygon, because a peak may be
+/// between two samples.
+const HEADROOM: f64 = 1.05;
+/// A polygon smaller than this fraction of the largest one does not count: the driver rests there.
+const MIN_SIZE_FRACTION: f64 = 1e-9;
 /// The fraction of the fixed size below which an arrow is not drawn.
 const MIN_VISIBLE_ARROW: f64 = 5e-3;
 
@@ -113,7 +118,7 @@ impl LoopPolygons {
             .polygon(ORDERS[order].0, &aspect.unit(unit))?;
         let places = diagram.places();
         let extents = match &self.extents.get(of)?[order] {
-            Some((extents, size)) if size_of(&places) <= *size * (1.0 + 1e-9) => extents.clone(),
+            Some((extents, size)) if size_of(&places) <= *size * HEADROOM => extents.clone(),
             _ => around(&places),
         };
         Some((diagram, extents))
@@ -130,11 +135,13 @@ fn size_of(places: &[Vec2]) -> f64 {
 fn extents_of(mut polygons: Vec<Vec<Vec2>>) -> Option<(Extents, f64)> {
     polygons.retain(|places| size_of(places).is_finite());
     polygons.sort_by(|a, b| size_of(a).total_cmp(&size_of(b)));
+    let minimum = MIN_SIZE_FRACTION * size_of(polygons.last()?);
+    polygons.retain(|places| size_of(places) > minimum);
     let median = size_of(polygons.get(polygons.len() / 2)?);
     let maximum = MAX_SIZE_FACTOR * median;
     polygons.retain(|places| size_of(places) <= maximum);
     let size = polygons.last().map_or(0.0, |places| size_of(places));
-    let seen = polygons.concat();
+    let seen: Vec<Vec2> = polygons.concat().iter().map(|at| *at * HEADROOM).collect();
     (size > 0.0).then(|| (around(&seen), size))
 }
 
@@ -263,6 +270,12 @@ impl Pane for PolygonsView {
             return;
         };
         let area = inset(body);
+        if polygons.count() == 0 {
+            let names = app.open_scene().scene().vectors.iter();
+            let names: Vec<&str> = names.map(|vector| vector.name.as_str()).collect();
+            let reason = words().in_no_loop(&names.join(", "));
+            print_line(buffer, area, &reason, ScreenPart::Quiet);
+        }
         let Panels { first, areas } = panels(app, area);
         let last = first + areas.len();
         for (panel, drawn) in areas.into_iter().zip(sketch.drawn_polygons()) {
@@ -270,6 +283,11 @@ impl Pane for PolygonsView {
             let style = theme::part(ScreenPart::Quiet);
             print(buffer, panel.x, panel.y, panel.width, &title, style);
             show(drawn.raster(), below_title(panel), buffer);
+            // The position polygon of a loop exists in every state, the rates do not.
+            if drawn.scale.is_none() && drawn.number() % ORDERS.len() > 0 {
+                let reason = words().dead_point_without_rates();
+                print_line(buffer, below_title(panel), reason, ScreenPart::Quiet);
+            }
         }
         mark_more(area, first > 0, last < polygons.count(), buffer);
     }
@@ -291,11 +309,13 @@ impl Pane for PolygonsView {
         ]
     }
 
-    /// Returns the first visible polygon.
+    /// Returns the first visible polygon, which is that of the screen.
     fn svg(&self, app: &App) -> Result<(&'static str, String), String> {
         let polygons = app.views.polygons.get();
         let unit = app.open_scene().scene().unit.symbol();
-        let first = app.views.scroll[View::Polygons as usize];
+        let placed = super::placed(app);
+        let own = placed.iter().find(|pane| pane.view == View::Polygons);
+        let first = own.map_or(0, |own| panels(app, inset(own.area)).first);
         let diagram = polygons.and_then(|polygons| polygons.panel(first, unit));
         let (diagram, _) = diagram.ok_or_else(|| words().no_drawing_here().to_owned())?;
         let title = order_name(first);
@@ -333,4 +353,23 @@ fn title(app: &App, polygons: &LoopPolygons, drawn: &PolygonSketch, width: u16) 
         title.extend(line.iter().map(|piece| piece.text.as_str()));
     }
     title
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn triangle(size: f64) -> Vec<Vec2> {
+        vec![Vec2::ZERO, Vec2::new(size, 0.0), Vec2::new(0.0, 0.5 * size)]
+    }
+
+    /// A driver that rests for half of its cycle has zero polygons there.
+    #[test]
+    fn resting_driver_keeps_scale_of_its_motion() {
+        let sizes = [0.0, 0.0, 0.0, 1.0, 2.0, 100.0];
+        let (_, size) = extents_of(sizes.map(triangle).to_vec()).unwrap();
+        assert_eq!(size, 2.0, "the last one is far larger than most");
+        assert!(extents_of(vec![triangle(0.0); 3]).is_none());
+        assert!(extents_of(Vec::new()).is_none());
+    }
 }
