@@ -80,6 +80,13 @@ impl ForceSum {
     }
 }
 
+/// Returns the force accumulated on the own coordinate of an input, which its motor resists; zero
+/// for an input that the mechanism does not have.
+fn effort(mechanism: &Mechanism, input: Input, of: &RecordedForces) -> f64 {
+    let number = mechanism.inputs().position(|other| other == input);
+    number.map_or(0.0, |number| of.forces.efforts[number])
+}
+
 /// Returns the sliding point of a slide, and the force of the guide on it.
 fn guided(
     mechanism: &Mechanism,
@@ -88,12 +95,8 @@ fn guided(
     of: &RecordedForces,
 ) -> (PointId, Vec2) {
     let t = state.travels[slide.index()].guide.d;
-    let along = if mechanism.driver().input == Input::Push(slide) {
-        -of.forces.drive
-    } else {
-        0.0
-    };
-    let force = t.perp() * of.forces.normals[slide.index()] + t * along;
+    let along = effort(mechanism, Input::Push(slide), of);
+    let force = t.perp() * of.forces.normals[slide.index()] - t * along;
     (mechanism.slide(slide).slider.point(), force)
 }
 
@@ -108,8 +111,10 @@ fn link_miss(mechanism: &Mechanism, link: LinkId, state: &State, of: &RecordedFo
     for &(_, point, force) in of.pressed.iter().filter(|(on, ..)| *on == link) {
         sum.add(at(point), force);
     }
-    if mechanism.driver().input == Input::Turn(link) {
-        sum.twist(-of.forces.drive);
+    sum.twist(-effort(mechanism, Input::Turn(link), of));
+    // A motor on another link acts on that link with the opposite moment.
+    for (turned, _) in mechanism.elbows().filter(|&(_, from)| from == link) {
+        sum.twist(effort(mechanism, Input::Turn(turned), of));
     }
     for slide in mechanism.slide_ids() {
         let (point, force) = guided(mechanism, slide, state, of);
