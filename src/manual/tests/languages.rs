@@ -172,7 +172,10 @@ fn what_is_typed_and_every_figure_are_the_same() {
     for (name, [english, turkish]) in parts() {
         for (one, other) in english.iter().zip(&turkish) {
             let text = |code: &str| {
-                let of_screen = SCREENS.iter().find(|(english, _)| *english == code);
+                // Elsewhere `at` is a key of scene files, which is the same in all languages.
+                let is_key = code == "at" && name != "forces";
+                let mut screens = SCREENS.iter().filter(|_| !is_key);
+                let of_screen = screens.find(|(english, _)| *english == code);
                 of_screen.map_or(code.to_owned(), |(_, turkish)| (*turkish).to_owned())
             };
             let wanted: BTreeSet<String> = one.code().into_iter().map(text).collect();
