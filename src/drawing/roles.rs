@@ -43,11 +43,19 @@ pub fn link_roles(mechanism: &Mechanism) -> Vec<Role> {
     let mut next = 0;
     // Stored per point, so that links that share a point are not searched again for each of them.
     let mut met = vec![[false; LINK_HUES as usize]; mechanism.points().len()];
+    // The joints of links with the driver's hue. The driver has it before further inputs.
+    let mut driven = vec![false; mechanism.points().len()];
+    if let Input::Turn(link) = mechanism.driver().input {
+        let members = mechanism.link(link).members.iter();
+        members.for_each(|member| driven[member.point.index()] = true);
+    }
     let role = |(id, link): (LinkId, &Link)| {
-        if mechanism.is_turned(id) {
+        let points = || link.members.iter().map(|m| m.point.index());
+        let is_driver = mechanism.driver().input == Input::Turn(id);
+        if is_driver || mechanism.is_turned(id) && !points().any(|point| driven[point]) {
+            points().for_each(|point| driven[point] = true);
             return Role::Driver;
         }
-        let points = || link.members.iter().map(|m| m.point.index());
         let is_free = |hue: &u8| !points().any(|point| met[point][usize::from(*hue)]);
         let mut hues = (0..LINK_HUES).map(|k| (next + k) % LINK_HUES);
         let hue = hues.find(is_free).unwrap_or(next);
