@@ -82,7 +82,12 @@ impl Variables {
         let links = links?;
         let slides = mechanism.slide_ids();
         let slides: Option<Vec<_>> = slides
-            .map(|slide| Some([self.travel(slide)?, guide(mechanism, slide, &links)?]))
+            .map(|slide| {
+                Some([
+                    self.travel(context, slide)?,
+                    guide(mechanism, slide, &links)?,
+                ])
+            })
             .collect();
         let slides = slides?;
         Some(SolutionChain {
@@ -107,13 +112,11 @@ impl Variables {
             let reading = context.readings.get(term.side)?;
             let angle = match side.turns {
                 Turns::Never => VectorPart::Known(angle::radians(reading.theta)),
-                Turns::With(link, offset) => {
-                    VectorPart::Sought(self.root(link)?, angle::radians(offset))
-                }
+                Turns::With(link, offset) => self.root(context, link, offset)?,
                 Turns::Freely => return None,
             };
             let length = match side.shape {
-                SideShape::Slide(slide) => self.travel(slide)?,
+                SideShape::Slide(slide) => self.travel(context, slide)?,
                 SideShape::Link(_) | SideShape::Rigid(..) => VectorPart::Known(reading.r),
                 SideShape::Free(..) => return None,
             };
@@ -126,13 +129,21 @@ impl Variables {
         Some(sum)
     }
 
-    fn root(&self, link: LinkId) -> Option<usize> {
-        self.find(LoopUnknown::Angle(link))
+    /// Returns the direction at an angle, in degrees, to a link: known if an input holds the link.
+    fn root(&self, context: &Context<'_>, link: LinkId, offset: f64) -> Option<VectorPart> {
+        if let Some(index) = self.find(LoopUnknown::Angle(link)) {
+            return Some(VectorPart::Sought(index, angle::radians(offset)));
+        }
+        let angle = context.state.angle(link) + offset;
+        is_held(context, Input::Turn(link)).then(|| VectorPart::Known(angle::radians(angle)))
     }
 
-    fn travel(&self, slide: SlideId) -> Option<VectorPart> {
-        let index = self.find(LoopUnknown::Travel(slide))?;
-        Some(VectorPart::Sought(index, 0.0))
+    fn travel(&self, context: &Context<'_>, slide: SlideId) -> Option<VectorPart> {
+        if let Some(index) = self.find(LoopUnknown::Travel(slide)) {
+            return Some(VectorPart::Sought(index, 0.0));
+        }
+        let position = context.state.travel(slide).position;
+        is_held(context, Input::Push(slide)).then_some(VectorPart::Known(position))
     }
 
     /// Returns the angle of a link: known, or that of the link with which it rotates plus a
@@ -140,14 +151,18 @@ impl Variables {
     fn angle(&self, context: &Context<'_>, link: LinkId) -> Option<VectorPart> {
         let locks: &Locks = &context.polygon.locks;
         Some(match locks.turns(Body::Link(link), 0.0) {
-            Turns::With(root, offset) => {
-                VectorPart::Sought(self.root(root)?, angle::radians(offset))
-            }
+            Turns::With(root, offset) => self.root(context, root, offset)?,
             Turns::Never | Turns::Freely => {
                 VectorPart::Known(angle::radians(context.state.angle(link)))
             }
         })
     }
+}
+
+/// Returns `true` if a further input stands still in the whole motion.
+fn is_held(context: &Context<'_>, input: Input) -> bool {
+    let timed = context.scene.mechanism.timed_input(input);
+    timed.is_some_and(|timed| timed.law.is_held())
 }
 
 fn kind(unknown: LoopUnknown) -> UnknownKind {
@@ -356,6 +371,7 @@ mod tests {
                 );
             }
         }
-        assert_eq!(without, [""; 0]);
+        // The angle of a motor between two links is no side of a loop.
+        assert_eq!(without, ["robot-arm"]);
     }
 }

@@ -42,6 +42,12 @@ impl InputLaw {
             phase: at,
         }
     }
+
+    /// Returns `true` if the input rests in the whole motion.
+    #[must_use]
+    pub fn is_held(&self) -> bool {
+        matches!(self, InputLaw::Ratio { ratio, .. } if *ratio == 0.0)
+    }
 }
 
 impl TimedInput {
