@@ -6,7 +6,6 @@ use crate::report::text::cells::ReadCells;
 use crate::report::text::rows::{RowFormat, RowWriter};
 use crate::scene::Scene;
 use crate::solver::{Condition, Solver};
-use crate::study::WrittenFigure;
 use crate::wording::words;
 use std::io::{self, Write};
 
@@ -20,8 +19,8 @@ pub struct InputPath {
 }
 
 impl InputPath {
-    /// Parses a table with a column for each input, named after its link or slide. An input without
-    /// a column stays where the scene opens.
+    /// Parses a table with a column for each input, named after its link or slide. A driver
+    /// without a column stays where the scene opens; any other input then follows the driver.
     ///
     /// # Errors
     /// Returns a message with the line of the first fault.
@@ -51,10 +50,17 @@ impl InputPath {
             }
             let mut row = at.clone();
             for ((cell, column), name) in cells.iter().zip(&columns).zip(&names) {
-                let number = WrittenFigure::read(cell).filter(|(_, unit)| unit.is_empty());
-                let (number, _) = number.ok_or_else(|| words().path_cell(line, name, cell))?;
+                let number = cell.replace(',', ".").parse::<f64>().ok();
+                let number = number.filter(|number| number.is_finite());
+                let number = number.ok_or_else(|| words().path_cell(line, name, cell))?;
                 if let Some(place) = column.and_then(|column| row.get_mut(column)) {
-                    *place = number.value;
+                    *place = number;
+                }
+            }
+            let driven = row.first().copied().unwrap_or(opening);
+            for ((number, input), place) in mechanism.inputs().enumerate().zip(&mut row) {
+                if !columns.contains(&Some(number)) {
+                    *place = mechanism.input_coordinate(input, driven).unwrap_or(*place);
                 }
             }
             Ok(row)
