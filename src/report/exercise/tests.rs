@@ -607,10 +607,11 @@ fn sheet_shows_given_values_in_their_own_form() {
     assert!(longest_number(&sheet) <= 12, "{sheet}");
 }
 
-/// Returns the number of digits of the longest number.
+/// Returns the number of significant digits of the longest number.
 fn longest_number(text: &str) -> usize {
     let numbers = text.split(|c: char| !(c.is_ascii_digit() || c == '.'));
-    let digits = numbers.map(|n| n.chars().filter(char::is_ascii_digit).count());
+    let digits = numbers.map(|n| n.trim_start_matches(['0', '.']));
+    let digits = digits.map(|n| n.chars().filter(char::is_ascii_digit).count());
     digits.max().unwrap_or(0)
 }
 
