@@ -53,10 +53,10 @@ pub(crate) fn spelled(screen: &str) -> String {
 
 /// Returns the numbers of a screen, as written.
 pub(crate) fn figures(screen: &str) -> BTreeSet<String> {
-    // The zero line and the cursor of a chart may touch a number.
-    let plain = |word: &str| word.trim_matches(['[', ']', '*', '·', '.', '┆']).to_owned();
-    // A cursor's bracket may touch the next number.
-    let distance = |c: char| c.is_whitespace() || c == '[' || c == ']';
+    // The zero line of a chart may touch a number.
+    let plain = |word: &str| word.trim_matches(['*', '.']).to_owned();
+    // A cursor's bracket and the lines of a chart may touch the next number.
+    let distance = |c: char| c.is_whitespace() || "[]·┆".contains(c);
     let words = screen.split(distance).map(plain);
     words.filter(|word| word.parse::<f64>().is_ok()).collect()
 }

@@ -58,7 +58,7 @@ fn playback_follows_motion_law_and_dwells() {
     // Reversed playback runs backwards from the beginning of the period.
     let back = scene("r space", 0.2 * 4.0 / 1.1, 80, 24).last_line();
     assert!(back.contains("   60.00 deg  t 0.900 s  ok"), "{back}");
-    let heading = scene("", 0.0, 120, 40).painted_text();
+    let heading = scene("", 0.0, 160, 40).painted_text();
     assert!(
         heading.contains("the motion in 4 s   1/3.6 of real time"),
         "{heading}"

@@ -28,7 +28,7 @@ catalogue! {
             let [motion, tables, plots, accuracy, forces, working, motor, lengths, polygons] = views;
             format!(
                 "{tables} tables, {plots} plots, {forces} forces, {working} the working, {motor} the motor, \
-                 {polygons} polygons, {motion} motion.\nValues have a proved error bound where possible; digits beyond it are dim, or \
+                 {polygons} polygons, {motion} motion.\nMost values have a proved bound; digits beyond it are dim or \
                  dots. - means no value. {accuracy} compares methods, {lengths} shows the effect of each length."
             )
         };
