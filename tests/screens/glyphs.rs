@@ -38,6 +38,24 @@ fn line_screens_match_ascii_screens_cell_by_cell() {
     }
 }
 
+/// Removes the labels below the horizontal axes of charts, up to the border of the next pane. Panes share
+/// the screen by need, and the units of ASCII are wider, so that a chart can be narrower and have other ticks.
+fn without_ticks(screen: &str) -> String {
+    let mut is_label = false;
+    let mut kept = String::new();
+    for line in screen.lines() {
+        let from = if is_label {
+            line.rfind(['|', '│']).unwrap_or(line.len())
+        } else {
+            0
+        };
+        kept += &line[from..];
+        kept.push('\n');
+        is_label = ["++-", "└+─"].iter().any(|axis| line.contains(axis));
+    }
+    kept
+}
+
 /// A Braille screen with Greek letters misses no number of an ASCII screen.
 #[test]
 fn braille_screens_show_every_ascii_value() {
@@ -50,8 +68,8 @@ fn braille_screens_show_every_ascii_value() {
                     plain.press(view).painted_text(),
                     dotted.press(view).painted_text(),
                 );
-                let output = figures(&dotted);
-                let missing = figures(&plain)
+                let output = figures(&without_ticks(&dotted));
+                let missing = figures(&without_ticks(&plain))
                     .into_iter()
                     .find(|figure| !output.contains(figure));
                 assert_eq!(missing, None, "{} {view}\n{plain}{dotted}", found.name);
