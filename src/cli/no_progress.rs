@@ -20,7 +20,7 @@ impl Progress {
 
     pub(super) fn show_best(&mut self, _: String) {}
 
-    pub(super) fn tell(&mut self, _: u64) {}
+    pub(super) fn report_progress(&mut self, _: u64) {}
 
     pub(super) fn end(self) {}
 
