@@ -6,8 +6,8 @@ use crate::wording::english::FormulasWords;
 catalogue! {
     impl FormulasWords for Turkish {
         // Syntax.
-        formula_too_long(most: usize) = "formül çok uzun: en çok {most} karakter kullanın";
-        formula_too_deep(most: usize) = "parantez ve işaretlerin iç içe derinliği {most} sınırını aşıyor";
+        formula_too_long(maximum: usize) = "formül çok uzun: en çok {maximum} karakter kullanın";
+        formula_too_deep(maximum: usize) = "parantez ve işaretlerin iç içe derinliği {maximum} sınırını aşıyor";
         no_part_of_a_formula(character: &str) = "`{character}` formülde kullanılamaz";
         minus_without_blank(word: &str) = "`{word}` bir ad ya da çıkarma olabilir";
         minus_between_blanks = "çıkarma için `-` çevresine boşluk koyun: adlarda da geçebilir";
@@ -23,10 +23,10 @@ catalogue! {
             "`{name}` yalnız birimsiz sayılarla kullanılır ([parameters] içindeki gibi): türevi yoktur";
         no_function(name: &str) = "bilinmeyen fonksiyon `{name}`";
         functions_are(names: &str) = "fonksiyonlar: {names}";
-        function_takes(name: &str, least: usize, most: usize, found: usize) = {
-            let takes = match least == most {
-                true => format!("{least}"),
-                false => format!("{least} ile {most} arası"),
+        function_takes(name: &str, minimum: usize, maximum: usize, found: usize) = {
+            let takes = match minimum == maximum {
+                true => format!("{minimum}"),
+                false => format!("{minimum} ile {maximum} arası"),
             };
             format!("{name}() {takes} argüman alır, {found} değil")
         };
