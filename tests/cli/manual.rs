@@ -57,7 +57,7 @@ fn commands(name: &str, text: &str) -> Vec<String> {
             .iter()
             .any(|quick| line.split(' ').next() == Some(quick))
     });
-    let in_pixels = |line: &str| line.contains("--format png") || line.contains("--format gif");
+    let in_pixels = |line: &str| line.ends_with(".png") || line.ends_with(".gif");
     let all = all.filter(|line| cfg!(feature = "pictures") || !in_pixels(line));
     all.filter(|line| *line != SLOW_COMMAND)
         .map(str::to_owned)
