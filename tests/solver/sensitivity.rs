@@ -285,7 +285,7 @@ fn against_secants(scene: &Scene, solver: &Solver, at: f64) -> f64 {
                 scene,
                 solver,
                 at,
-                (part, 0.0),
+                (part, 1e-4),
             ));
         }
     }
