@@ -149,8 +149,9 @@ impl Scene {
     /// driver's start is kept, or becomes `at` if the motion does not reach it or if it does not
     /// determine the assembly.
     ///
-    /// The result has been parsed, opened and compared with that assembly; `None` if every attempt
-    /// failed.
+    /// The result has been parsed, opened and compared with that assembly, and all links keep their
+    /// dimensions to the last digit. The text stays as it is if only that keeps the dimensions of
+    /// links as drawn. Returns `None` if every attempt failed.
     #[must_use]
     pub fn with_start_of(&self, solver: &Solver, at: f64) -> Option<String> {
         let opening = self.mechanism.driver().start;
@@ -162,6 +163,18 @@ impl Scene {
         ]
         .into_iter()
         .find_map(|(at, precision)| self.started(solver, at, precision))
+        .or_else(|| self.opens_alike(solver, at).then(|| self.text().to_owned()))
+    }
+
+    /// Returns `true` if this text opens in the assembly that `solver` follows.
+    fn opens_alike(&self, solver: &Solver, at: f64) -> bool {
+        let Ok(own) = Solver::new(&self.mechanism) else {
+            return false;
+        };
+        let (mut followed, mut found) = (solver.state(), own.state());
+        solver.solve(at, Order::Position, &mut followed) == Condition::Ok
+            && own.solve(at, Order::Position, &mut found) == Condition::Ok
+            && self.agree(&followed, &found)
     }
 
     /// Returns the scene with another input as its driver: it moves alone, and all others are held
@@ -191,11 +204,12 @@ impl Scene {
         let start = self.telling(solver.plan(), &state);
         let text = self.rewritten(&start, opening, precision)?;
         let scene = Scene::parse(&text, self.origin()).ok()?;
-        let again = Solver::new(&scene.mechanism).ok()?;
-        let mut found = again.state();
-        let same = again.solve(at, Order::Position, &mut found) == Condition::Ok
-            && self.agree(&state, &found);
-        same.then_some(text)
+        // The dimensions of links as drawn follow from `[start]`.
+        let mut links = scene.mechanism.links().iter().zip(self.mechanism.links());
+        if links.any(|(new, old)| new.members != old.members) {
+            return None;
+        }
+        scene.opens_alike(solver, at).then_some(text)
     }
 
     /// Returns the points that distinguish assemblies, and those that `[start]` names already.

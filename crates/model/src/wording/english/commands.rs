@@ -83,7 +83,7 @@ catalogue! {
             "the stop of {name} ends the motion before {at} {unit}: the driver covers {covered}";
         table_ends_before(at: &dyn Display, unit: &str, name: &str, covered: &str) =
             "the motion ends before {at} {unit}, with the table of {name}: the driver covers {covered}";
-        no_start_tells_assembly = "no start positions identify this assembly where the scene opens";
+        no_start_tells_assembly = "no start positions identify this assembly where the scene opens, with all links as they are";
         no_finite_limits = "the motion has no finite limits";
         leads_out_of_motion(from: f64, to: f64, covered: &str) =
             "--from {from} --to {to} leaves the motion: the driver covers {covered}";

@@ -33,7 +33,7 @@ catalogue! {
 
         // Reasons why an edit cannot be shown.
         this_assembly(why: &str) = "this assembly {why}";
-        no_start_tells_it = "no [start] identifies this assembly";
+        no_start_tells_it = "no [start] identifies this assembly and keeps all links";
         a_joint = "a joint";
         joint_out_of_reach(joint: &str, gap: &str, unit: &str) = "{joint} out of reach by {gap} {unit}";
 

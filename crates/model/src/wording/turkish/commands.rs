@@ -90,7 +90,7 @@ catalogue! {
             "hareket {at} {unit} konumundan önce, {name} tablosuyla birlikte bitiyor: tahrikin aralığı \
              {covered}";
         no_start_tells_assembly =
-            "sahnenin açıldığı konumda hiçbir başlangıç konumu bu montaj biçimini belirlemiyor";
+            "sahnenin açıldığı konumda hiçbir başlangıç konumu, bütün uzuvlar aynı kalarak bu montaj biçimini belirlemiyor";
         no_finite_limits = "hareketin sonlu sınırları yok";
         leads_out_of_motion(from: f64, to: f64, covered: &str) =
             "--from {from} --to {to} hareketin dışına çıkar: tahrikin aralığı {covered}";

@@ -31,7 +31,7 @@ catalogue! {
 
         // Reasons why an edit cannot be shown.
         this_assembly(why: &str) = "bu montaj biçimi {why}";
-        no_start_tells_it = "hiçbir [start] bu montaj biçimini belirlemiyor";
+        no_start_tells_it = "hiçbir [start] bu montaj biçimini belirleyip bütün uzuvları korumuyor";
         a_joint = "bir mafsal";
         joint_out_of_reach(joint: &str, gap: &str, unit: &str) = "{joint} erişim dışında: {gap} {unit}";
 
