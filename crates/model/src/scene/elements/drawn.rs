@@ -221,8 +221,6 @@ mod tests {
         assert_eq!(start(DRAWN), expected);
         let ranged = DRAWN.replace("\"r2\"\n[", "\"r2\"\nrange = [-400, -200]\n[");
         assert!((start(&ranged) - (expected - 360.0)).abs() < 1e-13);
-        let typed = DRAWN.replace("\"r2\"\n[", "\"r2\"\nangle = 50\n[");
-        assert_eq!(start(&typed), 50.0);
     }
 
     /// Points on one line have no coordinate across it, although 0.1 and 0.3 are no doubles.

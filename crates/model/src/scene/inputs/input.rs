@@ -81,8 +81,10 @@ pub fn coordinate_key(mechanism: &Mechanism) -> &'static str {
     form.coordinate
 }
 
-/// Reads the section; `key` is the place of its name. A link as drawn opens in its direction,
-/// unless an angle is given.
+/// Reads the section; `key` is the place of its name. A link as drawn opens in its direction.
+///
+/// It has no `angle`: `[start]` is the drawing at its own angle, and the assembly nearest to it at
+/// another angle can be the other one.
 pub(crate) fn driver<'v>(
     reader: &mut Reader<'_>,
     unit: Unit,
@@ -119,8 +121,16 @@ pub(crate) fn driver<'v>(
             other_coordinate(reader, other, &form);
             None
         }
-        None if !table.has(form.coordinate) && kind == RateKind::Turn && drawn().is_some() => {
+        None if kind == RateKind::Turn && drawn().is_some() => {
             reader.only_known(table);
+            if let Some(angle) = table.key(form.coordinate) {
+                let driven = name.as_ref().map_or(form.driven, |name| name.text);
+                reader.report(
+                    Diagnostic::new(words().drawn_driver_has_angle(driven))
+                        .at(angle.span, words().drawing_has_angle())
+                        .help(words().open_as_drawn()),
+                );
+            }
             drawn()
         }
         _ => start(reader, table, &form, key),

@@ -98,6 +98,9 @@ catalogue! {
         // Links as drawn.
         drawn_link_has_key(of: &str, key: &str) =
             "{of}: `{key}` does not apply to a link with a list of `points`";
+        drawn_driver_has_angle(link: &str) = "[driver]: `angle` does not apply to {link}, a link as drawn";
+        drawing_has_angle = "the coordinates of its points determine the angle";
+        open_as_drawn = "remove it; change the coordinates, or use `--at` for another position";
         ends_are_first_two = "the first two points of the list are its ends";
         further_points_are_a_table(example: &str) =
             "remove it, or write further points as a table: {example}";

@@ -113,6 +113,9 @@ catalogue! {
         // Links as drawn.
         drawn_link_has_key(of: &str, key: &str) =
             "{of}: `points` listesi olan uzuvda `{key}` kullanılmaz";
+        drawn_driver_has_angle(link: &str) = "[driver]: çizildiği gibi verilen {link} için `angle` kullanılmaz";
+        drawing_has_angle = "açıyı noktalarının koordinatları belirler";
+        open_as_drawn = "silin; koordinatları değiştirin ya da başka bir konum için `--at` kullanın";
         ends_are_first_two = "listenin ilk iki noktası uzvun uçlarıdır";
         further_points_are_a_table(example: &str) =
             "onu çıkarın ya da öteki noktaları tablo olarak yazın: {example}";
