@@ -2,7 +2,7 @@
 
 use super::{App, Mode};
 use crate::Input;
-use crate::scene::Value;
+use crate::scene::{Value, with_point};
 use crate::tui::document::history::Deed;
 use crate::tui::player::steps::StepLadder;
 use crate::wording::words;
@@ -11,7 +11,11 @@ use std::time::Duration;
 impl App {
     /// Selects the next input for the step keys: the driver, then each held input.
     pub(super) fn select_next_input(&mut self) {
-        let held: Vec<String> = self.held_inputs().map(|(name, _)| name).collect();
+        let scene = self.player.open_scene.scene();
+        let held = self.held_values().into_iter();
+        let held: Vec<String> = held
+            .map(|(input, _)| scene.input_name(input).to_owned())
+            .collect();
         if held.is_empty() {
             self.shell.set_message(words().no_held_inputs());
             return;
@@ -47,32 +51,38 @@ impl App {
         self.shell.set_message(message);
     }
 
-    /// Returns the held inputs with their names.
-    fn held_inputs(&self) -> impl Iterator<Item = (String, Input)> {
+    /// Returns the held inputs, each with the value of its coordinate: `at`, or the `phase` of a ratio of 0.
+    fn held_values(&self) -> Vec<(Input, Value)> {
         let scene = self.player.open_scene.scene();
         let values = scene.values();
-        let inputs = scene.mechanism.timed().iter().map(|timed| timed.input);
-        inputs.filter_map(move |input| {
-            let name = scene.input_name(input).to_owned();
-            let is_held = values.iter().any(|value| value.name == held_name(&name));
-            is_held.then_some((name, input))
-        })
+        let held = scene.mechanism.timed().iter();
+        held.filter(|timed| timed.law.is_held())
+            .filter_map(|timed| {
+                let name = scene.input_name(timed.input);
+                let names = ["at", "phase"].map(|key| format!("{name} {key}"));
+                let value = values.iter().find(|value| names.contains(&value.name))?;
+                Some((timed.input, value.clone()))
+            })
+            .collect()
     }
 
     /// Returns the held input of this name, with the value of its coordinate.
     fn held_value(&self, name: &str) -> Option<(Input, Value)> {
         let scene = self.player.open_scene.scene();
-        let mut inputs = scene.mechanism.timed().iter().map(|timed| timed.input);
-        let input = inputs.find(|&input| scene.input_name(input) == name)?;
-        let mut values = scene.values().into_iter();
-        Some((input, values.find(|value| value.name == held_name(name))?))
+        let mut held = self.held_values().into_iter();
+        held.find(|&(input, _)| scene.input_name(input) == name)
     }
 
     /// Moves the selected input by a step: the driver, or a held input.
     pub(super) fn step_selected(&mut self, sense: f64, now: Duration) {
-        let by = sense * self.player.steps.size();
         let selected = self.player.input.as_deref();
-        let Some((_, value)) = selected.and_then(|name| self.held_value(name)) else {
+        let held = selected.and_then(|name| self.held_value(name));
+        if held.is_none() && self.player.input.take().is_some() {
+            // An edit or undo has removed its value: the step is one of the driver.
+            self.player.reset_steps();
+        }
+        let by = sense * self.player.steps.size();
+        let Some((_, value)) = held else {
             return self.step(by, now);
         };
         if value.formula.is_some() {
@@ -87,6 +97,10 @@ impl App {
     pub(super) fn accept_input(&mut self, line: &str, now: Duration) -> bool {
         let line = line.trim();
         let (name, number) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
+        // A number alone is a coordinate of the driver, even if a link has such a name.
+        if number.is_empty() && with_point(name).is_some_and(|name| name.parse::<f64>().is_ok()) {
+            return false;
+        }
         let scene = self.player.open_scene.scene();
         let input = match scene.input_named(name) {
             Ok(input) => input,
@@ -142,9 +156,4 @@ impl App {
         };
         Some(format!("{name} {at} {unit}"))
     }
-}
-
-/// Returns the name of the value at which an input is held.
-fn held_name(input: &str) -> String {
-    format!("{input} at")
 }

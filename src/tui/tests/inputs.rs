@@ -4,19 +4,24 @@ use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::scene::presets;
 use crate::tui::app::App;
+
 use crate::tui::document::opening;
+use crate::tui::{OpenedScene, Origin};
 use crate::wording::Language;
 use ratatui::layout::Size;
 use std::time::Duration;
 
 fn open(name: &str) -> App {
     Language::English.speak();
+    app(opening::preset(presets::find(name).unwrap()).unwrap())
+}
+
+fn app(opened: OpenedScene) -> App {
     let capability = Capability {
         glyphs: Glyphs::Ascii,
         colours: Colours::None,
         modern: false,
     };
-    let opened = opening::preset(presets::find(name).unwrap()).unwrap();
     App::new(opened, None, capability, Size::new(80, 24))
 }
 
@@ -102,4 +107,31 @@ fn scenes_of_one_input_have_no_other() {
     press(&mut app, "U .");
     assert_eq!(app.selected_input(), None);
     assert_eq!(inputs(&app), [65.0]);
+}
+
+/// Opens a five-bar with this line for its second input.
+fn five_bar(line: &str) -> App {
+    Language::English.speak();
+    let text = presets::find("five-bar").unwrap().text;
+    let text = text.replace("r5 = { at = 60 }", line);
+    let (name, _) = line.split_once(' ').unwrap();
+    let text = text.replace("r5 = { from", &format!("{name} = {{ from"));
+    app(opening::text(&text, Origin::Stdin).unwrap())
+}
+
+#[test]
+fn input_held_by_a_ratio_of_zero_is_stepped_by_its_phase() {
+    let mut app = five_bar("r5 = { ratio = 0, phase = 60 }");
+    press(&mut app, "U .");
+    assert_eq!(inputs(&app), [120.0, 65.0]);
+}
+
+/// Links may have digits as names; a number alone is a coordinate of the driver all the same.
+#[test]
+fn number_alone_moves_the_driver() {
+    let mut app = five_bar("5 = { at = 60 }");
+    press(&mut app, "g 9 0 Enter");
+    assert_eq!(inputs(&app), [90.0, 60.0]);
+    press(&mut app, "g 5 Enter");
+    assert_eq!(app.selected_input(), None);
 }
