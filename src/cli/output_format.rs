@@ -27,17 +27,17 @@ pub(super) fn add_format(arguments: &mut Vec<OsString>, krank: fn() -> Command) 
     if !arguments.iter().any(is_output) {
         return;
     }
-    if let Some(format) = format_of_file(krank().ignore_errors(true), arguments) {
-        // Words after `--` are not options.
-        let end = arguments.iter().position(|word| word == "--");
-        let end = end.unwrap_or(arguments.len());
-        arguments.insert(end, format!("--format={format}").into());
+    if let Some((command, format)) = format_of_file(krank().ignore_errors(true), arguments) {
+        // Directly behind the command, it cannot become the value of an option.
+        let place = arguments.iter().position(|word| *word == *command);
+        let place = place.map_or(arguments.len(), |place| place + 1);
+        arguments.insert(place, format!("--format={format}").into());
     }
 }
 
-/// Returns the format for the extension of the output file; `None` if the arguments name a format, or if the command
-/// has no format for the extension.
-fn format_of_file(krank: Command, arguments: &[OsString]) -> Option<String> {
+/// Returns the command and its format for the extension of the output file; `None` if the arguments name a format, or if
+/// the command has no format for the extension.
+fn format_of_file(krank: Command, arguments: &[OsString]) -> Option<(String, String)> {
     let matches = krank.clone().try_get_matches_from(arguments).ok()?;
     let (name, matches) = matches.subcommand().filter(|(name, _)| *name != SOLVE)?;
     let command = krank.find_subcommand(name)?;
@@ -55,5 +55,7 @@ fn format_of_file(krank: Command, arguments: &[OsString]) -> Option<String> {
     let known = EXTENSIONS.iter().find(|(known, _)| *known == extension);
     let format = known.map_or(extension.as_str(), |(_, format)| *format);
     let mut names = formats.iter().map(clap::builder::PossibleValue::get_name);
-    names.any(|name| name == format).then(|| format.to_owned())
+    names
+        .any(|name| name == format)
+        .then(|| (command.get_name().to_owned(), format.to_owned()))
 }
