@@ -117,7 +117,7 @@ fn found(mechanism: &Mechanism, solver: &Solver, state: &State) -> StateForces {
     let mut found = StateForces::default();
     joints(mechanism, state, &mut found);
     guides(mechanism, state, &mut found);
-    drive(mechanism, state, &mut found);
+    inputs(mechanism, state, &mut found);
     loads(mechanism, solver, state, &mut found);
     found.forces.retain(|(_, force)| force.is_finite());
     found
@@ -150,18 +150,26 @@ fn guides(mechanism: &Mechanism, state: &State, found: &mut StateForces) {
     }
 }
 
-/// Adds the driver's moment about its pivot, or its force along its guide.
-fn drive(mechanism: &Mechanism, state: &State, found: &mut StateForces) {
-    let Some(drive) = state.drive() else { return };
-    match mechanism.driver().input {
-        Input::Turn(link) => {
-            let at = mechanism.hub(link).and_then(|point| state.position(point));
-            found.moments.extend(at.map(|at| (at, drive)));
-        }
-        Input::Push(slide) => {
-            let at = state.position(mechanism.slide(slide).slider.point());
-            let guide = state.travel(slide).map(|travel| travel.guide * drive);
-            found.forces.extend(at.zip(guide));
+/// Adds the moment of each input about its pivot, or its force along its guide.
+fn inputs(mechanism: &Mechanism, state: &State, found: &mut StateForces) {
+    let is_single = mechanism.timed().is_empty();
+    for input in mechanism.inputs() {
+        // With several inputs, the drive does the work of all of them.
+        let effort = match is_single {
+            true => state.drive(),
+            false => state.effort(input),
+        };
+        let Some(effort) = effort else { continue };
+        match input {
+            Input::Turn(link) => {
+                let at = mechanism.hub(link).and_then(|point| state.position(point));
+                found.moments.extend(at.map(|at| (at, effort)));
+            }
+            Input::Push(slide) => {
+                let at = state.position(mechanism.slide(slide).slider.point());
+                let guide = state.travel(slide).map(|travel| travel.guide * effort);
+                found.forces.extend(at.zip(guide));
+            }
         }
     }
 }

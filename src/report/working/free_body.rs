@@ -358,7 +358,7 @@ pub(super) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option
     let t = state.travel(slide).guide;
     let mut force = t.perp() * state.normal(slide)?;
     if mechanism.is_pushed(slide) {
-        force += t * state.drive()?;
+        force += t * state.effort(Input::Push(slide))?;
     }
     let couple = match given.slider {
         Slider::Pin(_) => 0.0,
