@@ -10,7 +10,7 @@
 
 use super::motion::PolygonSketch;
 use super::pane::Pane;
-use super::{Sketch, inset, mark_more, page, print, print_line, show};
+use super::{Sketch, inset, mark_more, page, print, print_line, show, status};
 use crate::Vec2;
 use crate::drawing::{
     self, ArrowKind, DiagramArrow, Extents, LegendEntry, Role, VectorDiagram, WorldView,
@@ -37,6 +37,8 @@ const ORDERS: [(Order, &str); 3] = [
 /// Minimum size of a panel with its title.
 const MIN_COLUMNS: u16 = 24;
 const MIN_ROWS: u16 = 9;
+/// A narrower panel has its scale below its title.
+const MIN_COLUMNS_OF_ONE_LINE: u16 = 48;
 /// Maximum number of panels side by side, one for each order.
 const MAX_SIDE_BY_SIDE: u16 = 3;
 /// A polygon larger than this multiple of the median size has its own scale. Rates grow without
@@ -193,11 +195,16 @@ fn panels(app: &App, area: Rect) -> Panels {
     }
 }
 
-/// Returns the area of a panel's drawing, below its title.
+/// Returns the area of a panel's drawing, below its title and scale.
 fn below_title(panel: Rect) -> Rect {
+    let rows = if panel.width < MIN_COLUMNS_OF_ONE_LINE {
+        2
+    } else {
+        1
+    };
     Rect {
-        y: panel.y + 1,
-        height: panel.height.saturating_sub(1),
+        y: panel.y + rows,
+        height: panel.height.saturating_sub(rows),
         ..panel
     }
 }
@@ -279,14 +286,20 @@ impl Pane for PolygonsView {
         let Panels { first, areas } = panels(app, area);
         let last = first + areas.len();
         for (panel, drawn) in areas.into_iter().zip(sketch.drawn_polygons()) {
-            let title = title(app, polygons, drawn, panel.width);
+            let (mut title, scale) = (title(polygons, drawn), scale(app, drawn, panel.width));
+            let body = below_title(panel);
             let style = theme::part(ScreenPart::Quiet);
+            if body.y == panel.y + 1 {
+                title = format!("{title}  {scale}");
+            } else {
+                print(buffer, panel.x, panel.y + 1, panel.width, &scale, style);
+            }
             print(buffer, panel.x, panel.y, panel.width, &title, style);
-            show(drawn.raster(), below_title(panel), buffer);
+            show(drawn.raster(), body, buffer);
             // The position polygon of a loop exists in every state, the rates do not.
             if drawn.scale.is_none() && drawn.number() % ORDERS.len() > 0 {
-                let reason = words().dead_point_without_rates();
-                print_line(buffer, below_title(panel), reason, ScreenPart::Quiet);
+                let (reason, _) = status::state(app.condition(), false);
+                print_line(buffer, body, reason, ScreenPart::Quiet);
             }
         }
         mark_more(area, first > 0, last < polygons.count(), buffer);
@@ -339,20 +352,21 @@ fn order_name(number: usize) -> &'static str {
     ][number % ORDERS.len()]
 }
 
-/// Returns the title of a panel: its order, its loop if there are several, and its scale if it fits.
-fn title(app: &App, polygons: &LoopPolygons, drawn: &PolygonSketch, width: u16) -> String {
+/// Returns the title of a panel: its order, and its loop if there are several.
+fn title(polygons: &LoopPolygons, drawn: &PolygonSketch) -> String {
     let number = drawn.number();
-    let mut title = match polygons.loops.len() {
+    match polygons.loops.len() {
         1 => order_name(number).to_owned(),
         _ => words().polygon_in_loop(order_name(number), number / ORDERS.len() + 1),
-    };
-    let space = usize::from(width).saturating_sub(title.chars().count() + 2);
-    let scale = drawn.scale.iter().cloned().collect::<Vec<_>>();
-    for line in drawing::legend_lines(&scale, app.glyphs(), space, 1) {
-        title += "  ";
-        title.extend(line.iter().map(|piece| piece.text.as_str()));
     }
-    title
+}
+
+/// Returns the scale of a panel, with its unit and an arrow of that length.
+fn scale(app: &App, drawn: &PolygonSketch, width: u16) -> String {
+    let scale = drawn.scale.iter().cloned().collect::<Vec<_>>();
+    let lines = drawing::legend_lines(&scale, app.glyphs(), usize::from(width), 1);
+    let pieces = lines.iter().flat_map(|line| line.iter());
+    pieces.map(|piece| piece.text.as_str()).collect()
 }
 
 #[cfg(test)]

@@ -125,7 +125,10 @@ pub(super) fn progress(app: &App) -> Option<String> {
 }
 
 /// Returns the state in one word, or with its consequences if the line is not `narrow`.
-pub(super) fn state(condition: Condition, narrow: bool) -> (&'static str, ScreenPart) {
+pub(in crate::tui::views) fn state(
+    condition: Condition,
+    narrow: bool,
+) -> (&'static str, ScreenPart) {
     match condition {
         Condition::Ok => (words().ok(), ScreenPart::Text),
         Condition::ChangePoint => (words().change_point(), ScreenPart::Warning),

@@ -18,7 +18,7 @@ use crate::tui::app::{App, Mode};
 use crate::tui::appearance::theme::ScreenPart;
 use crate::tui::player::open_scene::shown;
 use crate::wording::words;
-pub(super) use facts::mode;
+pub(super) use facts::{mode, state};
 use long_message::MessageLines;
 pub(super) use long_message::broken;
 use ratatui::buffer::Buffer;
