@@ -40,6 +40,7 @@ const MAX_PANELS: i32 = 1000;
 const TALL: i32 = 7;
 
 /// The positions of a plot's parts, in cells.
+#[derive(Debug)]
 pub(super) struct PlotLayout {
     /// The column of the vertical axes, to the right of their labels.
     pub(super) axis: i32,
@@ -54,6 +55,7 @@ pub(super) struct PlotLayout {
 }
 
 /// The position of a panel.
+#[derive(Debug)]
 pub(super) struct PanelArea {
     /// The row of its legend.
     pub(super) legend: i32,

@@ -30,6 +30,7 @@ mod ticks;
 pub use band::PlotBand;
 pub use chart::{Chart, Datum, DecadeAxis};
 pub use map::GridMap;
+pub use paint::PlotCanvas;
 
 use crate::Mechanism;
 use crate::Vec2;

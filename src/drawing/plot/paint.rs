@@ -34,38 +34,87 @@ const MAX_DEPTH: i32 = 2;
 /// a text written after it.
 const FLATTEST: i32 = 10;
 
+/// A plot in cells without the cursor, which is added to a copy in each frame.
+#[derive(Debug)]
+pub struct PlotCanvas {
+    style: PlotStyle,
+    /// `None` if the cells do not suffice.
+    layout: Option<PlotLayout>,
+    raster: Raster,
+    /// Whether a cell shows nothing but an axis, so that the line of the cursor is drawn there.
+    is_open: Vec<bool>,
+}
+
+impl PlotCanvas {
+    /// Returns the style.
+    #[must_use]
+    pub fn style(&self) -> &PlotStyle {
+        &self.style
+    }
+}
+
 impl Plot {
     /// Renders the plot in cells, with the cursor in a state; empty if the cells do not suffice.
     #[must_use]
     pub fn render(&self, style: &PlotStyle, here: Option<&StateValues>) -> Raster {
-        let mut raster = Raster::new();
-        raster.reset(style.cols, style.rows);
-        if let Some(layout) = self.layout(style) {
-            let painter = PlotPainter {
-                plot: self,
-                look: style,
-                here,
-                strokes: FrameGlyphs::of(style.glyphs),
-                layout: &layout,
-            };
+        self.with_cursor(&self.canvas(style), here)
+    }
+
+    /// Renders everything but the cursor and the legends, which show its values.
+    #[must_use]
+    pub fn canvas(&self, style: &PlotStyle) -> PlotCanvas {
+        let mut canvas = PlotCanvas {
+            style: *style,
+            layout: self.layout(style),
+            raster: Raster::new(),
+            is_open: Vec::new(),
+        };
+        canvas.raster.reset(style.cols, style.rows);
+        if let Some(layout) = &canvas.layout {
+            let painter = self.painter(style, layout, None);
             let seats = style
                 .glyphs
                 .is_dotted()
-                .then(|| self.plain_seats(style, &layout, here));
-            painter.paint(&mut raster, seats.as_deref());
+                .then(|| self.plain_seats(style, layout));
+            let mut axes = canvas.raster.clone();
+            painter.axes(&mut axes);
+            painter.paint(&mut canvas.raster, seats.as_deref());
+            let cells = axes.lines().flatten().zip(canvas.raster.lines().flatten());
+            canvas.is_open = cells.map(|(axis, cell)| axis == cell).collect();
         }
-        settle(&mut raster, style.glyphs);
+        settle(&mut canvas.raster, style.glyphs);
+        canvas
+    }
+
+    /// Returns a copy of this plot's canvas with the cursor in a state.
+    #[must_use]
+    pub fn with_cursor(&self, canvas: &PlotCanvas, here: Option<&StateValues>) -> Raster {
+        let mut raster = canvas.raster.clone();
+        if let Some(layout) = &canvas.layout {
+            let painter = self.painter(&canvas.style, layout, here);
+            painter.cursor(&canvas.is_open, &mut raster);
+        }
         raster
+    }
+
+    fn painter<'p>(
+        &'p self,
+        style: &'p PlotStyle,
+        layout: &'p PlotLayout,
+        here: Option<&'p StateValues>,
+    ) -> PlotPainter<'p> {
+        PlotPainter {
+            plot: self,
+            look: style,
+            here,
+            strokes: FrameGlyphs::of(style.glyphs),
+            layout,
+        }
     }
 
     /// Returns the texts of extrema placed as in plain characters. A curve of dots touches a few
     /// more cells, which would leave fewer places.
-    fn plain_seats(
-        &self,
-        style: &PlotStyle,
-        layout: &PlotLayout,
-        here: Option<&StateValues>,
-    ) -> Vec<WrittenTurn> {
+    fn plain_seats(&self, style: &PlotStyle, layout: &PlotLayout) -> Vec<WrittenTurn> {
         let style = &PlotStyle {
             glyphs: Glyphs::Ascii,
             ..*style
@@ -73,11 +122,8 @@ impl Plot {
         let mut raster = Raster::new();
         raster.reset(style.cols, style.rows);
         let painter = PlotPainter {
-            plot: self,
             look: style,
-            here,
-            strokes: FrameGlyphs::of(style.glyphs),
-            layout,
+            ..self.painter(style, layout, None)
         };
         painter.paint(&mut raster, None)
     }
@@ -99,17 +145,21 @@ struct PlotPainter<'a> {
 }
 
 impl PlotPainter<'_> {
-    /// Paints the plot. Texts of extrema are placed as `given`, or else wherever there is space;
-    /// the new ones are returned.
+    /// Paints the axes.
+    fn axes(&self, raster: &mut Raster) {
+        self.level_axis(raster);
+        for (_, frame) in &self.layout.panels {
+            self.upright_axis(frame, raster);
+        }
+    }
+
+    /// Paints everything but the cursor and the legends. Texts of extrema are placed as `given`, or
+    /// else wherever there is space; the new ones are returned.
     fn paint(&self, raster: &mut Raster, given: Option<&[WrittenTurn]>) -> Vec<WrittenTurn> {
         let mut written = Vec::new();
-        self.level_axis(raster);
-        let cursor = self.cursor_title(raster);
-        for (k, (number, frame)) in self.layout.panels.iter().enumerate() {
+        self.axes(raster);
+        for (number, frame) in &self.layout.panels {
             let panel = &self.plot.panels[*number];
-            let right = if k == 0 { cursor } else { self.layout.end };
-            self.upright_axis(frame, raster);
-            self.legend(panel, frame, right, raster);
             self.curves(panel, frame, raster);
             if self.look.extrema {
                 self.mark_turns(panel, frame, raster);
@@ -123,9 +173,28 @@ impl PlotPainter<'_> {
                     None => self.write_turns((*number, panel), frame, raster, &mut written),
                 }
             }
-            self.meeting_points(panel, frame, raster);
         }
         written
+    }
+
+    /// Paints the cursor, and the legends with its values.
+    fn cursor(&self, is_open: &[bool], raster: &mut Raster) {
+        let title = self.cursor_title(raster);
+        let along = self.here.and_then(|here| here.along);
+        let col = along.and_then(|x| self.layout.x.cell(x));
+        for (k, (number, frame)) in self.layout.panels.iter().enumerate() {
+            let panel = &self.plot.panels[*number];
+            let right = if k == 0 { title } else { self.layout.end };
+            self.legend(panel, frame, right, raster);
+            let Some(col) = col else { continue };
+            for row in frame.block.top..frame.block.top + frame.block.height {
+                let index = raster.index(col, row);
+                if index.is_some_and(|index| is_open.get(index) == Some(&true)) {
+                    raster.set_cell(col, row, self.strokes.cursor, Role::Ghost);
+                }
+            }
+            self.meeting_points(panel, frame, col, raster);
+        }
     }
 
     fn level_axis(&self, raster: &mut Raster) {
@@ -209,8 +278,8 @@ impl PlotPainter<'_> {
         let axis = self.layout.axis;
         let block = frame.block;
         let rows = block.top..block.top + block.height;
-        self.strokes.draw_upright(axis, rows.clone(), raster);
         let mut free = rows.end;
+        self.strokes.draw_upright(axis, rows, raster);
         for (value, label) in frame.ticks.labels() {
             let Some(row) = frame.y.cell(value).filter(|&row| row < free) else {
                 continue;
@@ -221,12 +290,6 @@ impl PlotPainter<'_> {
         if let Some(row) = frame.y.cell(0.0).filter(|_| frame.y.crosses(0.0)) {
             for col in (block.left..block.left + block.width).step_by(2) {
                 raster.set_cell(col, row, self.strokes.nought, Role::Ghost);
-            }
-        }
-        let along = self.here.and_then(|here| here.along);
-        if let Some(col) = along.and_then(|x| self.layout.x.cell(x)) {
-            for row in rows {
-                raster.set_cell(col, row, self.strokes.cursor, Role::Ghost);
             }
         }
     }
@@ -385,11 +448,8 @@ impl PlotPainter<'_> {
     }
 
     /// Marks the points where the cursor meets the curves.
-    fn meeting_points(&self, panel: &Panel, frame: &PanelArea, raster: &mut Raster) {
+    fn meeting_points(&self, panel: &Panel, frame: &PanelArea, col: i32, raster: &mut Raster) {
         let Some(here) = self.here else { return };
-        let Some(col) = here.along.and_then(|x| self.layout.x.cell(x)) else {
-            return;
-        };
         let figures = panel.curves.iter().filter_map(|line| line.figure);
         for value in figures.filter_map(|index| here.values.get(index).copied().flatten()) {
             if let Some(row) = frame.y.cell(value) {

@@ -4,7 +4,8 @@
 //! position.
 
 use crate::Vec2;
-use crate::drawing::plot::Plot;
+use crate::drawing::Raster;
+use crate::drawing::plot::{Plot, PlotCanvas, PlotStyle};
 use crate::page::Page;
 use crate::quantity::{Abscissa, Catalogue, Clock, Curve, Curves, Quantity, StateValues};
 use crate::report::{CsvDialect, curves_csv};
@@ -16,6 +17,7 @@ use crate::tui::player::open_scene::OpenScene;
 use crate::tui::player::scene_version::SceneRevision;
 use crate::tui::views::plots::excursion_note::ExcursionNote;
 use crate::wording::words;
+use std::cell::RefCell;
 
 /// The x axis of the plots. A quantity is identified by its name, because another scene has other
 /// quantities.
@@ -54,6 +56,8 @@ struct Sampled {
     /// The plotted quantities, in the order of the panels.
     names: Vec<String>,
     outcome: SamplingOutcome,
+    /// The plot without the cursor, in the style of the last frame.
+    canvas: RefCell<Option<PlotCanvas>>,
 }
 
 /// The result of sampling.
@@ -108,7 +112,12 @@ impl Plots {
             }
             Err(why) => SamplingOutcome::Nothing(why),
         };
-        self.sampled = Some(Sampled { of, names, outcome });
+        self.sampled = Some(Sampled {
+            of,
+            names,
+            outcome,
+            canvas: RefCell::default(),
+        });
         if let Some(compared) = compared {
             self.compare(compared, open_scene.scene().unit.symbol(), &along);
         }
@@ -231,6 +240,16 @@ impl Plots {
             Some(SamplingOutcome::Nothing(why)) => Err(why),
             Some(SamplingOutcome::Plot(_, plot)) => Ok(plot),
         }
+    }
+
+    /// Renders the plot with the cursor at the driver's position; `None` if there is no plot. All
+    /// but the cursor is rendered once per style.
+    pub(crate) fn render(&self, style: &PlotStyle, open_scene: &OpenScene) -> Option<Raster> {
+        let plot = self.plot().ok()?;
+        let mut canvas = self.sampled.as_ref()?.canvas.borrow_mut();
+        let known = canvas.take().filter(|canvas| canvas.style() == style);
+        let canvas = canvas.insert(known.unwrap_or_else(|| plot.canvas(style)));
+        Some(plot.with_cursor(canvas, self.here(open_scene).as_ref()))
     }
 
     /// Adds the dotted curves of the compared scene, in the open scene's unit.

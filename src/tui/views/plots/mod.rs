@@ -189,9 +189,9 @@ fn render_plot(app: &App, area: Rect, buffer: &mut Buffer) {
     };
     let area = print_hidden_reason(app, area, buffer);
     let look = style(app, area);
-    let here = app.views.plots.here(app.open_scene());
-    let raster = plot.render(&look, here.as_ref());
-    show(&raster, area, buffer);
+    if let Some(raster) = app.views.plots.render(&look, app.open_scene()) {
+        show(&raster, area, buffer);
+    }
     mark_panels(plot, &look, area, buffer);
 }
 
