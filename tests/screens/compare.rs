@@ -278,15 +278,16 @@ fn comparison_ends_by_key_and_on_scene_change() {
     assert!(!session.press("n").painted_text().contains("compared with"));
 }
 
-/// No pair of presets breaks the workbench.
+/// Comparing presets with each other never breaks the workbench.
 #[test]
-fn every_preset_compares_with_every_other() {
+fn every_preset_compares_with_others() {
     let presets = krank::scene::presets::all();
     let mut compared = 0;
-    for this in presets.iter().step_by(3) {
+    for (index, this) in presets.iter().enumerate() {
         let origin = Origin::Preset(this.name.into());
         let mut session = Session::new(open(this.text, origin), Glyphs::Braille, 80, 24);
-        for other in presets {
+        // Itself and a few others: every preset is compared with some, and some with it.
+        for other in [0, 1, 5, 17].map(|apart| &presets[(index + apart) % presets.len()]) {
             session.press("D").type_in(other.name);
             if other.name == this.name {
                 // The list omits the open scene itself.
@@ -313,7 +314,7 @@ fn every_preset_compares_with_every_other() {
             }
         }
     }
-    assert!(compared > 100, "{compared}");
+    assert!(compared > 70, "{compared}");
 }
 
 /// After an edit, the list offers the opened state first, and the comparison follows every further

@@ -198,8 +198,8 @@ fn drawing_gets_its_share_of_screen_and_fills_its_pane() {
         // The window shows the whole motion, which the linkage fills over a turn.
         let mut dots = pane.inked(session);
         session.press("space");
-        for _ in 0..40 {
-            session.pass(0.1).paint();
+        for _ in 0..20 {
+            session.pass(0.2).paint();
             dots.extend(pane.inked(session));
         }
         let span = |of: fn(&(u16, u16, vt100::Color)) -> u16| {

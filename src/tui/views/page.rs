@@ -10,6 +10,44 @@ use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::player::open_scene::shown;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use std::cell::RefCell;
+use std::collections::VecDeque;
+
+/// The lines of the last pages. A frame needs those of a page several times: to know whether the
+/// view scrolls, for its keys, and to render it.
+#[derive(Debug, Default)]
+pub(crate) struct LineCache(RefCell<VecDeque<PageLines>>);
+
+/// A page and its lines in a style.
+#[derive(Debug)]
+struct PageLines {
+    page: Page,
+    style: TextStyle,
+    lines: Vec<Line>,
+}
+
+/// Number of pages whose lines are kept: one for each pane of a large screen.
+const MAX_CACHED: usize = 4;
+
+impl LineCache {
+    fn lines(&self, page: &Page, style: TextStyle) -> Vec<Line> {
+        let mut cached = self.0.borrow_mut();
+        let known = cached
+            .iter()
+            .find(|known| known.style == style && known.page == *page);
+        if let Some(known) = known {
+            return known.lines.clone();
+        }
+        let lines = page.lines(style);
+        cached.truncate(MAX_CACHED - 1);
+        cached.push_front(PageLines {
+            page: page.clone(),
+            style,
+            lines: lines.clone(),
+        });
+        lines
+    }
+}
 
 /// Returns the lines of a page for an area, without its title, which every view shows already.
 pub(super) fn lines(app: &App, page: &Page, area: Rect) -> Vec<Line> {
@@ -18,7 +56,7 @@ pub(super) fn lines(app: &App, page: &Page, area: Rect) -> Vec<Line> {
         ascii: !app.glyphs().is_dotted(),
         width: area.width.into(),
     };
-    let lines = page.lines(style).into_iter();
+    let lines = app.views.page_lines.lines(page, style).into_iter();
     let below = lines.skip_while(|line| line.role() == TextRole::Title);
     below.skip_while(|line| line.spans.is_empty()).collect()
 }

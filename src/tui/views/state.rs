@@ -17,6 +17,7 @@ use crate::tui::figures::search::FoundLine;
 use crate::tui::player::current_results::LiveResult;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::player::solution_cache::Explained;
+use crate::tui::views::page::LineCache;
 
 /// The state of all views.
 #[derive(Debug)]
@@ -35,6 +36,8 @@ pub(crate) struct ViewStates {
     pub(crate) lengths: LiveResult<LengthsStudy>,
     pub(crate) working: LiveResult<Explained>,
     pub(crate) polygons: LiveResult<LoopPolygons>,
+    /// The lines of the pages in the last frames.
+    pub(crate) page_lines: LineCache,
     /// The placed panes.
     pub(crate) placement: Placement,
     /// The lines by which each view is scrolled.
@@ -61,6 +64,7 @@ impl ViewStates {
             lengths: LiveResult::default(),
             working: LiveResult::default(),
             polygons: LiveResult::default(),
+            page_lines: LineCache::default(),
             placement: Placement::default(),
             scroll: [0; View::ALL.len()],
             sought: String::new(),
