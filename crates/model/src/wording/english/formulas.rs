@@ -109,6 +109,7 @@ catalogue! {
             let intended = intended.map_or(String::new(), |intended| format!("; {intended}"));
             format!("the scene has no value `{name}`{intended}")
         };
+        edit_the_original(copy: &str, original: &str) = "{copy} is a copy; change {original} instead";
         input_is_held(name: &str, at: &str, unit: &str) = "{name} is held at {at} {unit}";
         no_held_inputs = "the scene holds no input; `r7 = { at = 30 }` in [inputs] holds one";
         keys_step_the_driver(name: &str) = "the step keys move the driver, {name}";

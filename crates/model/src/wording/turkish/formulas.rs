@@ -103,6 +103,7 @@ catalogue! {
             let intended = intended.map_or(String::new(), |intended| format!("; {intended}"));
             format!("sahnede `{name}` adında değer yok{intended}")
         };
+        edit_the_original(copy: &str, original: &str) = "{copy} bir kopyadır; {original} elemanını değiştirin";
         input_is_held(name: &str, at: &str, unit: &str) = "{name}, {at} {unit} değerinde tutulur";
         no_held_inputs = "sahnede tutulan giriş yok; [inputs] içinde `r7 = { at = 30 }` bir giriş tutar";
         keys_step_the_driver(name: &str) = "adım tuşları tahriki, {name} girişini hareket ettirir";
