@@ -89,8 +89,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             .get_subcommands()
             .any(|command| word == command.get_name())
     });
-    output_format::add_format(&mut arguments, Cli::command);
     let screen = TextScreen::detect();
+    if let Err(failure) = output_format::add_format(&mut arguments, Cli::command) {
+        failure.print_error(screen);
+        return failure.code();
+    }
     finish_interrupted_writes(screen);
     let done = match Cli::try_parse_from(&arguments) {
         Ok(cli) => obey(&cli, screen).map_err(explained),

@@ -21,6 +21,33 @@ fn picture_has_requested_size_and_is_ascii_in_c_locale() {
     );
 }
 
+/// Another program would not open characters in a file that is called a PDF.
+#[test]
+fn unknown_extension_of_a_picture_is_refused() {
+    for (command, columns) in [("draw", &[][..]), ("plot", &["--columns", "C.x"][..])] {
+        let file = folder("unknown-extension").join(format!("{command}.pdf"));
+        let args = [
+            &[command, "four-bar", "-o", file.to_str().unwrap()],
+            columns,
+        ]
+        .concat();
+        let _ = std::fs::remove_file(&file);
+        let message = refused(2, &args);
+        let expected = "no picture has the extension `pdf`; use txt, svg";
+        assert!(message.contains(expected), "{message}");
+        assert!(!file.exists());
+        assert_eq!(run_ok(&[&args[..], &["--format", "text"]].concat()), "");
+        assert!(file.exists());
+    }
+    let file = folder("unknown-extension").join("turn.cast");
+    run_ok(&["draw", "four-bar", "-o", file.to_str().unwrap()]);
+    assert!(
+        std::fs::read_to_string(&file)
+            .unwrap()
+            .starts_with("{\"version\"")
+    );
+}
+
 #[test]
 fn locale_or_option_selects_glyphs() {
     let drawn = |glyphs: &str| run_ok(&["draw", "four-bar", "--glyphs", glyphs]);

@@ -88,6 +88,121 @@ fn path_moves_all_inputs() {
     assert!(rates.contains("`P.vx` needs a speed"), "{rates}");
 }
 
+/// An input without a column follows the driver: one at a ratio turns with it, a held one stays.
+#[test]
+fn inputs_without_a_column_follow_the_driver_of_a_path() {
+    let folder = folder("path-followers");
+    let (scene, file) = (folder.join("scene.toml"), folder.join("poses.csv"));
+    let [scene_file, file] = [&scene, &file].map(|path| path.to_str().unwrap());
+    let text = fs::read_to_string("presets/five-bar.toml").unwrap();
+    let sweep = ["sweep", scene_file, "--path", file, "--columns", "r5.angle"];
+    fs::write(file, "r2\n120\n100\n").unwrap();
+    for (law, expected) in [
+        ("{ at = 60 }", [60.0, 60.0]),
+        ("{ ratio = -1, phase = 180 }", [60.0, 80.0]),
+    ] {
+        let text = text.replace("{ at = 60 }", law);
+        assert!(text.contains(&format!("r5 = {law}")), "{text}");
+        fs::write(&scene, text).unwrap();
+        let output = run_ok(&sweep);
+        let lines: Vec<&str> = output.lines().collect();
+        assert_row(lines[1], &[120.0, expected[0]]);
+        assert_row(lines[2], &[100.0, expected[1]]);
+    }
+}
+
+/// The rows of a sweep move the inputs again: its headers are names of columns with units.
+#[test]
+fn path_takes_the_headers_of_a_sweep() {
+    let file = folder("path-headers").join("poses.csv");
+    let file = file.to_str().unwrap();
+    fs::write(
+        file,
+        "driver.angle [deg];r5.angle [deg]\n120;60,0\n90;90,0\n",
+    )
+    .unwrap();
+    let output = run_ok(&["sweep", "five-bar", "--path", file, "--columns", "P.y"]);
+    let lines: Vec<&str> = output.lines().collect();
+    assert_row(lines[1], &[120.0, 173.205_080_756_888]);
+    assert_row(lines[2], &[90.0, 226.491_106_406_735]);
+}
+
+/// Returns the angles of the motors that place P, with the elbows outwards: by the law of cosines in
+/// the triangles of 100 and 140 at both motors.
+fn five_bar_inputs(x: f64, y: f64) -> [f64; 2] {
+    let motor = |base: f64, side: f64| {
+        let (dx, distance) = (x - base, (x - base).hypot(y));
+        let cos = (100.0_f64.powi(2) + distance.powi(2) - 140.0_f64.powi(2)) / (200.0 * distance);
+        (y.atan2(dx) + side * cos.acos()).to_degrees()
+    };
+    [motor(-60.0, 1.0), motor(60.0, -1.0)]
+}
+
+/// A point leads, and both inputs follow. A row beyond the arms has no values; the next one is
+/// reached again from the last position.
+#[test]
+fn inputs_follow_a_leading_point() {
+    let file = folder("path-lead").join("points.csv");
+    let file = file.to_str().unwrap();
+    let points = [
+        [0.0, 173.205_080_756_888],
+        [0.0, 226.491_106_406_735],
+        [20.0, 220.0],
+        [0.0, 240.0],
+        [10.0, 200.0],
+    ];
+    let rows = points.map(|[x, y]| format!("{x:?},{y:?}\n"));
+    fs::write(file, format!("P.x [mm],P.y [mm]\n{}", rows.concat())).unwrap();
+    let sweep = ["sweep", "five-bar", "--path", file, "--columns"];
+    let output = krank(&[&sweep[..], &["r5.angle,P.x,P.y"]].concat());
+    let note = "note: 1 of 5 rows cannot be reached by the inputs\n";
+    assert_eq!((output.code, &*output.err), (0, note));
+    let lines: Vec<&str> = output.out.lines().skip(1).collect();
+    for (line, [x, y]) in lines.iter().zip(points) {
+        if y == 240.0 {
+            assert_eq!(*line, ",,,,no-assembly");
+            continue;
+        }
+        let [left, right] = five_bar_inputs(x, y);
+        let expected = [left, right, x, y];
+        let (found, state) = row(line);
+        assert_eq!(state, "ok");
+        let is_near = found
+            .iter()
+            .zip(expected)
+            .all(|(a, b)| (a - b).abs() < 1e-9);
+        assert!(is_near, "{line}, not {expected:?}");
+    }
+    // The reference values of the five-bar.
+    for (line, angle) in lines.iter().zip([120.0, 90.0]) {
+        assert!((row(line).0[0] - angle).abs() < 1e-9, "{line}");
+    }
+}
+
+/// At the edge of the workspace both arms are straight: 240 from each motor. One coordinate can lead
+/// one input, while the file gives the other one.
+#[test]
+fn edge_of_the_workspace_is_reported() {
+    let file = folder("path-edge").join("points.csv");
+    let file = file.to_str().unwrap();
+    let sweep = ["sweep", "five-bar", "--path", file, "--columns", "P.x,P.y"];
+    fs::write(file, "P.x,P.y\n0,200\n0,232.379000772445\n").unwrap();
+    let output = krank(&sweep);
+    let note = "note: 1 of 2 rows are singular: the inputs cannot move the point in every direction there\n";
+    assert_eq!((output.code, &*output.err), (0, note));
+    let edge = row(output.out.lines().nth(2).unwrap()).0;
+    let height = (240.0_f64.powi(2) - 60.0_f64.powi(2)).sqrt();
+    assert!((edge[2] - height).abs() < 1e-9, "{edge:?}");
+    let angle = (height / 60.0).atan().to_degrees();
+    assert!((edge[0] - angle).abs() < 1e-3, "{edge:?}");
+    fs::write(file, "P.x,r5\n15.0374665306473,45\n").unwrap();
+    let one = run_ok(&sweep);
+    assert!(
+        (row(one.lines().nth(1).unwrap()).0[0] - 120.0).abs() < 1e-9,
+        "{one}"
+    );
+}
+
 #[test]
 fn faults_of_a_path_name_their_line() {
     let file = folder("path-faults").join("poses.csv");
@@ -97,8 +212,32 @@ fn faults_of_a_path_name_their_line() {
         ("r2,r2\n1,2\n", "two columns are called `r2`"),
         ("r2,r5\n1,2\n3\n", "line 3 has 1 cells, and the first one 2"),
         ("r2,r5\n1,2\n3,4 rad\n", "line 3: `4 rad` below `r5`"),
+        ("r2,r5\n1,2\n3,\n", "line 3: `` below `r5`"),
+        ("r2,r5\n1,inf\n", "line 2: `inf` below `r5`"),
+        ("r2;r5\n1;1,500\n", "line 2: `1,500` below `r5`"),
+        (
+            "r2,r5.angle [rad]\n1,2\n",
+            "the column `r5.angle` is in rad; write its numbers in deg",
+        ),
+        (
+            "r2,driver.angle\n1,2\n",
+            "two columns are called `driver.angle`",
+        ),
         ("r2,r5\n", "no row of numbers"),
         ("", "no row of numbers"),
+        (
+            "P.x\n1\n",
+            "has 1 coordinates of points, and 2 inputs without a column (r2, r5)",
+        ),
+        (
+            "P.x,P.y,r2\n1,2,3\n",
+            "has 2 coordinates of points, and 1 inputs without a column (r5)",
+        ),
+        ("A.x,P.y\n1,2\n", "no input `A.x`"),
+        (
+            "P.x [cm],P.y\n1,2\n",
+            "the column `P.x` is in cm; write its numbers in mm",
+        ),
     ] {
         fs::write(file, text).unwrap();
         let found = refused(2, &["sweep", "five-bar", "--path", file]);

@@ -73,6 +73,7 @@ fn prepared(name: &str) -> PathBuf {
     fs::write(here.join("press.toml"), format!("tolerance = 0.1\n{press}")).unwrap();
     let values = run_ok(&["sweep", "four-bar-load", "--columns", "C.x", "--step", "30"]);
     fs::write(here.join("measured.csv"), values).unwrap();
+    fs::write(here.join("points.csv"), "P.x,P.y\n0,180\n10,190\n").unwrap();
     let drawing = include_str!("../import/fastened.linkage2");
     fs::write(here.join("leg.linkage2"), drawing).unwrap();
     let class = ["exercise", "four-bar", "--seed", "7", "-o", "class"];
@@ -204,7 +205,8 @@ type Part = (
 
 /// The partial scenes in the manual: the chapter, a piece that only this part contains, and the
 /// lines that complete it, below their headings.
-const PARTS: [Part; 9] = [
+const PARTS: [Part; 10] = [
+    ("scene.md", "[copies]", &[GROUND, DRIVER, R2, R3, R4, START]),
     (
         "scene.md",
         "link = \"ram\"",

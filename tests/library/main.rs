@@ -9,6 +9,7 @@ mod support;
 mod accuracy;
 mod architecture;
 mod broken;
+mod copies;
 mod harmless;
 mod imports;
 mod inputs;

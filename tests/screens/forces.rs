@@ -123,6 +123,28 @@ fn row(screen: &str, name: &str) -> Vec<f64> {
     cells.filter_map(|cell| cell.parse().ok()).collect()
 }
 
+/// The driver is listed once; held inputs have forces of their own.
+#[test]
+fn every_input_has_its_effort() {
+    let opened = preset("excavator");
+    let mut state = opened.solver.state();
+    let at = opened.scene.mechanism.driver().start;
+    let _ = opened.solver.solve(at, Order::Force, &mut state);
+    let forces = Forces::new(&opened.scene, &opened.solver, &state, None).unwrap();
+    let screen = session("excavator", 120, 40).press("5 O").painted_text();
+    for (name, _, effort) in &forces.drive.own {
+        let shown = row(&screen, &format!(" {name} "))[0];
+        let value = effort.value.unwrap();
+        assert!(
+            (shown - value).abs() <= 1e-3 * value.abs(),
+            "{name}: {shown}, {value}"
+        );
+    }
+    assert_eq!(forces.drive.own.len(), 3);
+    let driver = screen.split("force on").next().unwrap();
+    assert_eq!(driver.matches("boom-rod").count(), 1, "{screen}");
+}
+
 #[test]
 fn values_equal_solved_state() {
     let opened = preset("press-ram");

@@ -204,7 +204,15 @@ fn sweep_path(
     let outcome = write_to(output, |out| {
         path.write((scene, solver), &columns, format, out)
     })?;
-    let SweepOutcome { rows, valued, .. } = outcome;
+    let SweepOutcome {
+        rows,
+        valued,
+        singular,
+        ..
+    } = outcome;
+    if singular > 0 {
+        note(&words().rows_are_singular(singular, rows), screen);
+    }
     if valued == rows {
         return Ok(());
     }

@@ -5,6 +5,7 @@
 pub(in crate::report) mod columns;
 pub(in crate::report) mod curves;
 pub(in crate::report) mod errors;
+mod lead;
 pub(in crate::report) mod path;
 pub(in crate::report) mod steps;
 
@@ -31,6 +32,8 @@ pub struct SweepOutcome {
     pub hidden: u64,
     /// The reason in the first of these rows.
     pub first_hidden: Option<Hidden>,
+    /// The number of rows in which a leading point cannot move in every direction.
+    pub singular: u64,
 }
 
 /// The input of a sweep, and its output format.

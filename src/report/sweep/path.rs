@@ -1,26 +1,116 @@
-//! Rows at given coordinates of all inputs, from a file.
+//! Rows at given coordinates of all inputs, or of points that the inputs follow, from a file.
 
+use super::lead::{LedPose, PointLead};
 use super::{Columns, SweepOutcome};
-use crate::quantity::demand;
+use crate::quantity::{Aspect, Catalogue, demand};
 use crate::report::text::cells::ReadCells;
 use crate::report::text::rows::{RowFormat, RowWriter};
-use crate::scene::Scene;
+use crate::scene::{Scene, with_point};
 use crate::solver::{Condition, Solver};
 use crate::wording::words;
+use crate::{CoordinateAxis, Input, Mechanism, PointId};
 use std::io::{self, Write};
 
 /// Maximum number of rows.
 const MAX_ROWS: usize = 100_000;
 
-/// The coordinates of all inputs row by row, the driver's first.
+/// The coordinates of all inputs row by row, or those of points that inputs follow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InputPath {
-    rows: Vec<Vec<f64>>,
+    rows: Vec<PathRow>,
+    /// The leading coordinates; `None` if every row gives the inputs.
+    lead: Option<PointLead>,
+}
+
+/// A row of a path.
+#[derive(Clone, Debug, PartialEq)]
+struct PathRow {
+    /// The coordinates of all inputs, the driver's first; placeholders for those that follow a point.
+    inputs: Vec<f64>,
+    /// The leading coordinates.
+    targets: Vec<f64>,
+}
+
+/// The meaning of a column.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum PathColumn {
+    /// The coordinate of the input with this index.
+    Input(usize),
+    /// A coordinate of a point.
+    Point(PointId, CoordinateAxis),
+}
+
+impl PathColumn {
+    /// Returns the meaning of a header: the name of an input, a coordinate of a point such as `P.x`,
+    /// or the header of an input's coordinate in a sweep, such as `r5.angle [deg]`.
+    fn of(scene: &Scene, header: &str) -> Result<PathColumn, String> {
+        let (name, unit) = match header
+            .strip_suffix(']')
+            .and_then(|head| head.split_once('['))
+        {
+            Some((name, unit)) => (name.trim(), Some(unit.trim())),
+            None => (header, None),
+        };
+        let mechanism = &scene.mechanism;
+        let (column, own) = match leading_coordinate(scene, name) {
+            Some((point, axis)) => (PathColumn::Point(point, axis), scene.unit.symbol()),
+            None => {
+                let input = input_of_header(scene, name)?;
+                let index = mechanism.inputs().position(|other| other == input);
+                let own = match input {
+                    Input::Turn(_) => "deg",
+                    Input::Push(_) => scene.unit.symbol(),
+                };
+                (PathColumn::Input(index.unwrap_or_default()), own)
+            }
+        };
+        match unit.filter(|unit| *unit != own) {
+            Some(unit) => Err(words().path_has_other_unit(name, unit, own)),
+            None => Ok(column),
+        }
+    }
+}
+
+/// Returns the moving point and the axis of a column such as `P.x`.
+fn leading_coordinate(scene: &Scene, name: &str) -> Option<(PointId, CoordinateAxis)> {
+    let (name, axis) = name.rsplit_once('.')?;
+    let axis = match axis {
+        "x" => CoordinateAxis::X,
+        "y" => CoordinateAxis::Y,
+        _ => return None,
+    };
+    let mut moving = scene.mechanism.point_ids();
+    let point = moving.find(|&point| {
+        scene.point_name(point) == Some(name) && scene.mechanism.point(point).ground.is_none()
+    })?;
+    Some((point, axis))
+}
+
+/// Returns the input of a column: its name, or the name of its coordinate in a sweep.
+fn input_of_header(scene: &Scene, name: &str) -> Result<Input, String> {
+    let (mechanism, catalogue) = (&scene.mechanism, Catalogue::new(scene));
+    let is_headed = |input: Input| match input {
+        _ if input == mechanism.driver().input => catalogue.driver().name == name,
+        // The angle of another link is not its coordinate: that is relative to its motor's link.
+        Input::Turn(link) => {
+            let angle = format!("{}.{}", scene.link_name(link), Aspect::Angle.name());
+            mechanism.is_directed(link) && angle == name
+        }
+        Input::Push(slide) => {
+            format!("{}.{}", scene.slide_name(slide), Aspect::Length.name()) == name
+        }
+    };
+    match mechanism.inputs().find(|&input| is_headed(input)) {
+        Some(input) => Ok(input),
+        None => scene.input_named(name),
+    }
 }
 
 impl InputPath {
     /// Parses a table with a column for each input, named after its link or slide. A driver
     /// without a column stays where the scene opens; any other input then follows the driver.
+    ///
+    /// Columns such as `P.x` and `P.y` lead: as many inputs, which have no column, follow the point.
     ///
     /// # Errors
     /// Returns a message with the line of the first fault.
@@ -37,38 +127,43 @@ impl InputPath {
         let names = rows.next().map_or(Vec::new(), |(names, _)| names);
         let mut columns = Vec::with_capacity(names.len());
         for name in &names {
-            let input = scene.input_named(name)?;
-            let column = mechanism.inputs().position(|other| other == input);
+            let column = PathColumn::of(scene, name)?;
             if columns.contains(&column) {
                 return Err(words().path_names_twice(name));
             }
             columns.push(column);
         }
+        let lead = lead(scene, &columns)?;
         let row = |(cells, line): (Vec<String>, u64)| {
             if cells.len() != names.len() {
                 return Err(words().path_row_has_cells(line, cells.len(), names.len()));
             }
-            let mut row = at.clone();
+            let (mut inputs, mut targets) = (at.clone(), Vec::new());
             for ((cell, column), name) in cells.iter().zip(&columns).zip(&names) {
-                let number = cell.replace(',', ".").parse::<f64>().ok();
+                let number = with_point(cell).and_then(|cell| cell.parse::<f64>().ok());
                 let number = number.filter(|number| number.is_finite());
                 let number = number.ok_or_else(|| words().path_cell(line, name, cell))?;
-                if let Some(place) = column.and_then(|column| row.get_mut(column)) {
-                    *place = number;
+                match column {
+                    PathColumn::Point(..) => targets.push(number),
+                    PathColumn::Input(index) => {
+                        if let Some(place) = inputs.get_mut(*index) {
+                            *place = number;
+                        }
+                    }
                 }
             }
-            let driven = row.first().copied().unwrap_or(opening);
-            for ((number, input), place) in mechanism.inputs().enumerate().zip(&mut row) {
-                if !columns.contains(&Some(number)) {
+            let driven = inputs.first().copied().unwrap_or(opening);
+            for ((index, input), place) in mechanism.inputs().enumerate().zip(&mut inputs) {
+                if lead.is_none() && !columns.contains(&PathColumn::Input(index)) {
                     *place = mechanism.input_coordinate(input, driven).unwrap_or(*place);
                 }
             }
-            Ok(row)
+            Ok(PathRow { inputs, targets })
         };
-        let rows: Vec<Vec<f64>> = rows.map(row).collect::<Result<_, String>>()?;
+        let rows: Vec<PathRow> = rows.map(row).collect::<Result<_, String>>()?;
         match rows.is_empty() {
             true => Err(words().path_is_empty().to_owned()),
-            false => Ok(InputPath { rows }),
+            false => Ok(InputPath { rows, lead }),
         }
     }
 
@@ -89,23 +184,27 @@ impl InputPath {
         let mut rows = RowWriter::new(table, &head, to)?;
         let (_, order) = demand(&columns.quantities);
         let mut outcome = SweepOutcome::default();
-        let mut solver = solver.clone();
-        let mut at = scene.mechanism.driver().start;
-        for pose in &self.rows {
-            let Some(&coordinate) = pose.first() else {
-                continue;
-            };
-            let posed = scene.mechanism.posed(pose);
-            let next = solver.with_dimensions_in_assembly(at, &posed);
-            let mut cells = vec![Some(coordinate)];
+        let opening = scene.mechanism.driver().start;
+        let inputs = scene.mechanism.inputs();
+        let inputs = inputs.map(|input| scene.mechanism.input_coordinate(input, opening));
+        let mut pose = LedPose {
+            inputs: inputs.map(Option::unwrap_or_default).collect(),
+            solver: solver.clone(),
+            is_singular: false,
+        };
+        for row in &self.rows {
+            let given = self.lead.is_none().then(|| row.inputs.first().copied());
+            let mut cells = vec![given.flatten()];
             cells.resize(columns.quantities.len(), None);
             let mut condition = Condition::NoAssembly;
-            if let Ok(next) = next {
-                (solver, at) = (next, coordinate);
-                let mut state = solver.state();
-                condition = solver.solve(at, order, &mut state);
+            if let Some(next) = self.next(&scene.mechanism, &pose, row) {
+                pose = next;
+                let at = pose.inputs.first().copied().unwrap_or(opening);
+                let mut state = pose.solver.state();
+                condition = pose.solver.solve(at, order, &mut state);
                 cells = columns.quantities.iter().map(|q| q.value(&state)).collect();
                 outcome.valued += u64::from(condition != Condition::NoAssembly);
+                outcome.singular += u64::from(pose.is_singular);
             }
             rows.state_row(&cells, condition)?;
             outcome.rows += 1;
@@ -113,4 +212,46 @@ impl InputPath {
         rows.finish()?;
         Ok(outcome)
     }
+
+    /// Returns the position of a row, in the assembly of the one before; `None` if it cannot be
+    /// reached.
+    fn next(&self, mechanism: &Mechanism, from: &LedPose, row: &PathRow) -> Option<LedPose> {
+        if let Some(lead) = &self.lead {
+            return lead.moved(mechanism, from, &row.inputs, &row.targets);
+        }
+        let at = from.inputs.first().copied()?;
+        let posed = mechanism.posed(&row.inputs);
+        let solver = from.solver.with_dimensions_in_assembly(at, &posed).ok()?;
+        Some(LedPose {
+            inputs: row.inputs.clone(),
+            solver,
+            is_singular: false,
+        })
+    }
+}
+
+/// Returns the leading coordinates of the columns, and the inputs without a column, which follow
+/// them. There must be as many.
+fn lead(scene: &Scene, columns: &[PathColumn]) -> Result<Option<PointLead>, String> {
+    let leading = columns.iter().filter_map(|column| match *column {
+        PathColumn::Point(point, axis) => Some((point, axis)),
+        PathColumn::Input(_) => None,
+    });
+    let coordinates: Vec<(PointId, CoordinateAxis)> = leading.collect();
+    if coordinates.is_empty() {
+        return Ok(None);
+    }
+    let free = scene.mechanism.inputs().enumerate();
+    let free = free.filter(|(index, _)| !columns.contains(&PathColumn::Input(*index)));
+    let (inputs, names): (Vec<usize>, Vec<&str>) = free
+        .map(|(index, input)| (index, scene.input_name(input)))
+        .unzip();
+    if inputs.len() != coordinates.len() {
+        let (leading, free) = (coordinates.len(), inputs.len());
+        return Err(words().path_leads_other_number(leading, free, &names.join(", ")));
+    }
+    Ok(Some(PointLead {
+        coordinates,
+        inputs,
+    }))
 }

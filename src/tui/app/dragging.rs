@@ -136,7 +136,13 @@ impl App {
         let editor = &mut self.document.editor;
         let first = typed.values.first().and_then(|(name, _)| editor.row(name));
         let Some(row) = first else {
-            if let Some(link) = &typed.link {
+            let scene = self.player.open_scene.scene();
+            let parts = std::iter::once(&typed.point).chain(&typed.link);
+            let mut copies = parts.filter_map(|part| Some((part, scene.original_of(part)?)));
+            if let Some((copy, original)) = copies.next() {
+                let message = words().edit_the_original(copy, original);
+                self.shell.set_message(message);
+            } else if let Some(link) = &typed.link {
                 self.shell
                     .set_message(words().begins_a_frame(&typed.point, link));
             }

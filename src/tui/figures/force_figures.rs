@@ -59,7 +59,11 @@ impl Formats {
             Format::of_sizes(sizes.filter(|size| *size > 0.0).collect())
         };
         Formats {
-            effort: format(|forces| [&[forces.drive.total][..], &forces.drive.parts].concat()),
+            effort: format(|forces| {
+                let drive = &forces.drive;
+                let own = drive.own.iter().map(|(.., effort)| *effort);
+                own.chain([drive.total]).chain(drive.parts).collect()
+            }),
             power: format(|forces| vec![forces.drive.power]),
             force: format(sizes_of_forces),
             moment: format(|forces| {

@@ -13,6 +13,7 @@ use crate::tui::document::opening;
 use crate::tui::views::DrawnPlace;
 use crate::tui::workbench::Workbench;
 use crate::tui::{OpenedScene, Origin};
+use crate::wording::Language;
 use ratatui::layout::{Position, Size};
 
 const COLS: u16 = 80;
@@ -291,6 +292,32 @@ fn ground_pins_can_be_dragged_next_to_scene_pane() {
     point(&mut workbench, MouseEventKind::Drag, to);
     assert_ne!(workbench.app().open_scene().at(), 60.0);
     assert!(!workbench.app().is_changed());
+}
+
+/// A pin of a copy has no coordinates in the file; the message names the original.
+#[test]
+fn dragging_a_copied_pin_is_refused() {
+    Language::English.speak();
+    let preset = presets::find("four-bar").unwrap();
+    let copy = "[copies]\nb = { of = [\"r3\", \"r4\"], move = [0, -60] }\n";
+    let text = format!("{}\n{copy}", preset.text);
+    let opened = opening::text(&text, Origin::New("copied".into())).unwrap();
+    let mut workbench = bench_of(opened, "M 6", Size::new(120, 40), Colours::Sixteen);
+    let (from, _) = cell(&workbench, Vec2::new(400.0, -60.0));
+    point(&mut workbench, MouseEventKind::Press, from);
+    let message = workbench.app().message();
+    assert_eq!(message, Some("D_b is a copy; change D instead"));
+    let (to, _) = cell(&workbench, Vec2::new(380.0, -30.0));
+    workbench.point(Mouse {
+        kind: MouseEventKind::Drag,
+        at: to,
+    });
+    assert_eq!(workbench.app().open_scene().scene().text(), text);
+    // The values of the copy itself can be edited.
+    let values = workbench.app().open_scene().scene().values();
+    let own = values.iter().filter(|value| value.name.starts_with("b "));
+    let own: Vec<&str> = own.map(|value| value.name.as_str()).collect();
+    assert_eq!(own, ["b move x", "b move y"]);
 }
 
 /// Until the release, the verdict compares with the start of the drag.

@@ -1,5 +1,5 @@
-//! Forces view: the driver's effort, the reactions of joints and guides, the frame's load, and the
-//! residuals of the checks.
+//! Forces view: the efforts of the driver and of further inputs, the reactions of joints and guides,
+//! the load on the frame, and the residuals of the checks.
 //!
 //! ```text
 //! driver               torque      loads    gravity    inertia      power
@@ -221,6 +221,20 @@ fn driver(forces: &Forces, formats: &Formats) -> Table {
         None,
         cells.chain([Some(power)]).collect(),
     )];
+    // The effort of every input, with its unit where it differs from the driver's. With all others
+    // held, the driver's own effort is the total.
+    for (name, aspect, effort) in &drive.own {
+        if *name == drive.name && effort.value == drive.total.value {
+            continue;
+        }
+        let own = aspect.unit(forces.unit);
+        let name = match own == unit {
+            true => name.clone(),
+            false => format!("{name} {own}"),
+        };
+        let effort = formats.effort.write(effort);
+        table.rows.push(row(name, None, vec![Some(effort)]));
+    }
     table
 }
 

@@ -154,7 +154,7 @@ use KeyKind::{
     Place, Places, Points, Rate, Rows, Series, Steps, Table, Text, Vectors,
 };
 use NumberMeasure::{Driver, DriverItself, Effort, In, Of};
-use NumberRule::{Any, Arm, AtMostHalf, Distance, Known, NotNegative, Positive};
+use NumberRule::{Any, Arm, AtLeastOne, AtMostHalf, Distance, Known, NotNegative, Positive};
 
 keys! {
 SCENE =
@@ -171,6 +171,7 @@ SCENE =
     "inputs": Each(TIMED), [], inputs_that_follow, no_default;
     "links": Each(LINK), [], rigid_links, no_default;
     "slides": Each(SLIDE), [], guides_and_sliders, no_default;
+    "copies": Each(COPY), [], copies_of_groups, no_default;
     "start": Points(Of(Measure::Start)), [], rough_positions, no_default;
     "vectors": Vectors, [], further_vectors, no_default;
     "limits": Limits(LIMIT), [], coordinates_between_stops, no_default;
@@ -237,6 +238,16 @@ SLIDE =
     "angle": Number(In(Measure::Angle), Any), [], angle_of_guide, "0";
     "turn": Number(In(Measure::Angle), Any), ["link"], turn_of_slider, "0";
     "tolerance": Number(Of(Measure::Deviation), Any), [], tolerance_of_guide, tolerance_of_scene;
+
+COPY =
+    "of": Text, [], group_that_is_copied, "";
+    "count": Number(Of(Measure::Factor), AtLeastOne), [], number_of_copies, "1";
+    "mirror": Text, [], mirror_axis_of_copy, no_default;
+    "turn": Number(In(Measure::Angle), Any), [], turn_of_copy, "0";
+    "about": Pair(Of(Measure::Coordinate)), [], centre_of_copy, "`[0, 0]`";
+    "move": Pair(Of(Measure::Coordinate)), [], shift_of_copy, "`[0, 0]`";
+    "phase": Number(In(Measure::Angle), Any), [], phase_of_copy, "0";
+    "join": Text, [], points_joined_by_copy, no_default;
 
 LIMIT =
     "link": Text, [], "", "";
@@ -386,6 +397,7 @@ mod tests {
     fn characteristic(table: &str, kind: &str) -> Vec<(String, &'static str)> {
         let named = |key: &str| vec![(key.to_owned(), "\"r2\"")];
         match (table, kind) {
+            ("copies", _) => vec![("of".into(), "[\"r3\"]"), ("turn".into(), "9")],
             ("driver", "") => vec![("link".into(), "\"r2\""), ("angle".into(), "0")],
             (_, TORSION) => named("link"),
             ("motor" | "", _) | (_, "" | "spring") => Vec::new(),
@@ -416,7 +428,7 @@ mod tests {
     /// A key without code that reads it would accept any value.
     #[test]
     fn every_key_of_every_table_is_read() {
-        let tables: [(&str, &[SceneKey], [&str; 2]); 13] = [
+        let tables: [(&str, &[SceneKey], [&str; 2]); 14] = [
             ("", SCENE, ["", ""]),
             ("driver", DRIVER, ["{ ", " }"]),
             (
@@ -428,6 +440,7 @@ mod tests {
             ("links", LINK, ["{ r9 = { ", " } }"]),
             ("links", PLACE, ["{ r9 = { points = { P = { ", " } } } }"]),
             ("slides", SLIDE, ["{ r4 = { ", " } }"]),
+            ("copies", COPY, ["{ z = { ", " } }"]),
             ("limits", LIMIT, ["{ elbow = { ", " } }"]),
             ("loads", LOAD, ["[{ ", " }]"]),
             ("springs", SPRING, ["[{ ", " }]"]),

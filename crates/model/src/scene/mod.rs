@@ -44,6 +44,7 @@
 //! [`Scene::explain`] reports them in the same form.
 
 mod accuracy;
+mod copies;
 mod defect;
 mod elements;
 mod inputs;
@@ -97,6 +98,7 @@ use crate::wording::words;
 use crate::{
     Body, ElementId, Input, LimitId, LinkId, Mechanism, MotionLaw, PointId, SlideId, Tolerances,
 };
+use std::collections::HashMap;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
@@ -141,6 +143,8 @@ pub struct Scene {
     pub slide_names: Vec<String>,
     /// The names of the limits, with the places of their ends in the text.
     limits: elements::limits::LimitPlaces,
+    /// The originals' names by those of copied elements (`[copies]`).
+    originals: HashMap<String, String>,
     tolerances: Tolerances,
     places: TextPlaces,
     origin: String,
@@ -204,6 +208,11 @@ impl Scene {
         let root = document::parse(&mut reader, syntax::fix);
         let scene = root.as_ref().and_then(|root| {
             let draft = raw_elements::read(&mut reader, root);
+            let names = copies::name_slots(&draft);
+            // A variable of its own, because the copies' names live shorter than the text.
+            let mut draft = draft;
+            let originals = copies::expand(&mut reader, &mut draft, &names);
+            elements::frame::as_vectors(&mut draft);
             let resolved = resolve::resolve(&mut reader, &draft)?;
             let figures = draft.figures.into_iter();
             Some(Scene {
@@ -223,6 +232,7 @@ impl Scene {
                 link_names: resolved.link_names,
                 slide_names: resolved.slide_names,
                 limits: resolved.limits,
+                originals,
                 tolerances: resolved.tolerances,
                 places: resolved.places,
                 origin: origin.to_owned(),
@@ -314,6 +324,13 @@ impl Scene {
     #[must_use]
     pub fn limit_place(&self, limit: LimitId) -> Range<usize> {
         self.limits[limit.index()].1.clone()
+    }
+
+    /// Returns the name of the element that an element of `[copies]` is a copy of; `None` for other
+    /// elements. The original can be a copy itself.
+    #[must_use]
+    pub fn original_of(&self, name: &str) -> Option<&str> {
+        self.originals.get(name).map(String::as_str)
     }
 
     /// Returns the display title; titles of presets are translated.

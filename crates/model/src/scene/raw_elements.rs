@@ -2,13 +2,14 @@
 
 use super::Unit;
 use super::accuracy::deviations::{self, DraftTolerances};
+use super::copies::{self, DraftCopy};
+use super::elements::drawn;
 use super::elements::limits::{self, DraftLimit};
 use super::elements::link::{self, DraftLink};
 use super::elements::points::{self, DraftVector, PlacedPoint, places};
 use super::elements::redundant::{self, Redundant};
 use super::elements::slide::{self, DraftSlide};
 use super::elements::view::{self, DraftView};
-use super::elements::{drawn, frame};
 use super::inputs::input::{self, DraftDriver};
 use super::inputs::motor::{self, Motor};
 use super::inputs::timed_inputs::{self, DraftTimed};
@@ -48,6 +49,7 @@ pub(crate) struct SceneDraft<'t> {
     /// The inputs that follow the driver.
     pub(crate) timed: Vec<DraftTimed<'t>>,
     pub(crate) start: Vec<PlacedPoint<'t>>,
+    pub(crate) copies: Vec<DraftCopy<'t>>,
     pub(crate) vectors: Vec<DraftVector<'t>>,
     pub(crate) limits: Vec<DraftLimit<'t>>,
     pub(crate) loads: Vec<DraftLoad<'t>>,
@@ -116,7 +118,6 @@ pub(crate) fn read<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>) -> SceneD
         reader.report(link::nothing_moves());
         draft.unreadable = true;
     }
-    frame::as_vectors(&mut draft);
     draft
 }
 
@@ -128,7 +129,7 @@ impl<'v> SceneDraft<'v> {
         Some(value)
     }
 
-    /// Reads the ground, the links, the slides, the inputs and the start.
+    /// Reads the ground, the links, the slides, the inputs, the start and the copies.
     fn moving(&mut self, reader: &mut Reader<'_>, file: &KeyTable<'v>) {
         let place = |name| file.key(name).map(|key| key.span);
         if let Some(value) = self.section(file, "ground") {
@@ -175,6 +176,12 @@ impl<'v> SceneDraft<'v> {
         }
         if let Some(value) = self.section(file, "inputs") {
             self.timed = timed_inputs::read(reader, value);
+        }
+        if let Some(value) = self.section(file, "copies") {
+            let before = reader.found.len();
+            self.copies = copies::read(reader, &self.ground, value);
+            // Other sections may name elements of the copies.
+            self.unreadable |= reader.found.len() > before;
         }
     }
 

@@ -193,6 +193,10 @@ impl Scene {
         match names.iter().position(|name| *name == sought) {
             Some(found) => Ok(values.swap_remove(found)),
             None => {
+                let copied = |word| Some((word, self.original_of(word)?));
+                if let Some((copy, original)) = sought.split('.').find_map(copied) {
+                    return Err(words().edit_the_original(copy, original));
+                }
                 let intended = did_you_mean(&sought, names.iter().map(String::as_str));
                 Err(words().no_value_named(&sought, intended.as_deref()))
             }

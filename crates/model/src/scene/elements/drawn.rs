@@ -17,7 +17,7 @@ use std::collections::HashMap;
 const DRAWN: &str = r#"r3 = { points = ["B", "C", "P"] }"#;
 const FURTHER: &str = "points = { P = [150, 80] }";
 
-/// A computed coordinate below this fraction of the length is a rounding error.
+/// A computed coordinate below this fraction of the coordinates in the drawing is a rounding error.
 const ROUNDING: f64 = 1e-29;
 
 /// Maximum exponent of a scale, so that its inverse is finite.
@@ -145,8 +145,12 @@ impl DrawnFrame {
 
     /// Returns a point's coordinates in the frame.
     fn local(&self, place: Vec2) -> Vec2<Double> {
-        let arm = typed(place) - self.origin;
-        let reach = arm.x.abs().hi.max(arm.y.abs().hi).max(self.length.hi);
+        let place = typed(place);
+        let arm = place - self.origin;
+        let size = |v: Vec2<Double>| v.x.abs().hi.max(v.y.abs().hi);
+        // The coordinates are rounded, not their differences.
+        let reach = [place, self.origin, arm].map(size);
+        let reach = reach.into_iter().fold(self.length.hi, f64::max);
         let local = Vec2::new(self.axis.dot(arm), self.axis.cross(arm));
         local.map(|v| match v.abs().hi <= ROUNDING * reach {
             true => Double::ZERO,
@@ -231,6 +235,18 @@ mod tests {
             .replace("C = [3.6, 4.8]", "C = [0.7, 2.1]")
             .replace("P = [2.5, 1.4]", "P = [0.2, 0.6]");
         assert_eq!(local(&scene(&text), 1, "P").y, 0.0);
+    }
+
+    /// The decimals of coordinates far from the origin are rounded more coarsely than the link.
+    #[test]
+    fn points_on_a_line_far_away_stay_on_it() {
+        let text = DRAWN
+            .replace("B = [0.6, 0.8]", "B = [1000000.1, 1000000.3]")
+            .replace("C = [3.6, 4.8]", "C = [1000000.7, 1000002.1]")
+            .replace("P = [2.5, 1.4]", "P = [1000000.2, 1000000.6]");
+        let found = local(&scene(&text), 1, "P");
+        assert_eq!(found.y, 0.0);
+        assert!((found.x - 0.1 * 10.0_f64.sqrt()).abs() < 1e-16, "{found:?}");
     }
 
     /// Squares of these lengths overflow or underflow.

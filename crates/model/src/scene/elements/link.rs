@@ -12,12 +12,12 @@ use crate::scene::table::KeyTable;
 use crate::wording::words;
 
 /// Maximum number of links of a scene.
-const MAX_LINKS: usize = 10_000;
+pub(crate) const MAX_LINKS: usize = 10_000;
 
 const LINK: &str = r#"r2 = { from = "A", to = "B", length = 100 }"#;
 const POINTS: &str = "r2 = { points = { A = [0, 0] } }";
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct DraftLink<'t> {
     pub(crate) name: Name<'t>,
     pub(crate) ends: Option<Ends<'t>>,
@@ -60,7 +60,7 @@ impl<'t> DraftLink<'t> {
     }
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Ends<'t> {
     pub(crate) from: Name<'t>,
     pub(crate) to: Name<'t>,

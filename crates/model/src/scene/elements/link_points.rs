@@ -27,7 +27,7 @@ const TRIANGLE: &str = r#"{ from = ["D", "E"], distances = [120, 90] }"#;
 const ROUNDING: f64 = 1e-30;
 
 /// A place by length and angle.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Sighted<'t> {
     /// The reference point on the link; `None` for the origin of its frame.
     pub(crate) from: Option<Name<'t>>,
@@ -37,7 +37,7 @@ pub(crate) struct Sighted<'t> {
 }
 
 /// A place by its distances from two points of the link.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Triangle<'t> {
     /// The two points.
     pub(crate) from: [Name<'t>; 2],

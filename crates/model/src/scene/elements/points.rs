@@ -9,7 +9,7 @@ use crate::wording::words;
 const VECTOR: &str = r#"r1 = ["D", "A"]"#;
 
 /// A point with coordinates in the frame of its section or link.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct PlacedPoint<'t> {
     pub(crate) name: Name<'t>,
     /// `None` if the coordinates could not be read.

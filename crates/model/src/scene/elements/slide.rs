@@ -12,7 +12,7 @@ use crate::{Body, LinkId, PointId, Vec2};
 
 const SLIDE: &str = r#"r4 = { point = "C", on = "ground", through = "A", angle = 0 }"#;
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct DraftSlide<'t> {
     pub(crate) name: Name<'t>,
     /// `None` here and in the following fields means that a fault was reported.
@@ -24,13 +24,28 @@ pub(crate) struct DraftSlide<'t> {
     pub(crate) tolerance: Option<DraftTolerance>,
 }
 
-#[derive(Debug)]
+impl<'t> DraftSlide<'t> {
+    /// Returns the names of its points: the pin and the point of the guide.
+    pub(crate) fn point_names(&self) -> impl Iterator<Item = &Name<'t>> {
+        let pin = self.slider.iter().filter_map(|slider| match slider {
+            DraftSlider::Pin(point) => Some(point),
+            DraftSlider::Link { .. } => None,
+        });
+        let through = self.through.iter().filter_map(|through| match through {
+            Through::Point(point) => Some(point),
+            Through::At(_) => None,
+        });
+        pin.chain(through)
+    }
+}
+
+#[derive(Clone, Debug)]
 pub(crate) enum DraftSlider<'t> {
     Pin(Name<'t>),
     Link { link: Name<'t>, turn: f64 },
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) enum Through<'t> {
     Point(Name<'t>),
     At(Vec2),

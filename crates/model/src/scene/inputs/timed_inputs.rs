@@ -24,6 +24,17 @@ pub(crate) struct DraftTimed<'t> {
     from: Option<&'t WrittenValue<'t>>,
 }
 
+impl<'t> DraftTimed<'t> {
+    /// Creates an input that follows the driver.
+    pub(crate) fn following(name: Name<'t>, ratio: f64, phase: f64) -> Self {
+        DraftTimed {
+            name,
+            law: DraftInputLaw::Ratio { ratio, phase },
+            from: None,
+        }
+    }
+}
+
 #[derive(Debug)]
 enum DraftInputLaw {
     Ratio {

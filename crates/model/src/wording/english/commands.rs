@@ -31,6 +31,8 @@ catalogue! {
         smaller_has_room(why: &str) = "{why}: choose a smaller `--width` or fewer `--seconds`";
         format_takes_no(format: &str, option: &str, others: &str) =
             "`{option}` does not work with `--format {format}`; use {others}";
+        no_format_of_extension(extension: &str, known: &str) =
+            "no picture has the extension `{extension}`; use {known}, or name the format with `--format`";
         no_text(format: &str) = "{format} is a binary format: write it to a file with `-o FILE`";
         no_workbench(scene: &dyn Display) =
             "this krank was built without the workbench (feature `tui`); print tables with `krank table \

@@ -109,6 +109,7 @@ catalogue! {
             let intended = intended.map_or(String::new(), |intended| format!("; {intended}"));
             format!("the scene has no value `{name}`{intended}")
         };
+        edit_the_original(copy: &str, original: &str) = "{copy} is a copy; change {original} instead";
         input_is_held(name: &str, at: &str, unit: &str) = "{name} is held at {at} {unit}";
         no_held_inputs = "the scene holds no input; `r7 = { at = 30 }` in [inputs] holds one";
         keys_step_the_driver(name: &str) = "the step keys move the driver, {name}";
@@ -116,12 +117,19 @@ catalogue! {
         input_is_not_held(name: &str) = "{name} follows the driver; give it `at` in [inputs] to hold it";
         path_too_long(most: usize) = "more than {most} rows";
         path_is_empty = "no row of numbers below the names of the inputs";
+        path_has_other_unit(name: &str, unit: &str, own: &str) =
+            "the column `{name}` is in {unit}; write its numbers in {own}";
         path_names_twice(name: &str) = "two columns are called `{name}`";
         path_row_has_cells(line: u64, cells: usize, names: usize) =
             "line {line} has {cells} cells, and the first one {names}";
         path_cell(line: u64, name: &str, cell: &str) =
             "line {line}: `{cell}` below `{name}` is not a number without a unit";
         path_has_no_rates(name: &str) = "`{name}` needs a speed, and the rows of `--path` have no times; name positions only";
+        path_leads_other_number(leading: usize, free: usize, names: &str) =
+            "the file has {leading} coordinates of points, and {free} inputs without a column ({names}); \
+             as many inputs must follow as coordinates lead";
+        rows_are_singular(singular: u64, rows: u64) =
+            "{singular} of {rows} rows are singular: the inputs cannot move the point in every direction there";
         poses_out_of_reach(outside: u64, rows: u64) = "{outside} of {rows} rows cannot be reached by the inputs";
         no_input_named(name: &str, names: &str, meant: Option<&str>) = {
             let meant = meant.map_or(String::new(), |meant| format!("; {meant}"));

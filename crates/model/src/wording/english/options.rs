@@ -154,7 +154,8 @@ catalogue! {
         place_of_driver =
             "The driver's angle in deg, or the position of a driven slide [default: where the scene opens]";
         path_of_inputs =
-            "A CSV file with the coordinates of the inputs, a column for each, named after its link or slide; writes a row for each";
+            "A CSV file with the coordinates of the inputs, a column for each, named after its link or slide, or of \
+             points that the inputs follow, such as `P.x,P.y`; writes a row for each";
         input_that_moves =
             "The input that moves, by the name of its link or slide; all other inputs are held [default: the driver]";
         assembly_of_group = "The assembly of a group where the scene opens, as check lists them; separated by commas";

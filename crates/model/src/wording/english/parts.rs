@@ -113,6 +113,39 @@ catalogue! {
         begin_with_two_places = "begin the list with two points at different places";
         name_each_point_once = "name each point once";
 
+        // Copies.
+        copy_called(name: &str) = "copy {name}";
+        a_list_of_elements = "a list of links, slides or points";
+        copy_of_nothing(of: &str) = "{of}: the list `of` is empty";
+        no_element_called(what: &str, name: &str) = "{what}: there is no link, slide or point {name}";
+        no_such_element = "no such element";
+        whole_number_up_to(most: usize) = "a whole number from 1 to {most}";
+        x_or_y = "`x` or `y`";
+        mirrors_at_axis = "`x` mirrors at the x axis, so that y changes its sign, and `y` at the y axis";
+        turn_the_mirror_image = "for another axis, add `turn`: twice the angle between the axes";
+        a_ground_point_or_pair = "a ground point or `[x, y]`";
+        about_nothing(of: &str) = "{of}: `about` needs `mirror` or `turn`";
+        neither_turns_nor_mirrors = "nothing is mirrored or turned";
+        copy_in_place(of: &str) = "{of} lies on the original";
+        is_where_original_is = "the same place";
+        place_the_copy = "give it `mirror`, `turn`, `move`, `phase` or `join`";
+        joins_no_point(of: &str, name: &str) = "{of}: `join` replaces {name}, which is no point of the group";
+        not_in_the_group = "not a point of the group";
+        phase_turns_nothing(of: &str) = "{of}: `phase` has no effect";
+        no_point_on_another_link = "no other link has a point of the group";
+        phase_is_for_cranks =
+            "`phase` turns the points of the group that are also on other links, such as a crank; \
+             `turn` turns the whole copy";
+        phase_at_origin(of: &str, point: &str) = "{of}: `phase` cannot turn {point}";
+        turns_about_the_origin = "it is the origin of its other link";
+        begin_crank_at_pivot = "let that link begin at its pivot: from = \"A\"";
+        name_of_copy_is_taken(of: &str, original: &str, name: &str) =
+            "{of}: the copy of {original} would be {name}, a name in use";
+        choose_another_suffix = "choose another key in [copies]: its copies are named after it";
+        too_many_copies(of: &str, most: usize) = "{of}: more than {most} copies in all";
+        too_many_copied(of: &str, most: usize) = "{of}: more than {most} copied elements in all";
+        copy_is_too_far(of: &str) = "{of} has coordinates that are too large to compute with";
+
         // Slides.
         of_has_no(of: &str, key: &str) = "{of} has no `{key}`";
         is_missing(key: &str) = "`{key}` is missing";

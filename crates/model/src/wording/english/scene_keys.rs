@@ -20,6 +20,8 @@ catalogue! {
         rigid_links = "rigid links, each a table: `r2 = { ... }`";
         guides_and_sliders = "guides and what moves along them, each a table: `r4 = { ... }`";
         rough_positions = "rough positions of moving points where the scene opens: `C = [x, y]`; exact for links as drawn";
+        copies_of_groups =
+            "copies and mirror images of links and slides, each under the ending of its names: `left = { ... }`";
         further_vectors = "further vectors for the tables, tail and head: `r1 = [\"D\", \"A\"]`";
         coordinates_between_stops =
             "coordinates with two stops, at which the motion ends: a slide's position `rod = [120, 200]`, a link's \
@@ -88,6 +90,18 @@ catalogue! {
         point_of_the_guide = "a point of the guide: a point of `on` by its name, or `[x, y]` in the frame of `on`";
         angle_of_guide = "angle of the guide from the x axis of `on`, in deg";
         turn_of_slider = "angle of a sliding link's x axis from the guide, in deg";
+        group_that_is_copied =
+            "the links and slides to copy, and points that the copy must not share: `[\"b\", \"c\"]`";
+        number_of_copies = "number of copies, each placed relative to the one before";
+        mirror_axis_of_copy = "the axis of a mirror image, `\"x\"` or `\"y\"`, through `about`";
+        turn_of_copy = "rotation about `about` in deg, counter-clockwise, after mirroring";
+        centre_of_copy = "the centre of `mirror` and `turn`: a ground point by its name, or `[x, y]`";
+        shift_of_copy = "displacement `[x, y]`, after turning";
+        phase_of_copy =
+            "angle in deg between the original's points on other links, such as a crank, and those of the copy";
+        points_joined_by_copy =
+            "points of the copy by other names: with `{ O = \"L\" }` it has L, or the L of the copy before, where \
+             the original has O";
         force_at_a_point = "a force `[x, y]` in N at a point";
         frame_of_a_force = "the link in whose frame a force is given: the force turns with it";
         torque_on_a_link = "or: a torque in N m on a link, counter-clockwise";

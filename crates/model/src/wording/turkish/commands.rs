@@ -37,6 +37,8 @@ catalogue! {
         smaller_has_room(why: &str) = "{why}: daha küçük bir `--width` ya da daha az `--seconds` seçin";
         format_takes_no(format: &str, option: &str, others: &str) =
             "`{option}`, `--format {format}` ile kullanılamaz; şunlardan birini kullanın: {others}";
+        no_format_of_extension(extension: &str, known: &str) =
+            "`{extension}` uzantılı resim yok; {known} kullanın ya da biçimi `--format` ile verin";
         no_text(format: &str) = "{format} ikili bir biçimdir: `-o FILE` ile bir dosyaya yazın";
         no_workbench(scene: &dyn Display) =
             "bu krank tezgâh olmadan derlenmiş (özellik `tui`); tabloları `krank table {scene}` ile yazdırın";

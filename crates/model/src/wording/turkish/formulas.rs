@@ -103,6 +103,7 @@ catalogue! {
             let intended = intended.map_or(String::new(), |intended| format!("; {intended}"));
             format!("sahnede `{name}` adında değer yok{intended}")
         };
+        edit_the_original(copy: &str, original: &str) = "{copy} bir kopyadır; {original} elemanını değiştirin";
         input_is_held(name: &str, at: &str, unit: &str) = "{name}, {at} {unit} değerinde tutulur";
         no_held_inputs = "sahnede tutulan giriş yok; [inputs] içinde `r7 = { at = 30 }` bir giriş tutar";
         keys_step_the_driver(name: &str) = "adım tuşları tahriki, {name} girişini hareket ettirir";
@@ -110,12 +111,19 @@ catalogue! {
         input_is_not_held(name: &str) = "{name} tahriki izler; tutmak için [inputs] içinde `at` verin";
         path_too_long(most: usize) = "{most} satırdan fazla";
         path_is_empty = "girişlerin adları altında sayı satırı yok";
+        path_has_other_unit(name: &str, unit: &str, own: &str) =
+            "`{name}` sütunu {unit} biriminde; sayılarını {own} olarak yazın";
         path_names_twice(name: &str) = "iki sütunun adı `{name}`";
         path_row_has_cells(line: u64, cells: usize, names: usize) =
             "satır {line}: {cells} hücre var, ilk satırda {names}";
         path_cell(line: u64, name: &str, cell: &str) =
             "satır {line}: `{name}` altındaki `{cell}` birimsiz bir sayı değil";
         path_has_no_rates(name: &str) = "`{name}` için hız gerekir, `--path` satırlarında zaman yok; yalnız konum adlandırın";
+        path_leads_other_number(leading: usize, free: usize, names: &str) =
+            "dosyada {leading} nokta koordinatı ve sütunu olmayan {free} giriş var ({names}); izleyen \
+             girişlerin sayısı koordinatların sayısına eşit olmalıdır";
+        rows_are_singular(singular: u64, rows: u64) =
+            "{rows} satırın {singular} tanesi tekil: girişler noktayı orada her yöne hareket ettiremez";
         poses_out_of_reach(outside: u64, rows: u64) = "{rows} satırın {outside} tanesine girişler ulaşamıyor";
         no_input_named(name: &str, names: &str, meant: Option<&str>) = {
             let meant = meant.map_or(String::new(), |meant| format!("; {meant}"));

@@ -126,7 +126,8 @@ catalogue! {
         folder_of_manual = "Web sitesinin klasörü; aynı adlı dosyaların yerine yenileri yazılır";
         place_of_driver = "Tahrik açısı deg olarak ya da tahrik kızağının konumu [yoksa: sahnenin açıldığı yer]";
         path_of_inputs =
-            "Girişlerin koordinatlarını içeren CSV dosyası, uzvunun ya da kızağının adıyla her giriş için bir sütun; her satır için bir satır yazar";
+            "Girişlerin koordinatlarını içeren CSV dosyası, uzvunun ya da kızağının adıyla her giriş için bir sütun, \
+             ya da girişlerin izlediği noktaların koordinatlarını, örneğin `P.x,P.y`; her satır için bir satır yazar";
         input_that_moves =
             "Hareket eden giriş, uzvunun ya da kızağının adıyla; öteki girişler tutulur [yoksa: tahrik]";
         assembly_of_group =

@@ -128,6 +128,39 @@ catalogue! {
         begin_with_two_places = "listeye ayrı yerlerdeki iki noktayla başlayın";
         name_each_point_once = "her noktayı bir kez yazın";
 
+        // Copies.
+        copy_called(name: &str) = "{name} kopyası";
+        a_list_of_elements = "uzuv, kızak ya da noktaların listesi";
+        copy_of_nothing(of: &str) = "{of}: `of` listesi boş";
+        no_element_called(what: &str, name: &str) = "{what}: {name} adında uzuv, kızak ya da nokta yok";
+        no_such_element = "böyle bir eleman yok";
+        whole_number_up_to(most: usize) = "1 ile {most} arasında bir tam sayı";
+        x_or_y = "`x` ya da `y`";
+        mirrors_at_axis = "`x`, x eksenine göre yansıtır ve y'nin işaretini değiştirir; `y`, y eksenine göre yansıtır";
+        turn_the_mirror_image = "başka bir eksen için `turn` ekleyin: eksenler arasındaki açının iki katı";
+        a_ground_point_or_pair = "sabit bir nokta ya da `[x, y]`";
+        about_nothing(of: &str) = "{of}: `about` için `mirror` ya da `turn` gerekir";
+        neither_turns_nor_mirrors = "yansıtılan ya da döndürülen bir şey yok";
+        copy_in_place(of: &str) = "{of}, aslının üzerinde";
+        is_where_original_is = "aynı yer";
+        place_the_copy = "`mirror`, `turn`, `move`, `phase` ya da `join` verin";
+        joins_no_point(of: &str, name: &str) = "{of}: `join`, grubun noktası olmayan {name} yerine başka bir nokta koyuyor";
+        not_in_the_group = "grubun noktası değil";
+        phase_turns_nothing(of: &str) = "{of}: `phase` etkisiz";
+        no_point_on_another_link = "grubun hiçbir noktası başka bir uzuvda değil";
+        phase_is_for_cranks =
+            "`phase`, grubun krank gibi başka uzuvlarda da bulunan noktalarını döndürür; `turn` bütün \
+             kopyayı döndürür";
+        phase_at_origin(of: &str, point: &str) = "{of}: `phase`, {point} noktasını döndüremez";
+        turns_about_the_origin = "öteki uzvunun başlangıç noktası";
+        begin_crank_at_pivot = "o uzvu mesnedinden başlatın: from = \"A\"";
+        name_of_copy_is_taken(of: &str, original: &str, name: &str) =
+            "{of}: {original} elemanının kopyası {name} olurdu; bu ad kullanılıyor";
+        choose_another_suffix = "[copies] içinde başka bir anahtar seçin: kopyalar adlarını ondan alır";
+        too_many_copies(of: &str, most: usize) = "{of}: toplam {most} taneden fazla kopya";
+        too_many_copied(of: &str, most: usize) = "{of}: toplam {most} taneden fazla kopya eleman";
+        copy_is_too_far(of: &str) = "{of}: koordinatları hesaplanamayacak kadar büyük";
+
         // Slides.
         of_has_no(of: &str, key: &str) = "{of}: `{key}` yok";
         is_missing(key: &str) = "`{key}` eksik";

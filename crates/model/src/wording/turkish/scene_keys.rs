@@ -20,6 +20,8 @@ catalogue! {
         rigid_links = "rijit uzuvlar, her biri bir tablo: `r2 = { ... }`";
         guides_and_sliders = "kılavuzlar ve üzerlerinde hareket edenler, her biri bir tablo: `r4 = { ... }`";
         rough_positions = "hareketli noktaların sahnenin açıldığı yerdeki kaba konumları: `C = [x, y]`; çizildiği gibi verilen uzuvlar için tam";
+        copies_of_groups =
+            "uzuvların ve kızakların kopyaları ve yansımaları, her biri adların son ekiyle: `left = { ... }`";
         further_vectors = "tablolar için ek vektörler, kuyruk ve uç: `r1 = [\"D\", \"A\"]`";
         coordinates_between_stops =
             "iki dayaması olan koordinatlar, hareket dayamalarda biter: bir kızağın konumu `rod = [120, 200]`, bir \
@@ -87,6 +89,18 @@ catalogue! {
             "kılavuzun bir noktası: `on` cisminin bir noktası, adıyla, ya da onun eksen takımında `[x, y]`";
         angle_of_guide = "kılavuzun `on` cisminin x eksenine göre açısı, deg olarak";
         turn_of_slider = "kayan uzvun x ekseninin kılavuza göre açısı, deg olarak";
+        group_that_is_copied =
+            "kopyalanacak uzuvlar ve kızaklar, ayrıca kopyanın paylaşmayacağı noktalar: `[\"b\", \"c\"]`";
+        number_of_copies = "kopya sayısı; her biri bir öncekine göre yerleşir";
+        mirror_axis_of_copy = "yansıma ekseni, `\"x\"` ya da `\"y\"`; `about` noktasından geçer";
+        turn_of_copy = "yansıtmadan sonra `about` çevresinde saat yönünün tersine dönme, deg olarak";
+        centre_of_copy = "`mirror` ve `turn` için merkez: adıyla sabit bir nokta ya da `[x, y]`";
+        shift_of_copy = "döndürmeden sonra öteleme `[x, y]`";
+        phase_of_copy =
+            "aslının krank gibi başka uzuvlardaki noktaları ile kopyanınkiler arasındaki açı, deg olarak";
+        points_joined_by_copy =
+            "kopyada başka adla bulunan noktalar: `{ O = \"L\" }` ile kopyada, aslındaki O yerine L ya da bir \
+             önceki kopyanın L noktası bulunur";
         force_at_a_point = "bir noktada `[x, y]` kuvveti, N olarak";
         frame_of_a_force = "kuvvetin eksen takımında verildiği uzuv: kuvvet onunla döner";
         torque_on_a_link = "ya da: bir uzva N m olarak tork, saat yönünün tersine";
