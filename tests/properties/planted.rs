@@ -22,6 +22,11 @@ const ONCE_WRONG: [u64; 22] = [
     906, 1483, 1952, 2446, 3218, 3278, 3439, 3850, 3970, 4057, 4760, 4808, 4946, 5510, 5676, 5740,
     6190, 7020, 7194, 7870, 7922, 9967,
 ];
+/// Seeds of scenes whose range once ended too early: at two change points beside a reversal, at a change point before
+/// an end or just behind it, some with two groups at once, or because a constraint was checked on another branch.
+const ONCE_CUT: [u64; 12] = [
+    2241, 2431, 2562, 2914, 3292, 3456, 5304, 5952, 7536, 8978, 9316, 11456,
+];
 
 /// A point of the plane, multiplied like a complex number.
 #[derive(Clone, Copy, Debug)]
@@ -2097,5 +2102,13 @@ fn scenes_that_once_went_wrong_are_right_or_end() {
             None,
             "seed {seed}"
         );
+    }
+}
+
+#[test]
+fn scenes_that_once_ended_too_early_reach_their_ends() {
+    for seed in ONCE_CUT {
+        let verdict = Planted::drawn(seed).check_motion();
+        assert_eq!((verdict.failure, verdict.cut), (None, None), "seed {seed}");
     }
 }

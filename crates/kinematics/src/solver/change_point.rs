@@ -26,9 +26,15 @@ const MAX_LAST_TERM: f64 = 1e-15;
 const EQUALITY_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
 /// Maximum distance from a fold at which a bent series is evaluated.
-const MAX_BENT_WIDTH: f64 = 0.05;
-/// Number of Newton steps from a coordinate to the parameter of a bent series.
-const INVERSIONS: usize = 5;
+const MAX_BENT_WIDTH: f64 = 0.1;
+/// Maximum number of Newton steps from a coordinate to the parameter of a bent series. The start is
+/// off by a part of the distance from the fold, and each step squares this part.
+const INVERSIONS: usize = 8;
+/// Relative size of the last Newton step: its square is below the rounding error.
+const INVERTED: f64 = 1e-9;
+/// Maximum difference between the fold of a bent series and the end of the range, in radians or scaled
+/// lengths. Both are computed in double-double, and the end is rounded to a double.
+pub(super) const FOLD_TOLERANCE: f64 = 1e-11;
 
 /// The known Taylor coefficients of a function of the driver's coordinate.
 type Taylor = Vec<Vec2>;
@@ -274,6 +280,28 @@ impl ChangePointCrossing {
     /// `None` if too few coefficients are known.
     pub(super) fn new(
         at: Double,
+        of: (usize, bool),
+        outputs: (Vec<PointId>, Vec<LinkId>),
+        series: &State<Series>,
+    ) -> Option<ChangePointCrossing> {
+        ChangePointCrossing::within(MAX_WIDTH, at, of, outputs, series)
+    }
+
+    /// Stores the motion as [`ChangePointCrossing::new`] does, from series along a curve. The
+    /// coordinate grows with the square of the distance from the fold, so that the equations need a
+    /// wider zone.
+    pub(super) fn bent(
+        at: Double,
+        of: (usize, bool),
+        outputs: (Vec<PointId>, Vec<LinkId>),
+        series: &State<Series>,
+    ) -> Option<ChangePointCrossing> {
+        ChangePointCrossing::within(2.0 * MAX_WIDTH, at, of, outputs, series)
+    }
+
+    fn within(
+        width: f64,
+        at: Double,
         (group, is_rotary): (usize, bool),
         (points, links): (Vec<PointId>, Vec<LinkId>),
         series: &State<Series>,
@@ -298,7 +326,7 @@ impl ChangePointCrossing {
             .iter()
             .map(|p| &p.1)
             .chain(links.iter().map(|l| &l.1));
-        let zone = zone(all, known)?;
+        let zone = zone(all, known, width)?;
         Some(ChangePointCrossing {
             at: at.hi,
             rest: at.lo,
@@ -358,6 +386,8 @@ impl ChangePointCrossing {
 pub(super) struct Bend {
     /// The parameter at the fold; it is 0 at the change point.
     fold: f64,
+    /// The sign of the parameter, relative to the fold, on the side of the motion.
+    side: f64,
     /// The coordinate at the fold, relative to the change point, in radians or scaled lengths.
     end: f64,
     /// The coefficients of the coordinate about the fold, from the second power on.
@@ -365,9 +395,10 @@ pub(super) struct Bend {
 }
 
 impl Bend {
-    /// Creates the coordinate from its series about the change point. Returns `None` if the fold is
-    /// not an extreme of the coordinate.
-    pub(super) fn new(coordinate: &Series, fold: Double) -> Option<Bend> {
+    /// Creates the coordinate from its series about the change point. `side` is the sign of the
+    /// parameter, relative to the fold, on the side of the motion. Returns `None` if the fold is not
+    /// an extreme of the coordinate.
+    pub(super) fn new(coordinate: &Series, fold: Double, side: f64) -> Option<Bend> {
         let mut shifted: Vec<Double> = coordinate.c[..coordinate.known].to_vec();
         // Horner's scheme, once for each coefficient.
         for first in 0..shifted.len() {
@@ -380,6 +411,7 @@ impl Bend {
         let is_extreme = coefficients.first().is_some_and(|c| c.abs() > 0.0);
         is_extreme.then_some(Bend {
             fold: fold.hi,
+            side,
             end: shifted[0].hi,
             coefficients,
         })
@@ -394,23 +426,33 @@ impl Bend {
     }
 
     /// Returns the parameter at a distance of the coordinate from the change point, on the side of
-    /// the fold on which the change point lies. Returns `None` beyond the fold and outside every zone.
+    /// the motion. Returns `None` at the fold, beyond it, and outside every zone.
+    ///
+    /// The end of the range is a double, which may lie beyond the fold by its rounding. A coordinate
+    /// between them is as close to the fold as its mirror image.
     pub(super) fn parameter(&self, dq: f64) -> Option<f64> {
+        let first = *self.coefficients.first()?;
         let left = dq - self.end;
-        let square = left / self.coefficients.first()?;
+        let is_rounded_end = left * first < 0.0 && left.abs() <= FOLD_TOLERANCE;
+        let left = if is_rounded_end { -left } else { left };
+        let square = left / first;
         // Far away, the coefficients do not represent the coordinate.
         if !(0.0 < square && square < MAX_BENT_WIDTH * MAX_BENT_WIDTH) {
             return None;
         }
-        let mut by = -square.sqrt().copysign(self.fold);
+        let mut by = square.sqrt().copysign(self.side);
         for _ in 0..INVERSIONS {
             let terms = self.coefficients.iter().enumerate().rev();
             let (value, rate) = terms.fold((0.0, 0.0), |(value, rate), (k, c)| {
                 (value * by + c, rate * by + c * (k + 2) as f64)
             });
-            by -= (value * by - left / by) / rate;
+            let step = (value * by - left / by) / rate;
+            by -= step;
+            if step.abs() <= INVERTED * by.abs() {
+                return Some(self.fold + by);
+            }
         }
-        by.is_finite().then_some(self.fold + by)
+        None
     }
 
     /// Returns the first two derivatives of the coordinate by the parameter.
@@ -425,12 +467,12 @@ impl Bend {
     }
 }
 
-/// Returns the distance from the change point within which `known` coefficients determine the
+/// Returns the distance from the change point, at most `width`, within which `known` coefficients determine the
 /// second derivatives: their last two terms must be at most [`MAX_LAST_TERM`]. Returns `None` if there are
 /// too few coefficients.
-fn zone<'a>(series: impl Iterator<Item = &'a Taylor>, known: usize) -> Option<f64> {
+fn zone<'a>(series: impl Iterator<Item = &'a Taylor>, known: usize, width: f64) -> Option<f64> {
     let last = known.checked_sub(1).filter(|&last| last >= 4)?;
-    let mut zone = MAX_WIDTH;
+    let mut zone = width;
     for taylor in series {
         for n in [last - 1, last] {
             let size = taylor[n].norm() * (n * (n - 1)) as f64;
@@ -452,7 +494,7 @@ mod tests {
         let s = Series::line(-fold, Double::ONE).cut(8);
         let cubic = s * s * (s - Series::exactly(1.0)) * Series::exactly(0.5);
         let at_zero = cubic.c[0];
-        let bend = Bend::new(&(cubic - Series::constant(at_zero)), fold).unwrap();
+        let bend = Bend::new(&(cubic - Series::constant(at_zero)), fold, -1.0).unwrap();
         (bend, move |t: f64| {
             let s = t - 1e-5;
             s * s * (s - 1.0) * 0.5 - at_zero.hi
@@ -466,7 +508,20 @@ mod tests {
             let found = bend.parameter(coordinate(t)).unwrap();
             assert!((found - t).abs() < 1e-12, "{t}: {found}");
         }
-        assert_eq!(bend.parameter(6e-11), None);
+        assert_eq!(bend.parameter(coordinate(1e-5) + 2e-11), None);
+    }
+
+    #[test]
+    fn end_rounded_beyond_the_fold_is_as_close_to_it_as_its_mirror_image() {
+        let (bend, coordinate) = bent();
+        let end = coordinate(1e-5);
+        for by in [1e-13, 1e-15] {
+            let [before, beyond] = [end - by, end + by].map(|at| bend.parameter(at).unwrap());
+            assert!(
+                (before - beyond).abs() < 1e-6 * (1e-5 - before),
+                "{before} {beyond}"
+            );
+        }
     }
 
     #[test]

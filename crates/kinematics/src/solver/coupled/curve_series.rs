@@ -13,7 +13,7 @@
 //! [`super::series`], the next order determines it: w.r_(k+1) = 0.
 
 use super::Coupled;
-use super::series::{BorderedMatrix, Null, Path, tangent};
+use super::series::{BorderedMatrix, Null, Path, tangents};
 use crate::Double;
 use crate::arithmetic::Series;
 use crate::solver::lu::dot;
@@ -31,9 +31,10 @@ pub(in crate::solver) struct CrossingPlace<'a> {
     pub(in crate::solver) z: &'a [f64],
     /// The matrix J, row by row.
     pub(in crate::solver) matrix: &'a [f64],
-    /// The rate of z by the driver's coordinate with which the motion arrives.
-    pub(in crate::solver) rate: &'a [f64],
 }
+
+/// Number of branches that meet at a crossing.
+pub(in crate::solver) const BRANCHES: usize = 2;
 
 /// Places the inputs of a group at a series of the driver's coordinate, relative to the crossing and
 /// in radians or scaled lengths. Returns the coordinate for the steps.
@@ -57,30 +58,30 @@ impl Coupled {
         corrected.settled.then_some(corrected.first)
     }
 
-    /// Computes the group's series along its curve through a crossing, and writes its points and
-    /// links into `series`. Returns the driver's coordinate relative to the crossing, which grows
-    /// with the parameter on the arriving motion. Returns `None` if the series cannot be found.
+    /// Computes the group's series along one of the curves through a crossing, and writes its points
+    /// and links into `series`. Returns the driver's coordinate relative to the crossing, which grows
+    /// with the parameter there. Returns `None` if the series cannot be found.
+    ///
+    /// Close to a fold, the rate of the arriving motion changes too much to choose the branch. The
+    /// caller compares both with that motion.
     pub(in crate::solver) fn follow_curve(
         &self,
         crossing: &CrossingPlace<'_>,
-        terms: usize,
+        (branch, terms): (usize, usize),
         series: &mut Workspace<Series>,
         place: PlaceInputs<'_>,
     ) -> Option<Series> {
         let n = self.unknowns();
-        let &CrossingPlace { z, matrix, rate } = crossing;
-        let mut null = Null::of(matrix, n)?;
-        let along = dot(rate, &null.v);
-        if along < 0.0 {
-            null.v.iter_mut().for_each(|v| *v = -*v);
-        }
+        let &CrossingPlace { z, matrix } = crossing;
+        let null = Null::of(matrix, n)?;
         let mut curve = Curve {
             path: Path::new(self, z),
             offset: Series::default(),
             place,
             null,
         };
-        let known = curve.solve(matrix, along.abs(), terms, series)?;
+        let known = curve.solve(matrix, branch, terms, series)?;
+        curve.grow_with_coordinate();
         let Curve {
             mut path,
             offset,
@@ -108,7 +109,7 @@ impl Curve<'_, '_> {
     fn solve(
         &mut self,
         matrix: &[f64],
-        along: f64,
+        branch: usize,
         terms: usize,
         series: &mut Workspace<Series>,
     ) -> Option<usize> {
@@ -146,15 +147,14 @@ impl Curve<'_, '_> {
             let steep = match slope {
                 Some(steep) => steep,
                 None => {
-                    // The arriving motion has the rate 1 / along of the coordinate.
-                    let wanted = length / along;
                     let mut values = [0.0; 3];
                     for (value, share) in values.iter_mut().zip([0.0, 1.0, -1.0]) {
                         self.add(1, &free, share);
                         *value = self.next(1, series)?;
                         self.add(1, &free, -share);
                     }
-                    let (share, steep) = tangent(values, wanted).filter(|_| wanted.is_finite())?;
+                    let tangents = tangents(values)?;
+                    let &(share, steep) = tangents.get(branch).filter(|(s, _)| s.is_finite())?;
                     // The arrival distinguishes branches that are further apart than this.
                     let [none, plus, minus] = values;
                     let bend = 0.5 * (plus + minus) - none;
@@ -174,6 +174,18 @@ impl Curve<'_, '_> {
         let mut all = self.path.unknowns.iter().chain([&self.offset]);
         let is_finite = all.all(|u| u.c.iter().all(|c| c.hi.is_finite()));
         is_finite.then_some(known)
+    }
+
+    /// Reverses the parameter if the coordinate falls with it at the crossing.
+    fn grow_with_coordinate(&mut self) {
+        if self.offset.c[1].hi >= 0.0 {
+            return;
+        }
+        for series in self.path.unknowns.iter_mut().chain([&mut self.offset]) {
+            for c in series.c.iter_mut().skip(1).step_by(2) {
+                *c = -*c;
+            }
+        }
     }
 
     /// Returns the k-th coefficients of the equations.

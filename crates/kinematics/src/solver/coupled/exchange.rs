@@ -83,7 +83,12 @@ impl Coupled {
     }
 
     /// Reads z' and z'' from the group's points and links in the state, as far as these are solved.
-    pub(super) fn read_rates<T: Number>(&self, state: &State, first: &mut [T], second: &mut [T]) {
+    pub(in crate::solver) fn read_rates<T: Number>(
+        &self,
+        state: &State,
+        first: &mut [T],
+        second: &mut [T],
+    ) {
         let mut put = |i: usize, v: f64, a: f64| {
             (first[i], second[i]) = (T::exactly(v), T::exactly(a));
         };

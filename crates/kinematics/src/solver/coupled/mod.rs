@@ -14,15 +14,17 @@ mod double_double_refinement;
 mod exact_meeting;
 mod levenberg_marquardt;
 mod newton_system;
+mod opening;
 mod reactions;
 mod series;
 mod singular;
 
 pub(super) use comparison::ClosingCondition;
-pub(super) use curve_series::CrossingPlace;
+pub(super) use curve_series::{BRANCHES, CrossingPlace};
 pub(super) use curve_tracing::{EQUALITY_TOLERANCE, distance};
 pub(super) use enclose::Views;
 pub use newton_system::{Newton, NewtonRow, NewtonUnknown};
+pub(super) use opening::{Opening, OpeningSeries};
 
 use super::further_inputs::Following;
 use super::lu;

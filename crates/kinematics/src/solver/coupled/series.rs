@@ -20,6 +20,9 @@ const TANGENTIAL: f64 = 1e-9;
 /// Number of corrections per coefficient: the second one finds the digits that doubles do not hold.
 const CORRECTIONS: usize = 2;
 
+/// Maximum angle in radians whose square is below the rounding error of double-double.
+const SMALL_ANGLE: f64 = 1e-16;
+
 /// A factored matrix; a singular one is bordered by its null vectors.
 pub(super) struct BorderedMatrix {
     matrix: Vec<f64>,
@@ -88,7 +91,7 @@ impl Null {
 
 impl Coupled {
     /// Returns how many coefficients of the group follow from its inputs.
-    fn known(&self, q: Series, state: &State<Series>) -> usize {
+    pub(super) fn known(&self, q: Series, state: &State<Series>) -> usize {
         let (points, links) = self.inputs();
         let points = points.into_iter().map(|p| state.points[p.index()].p);
         let links = links.into_iter().map(|l| state.links[l.index()].d);
@@ -245,7 +248,7 @@ impl<'a> Path<'a> {
     }
 
     /// Writes the first `known` coefficients of the unknowns into z.
-    fn fill(&self, known: usize, buffers: &mut GroupScratch<'_, Series>) {
+    pub(super) fn fill(&self, known: usize, buffers: &mut GroupScratch<'_, Series>) {
         let joints = 2 * self.group.free;
         for i in 0..joints {
             buffers.z[i] = Series::exactly(self.z[i]) + self.unknowns[i].cut(known);
@@ -255,9 +258,7 @@ impl<'a> Path<'a> {
             let at = joints + 2 * i;
             let start = Vec2::new(self.z[at], self.z[at + 1]).exactly::<Double>();
             let unit = start / start.norm();
-            // The constant term is a small correction of the start: its square is below the
-            // rounding error.
-            let nudge = Vec2::new(Double::ONE, angle.c[0]);
+            let nudge = turned_slightly(angle.c[0]);
             let start = unit.turned(nudge).map(Series::constant);
             let turned = start.turned(angle.turning());
             (buffers.z[at], buffers.z[at + 1]) = (turned.x, turned.y);
@@ -265,9 +266,27 @@ impl<'a> Path<'a> {
     }
 }
 
+/// Returns the unit vector at an angle in radians, which is usually a small correction.
+fn turned_slightly(angle: Double) -> Vec2<Double> {
+    if angle.hi.abs() < SMALL_ANGLE {
+        Vec2::new(Double::ONE, angle)
+    } else {
+        Number::unit(angle * Double::DEGREES)
+    }
+}
+
 /// Returns the zero nearest to `wanted` of a quadratic polynomial a s^2 + b s + c with these values
 /// at 0, 1 and -1, and the slope there. Returns `None` if the zeros are too close to each other.
-pub(super) fn tangent([c, plus, minus]: [f64; 3], wanted: f64) -> Option<(f64, f64)> {
+pub(super) fn tangent(values: [f64; 3], wanted: f64) -> Option<(f64, f64)> {
+    let tangents = tangents(values)?.into_iter();
+    let finite = tangents.filter(|(s, _)| s.is_finite());
+    let distance = |(s, _): &(f64, f64)| (s - wanted).abs();
+    finite.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}
+
+/// Returns both zeros of the polynomial of [`tangent`], each with the slope there. A zero is
+/// infinite if the polynomial is linear.
+pub(super) fn tangents([c, plus, minus]: [f64; 3]) -> Option<[(f64, f64); 2]> {
     let (a, b) = (0.5 * (plus + minus) - c, 0.5 * (plus - minus));
     let discriminant = b * b - 4.0 * a * c;
     // Negated so that NaN is rejected.
@@ -275,15 +294,5 @@ pub(super) fn tangent([c, plus, minus]: [f64; 3], wanted: f64) -> Option<(f64, f
         return None;
     }
     let half = -0.5 * (b + discriminant.sqrt().copysign(b));
-    let roots = [half / a, c / half];
-    let mut roots = roots.into_iter().filter(|s| s.is_finite());
-    let first = roots.next()?;
-    let nearer = roots.fold(first, |best, s| {
-        if (s - wanted).abs() < (best - wanted).abs() {
-            s
-        } else {
-            best
-        }
-    });
-    Some((nearer, 2.0 * a * nearer + b))
+    Some([half / a, c / half].map(|s| (s, 2.0 * a * s + b)))
 }

@@ -416,7 +416,7 @@ impl<T: Number> System<T> {
         self.block(row, column, values, 1);
     }
 
-    fn add_right(&mut self, row: usize, values: &[T]) {
+    pub(super) fn add_right(&mut self, row: usize, values: &[T]) {
         add(&mut self.right[row..row + values.len()], values);
     }
 }
@@ -424,7 +424,7 @@ impl<T: Number> System<T> {
 impl System {
     /// Returns the largest component of the correction that cancels `right`, and the correction.
     /// Returns `None` if the matrix is singular.
-    fn solved(mut self) -> Option<(f64, Vec<f64>)> {
+    pub(super) fn solved(mut self) -> Option<(f64, Vec<f64>)> {
         let mut pivots = vec![0; self.n];
         lu::factor(&mut self.matrix, &mut pivots, self.n)?;
         lu::solve(&self.matrix, &pivots, &mut self.right, self.n);
@@ -434,7 +434,7 @@ impl System {
     }
 }
 
-fn add<T: Number>(to: &mut [T], values: &[T]) {
+pub(super) fn add<T: Number>(to: &mut [T], values: &[T]) {
     for (to, &value) in to.iter_mut().zip(values) {
         *to += value;
     }

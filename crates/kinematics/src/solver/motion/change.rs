@@ -33,6 +33,10 @@ const EXTREMES: [f64; 4] = [1e-12, 1e-9, 1e-6, 1e-3];
 /// Maximum measure, at a limit, of a dyad that ends the motion or has a change point there.
 const LARGE: f64 = 1e-3;
 
+/// Maximum distance of two change points of a coupled group from the reversal between them, if one
+/// series represents the motion through both. Closer to each other, a series about one of them has
+/// too few digits.
+const TOGETHER: f64 = 2e-3;
 /// Minimum distance of two close change points that can be passed one by one.
 const APART: f64 = 1e-4;
 /// Maximum difference between a change point of a pair and its coordinate as a single one.
@@ -110,10 +114,16 @@ impl Walker<'_> {
         self.anchors.forget_beyond(self.engine, limit, self.sense);
         self.unproved.clear();
         self.refused = None;
+        if self.has_path()
+            && let Some(beyond) = self.cross_twice(limit, TOGETHER)
+        {
+            return Some(beyond);
+        }
         if let Some(extreme) = self.ahead.take().filter(|e| e.limit() == limit) {
-            return self
+            let passed = self
                 .pass_extreme(&extreme)
                 .or_else(|| self.pass_singly(&extreme));
+            return passed.or_else(|| self.has_path().then(|| self.cross(limit)).flatten());
         }
         let flat = self.flat(limit);
         let pair = flat.iter().find_map(|&step| self.pair_near(step, limit));
@@ -157,6 +167,13 @@ impl Walker<'_> {
         } = extreme;
         let junction = self.junction(at, None);
         let beyond = junction.and_then(|junction| self.pass_junction(&junction));
+        let beyond = beyond.or_else(|| {
+            // A series about two close change points may not reach beyond both.
+            first.is_none().then_some(())?;
+            self.singly = Some(at.hi);
+            let junction = self.junction(at, None)?;
+            self.pass_junction(&junction)
+        });
         let is_earlier = |&(_, other): &(usize, Double)| self.ahead(other.hi) <= self.ahead(at.hi);
         if beyond.is_none() && first.is_none() && !self.refused.as_ref().is_some_and(is_earlier) {
             self.refused = Some((step, at));
@@ -273,7 +290,11 @@ impl Walker<'_> {
         for step in junction.turning() {
             self.flip(step);
         }
-        if self.try_step(before, beyond, &saved) {
+        let is_across = match junction.coupled_pair() {
+            Some(pair) => self.step_by_series(junction, (pair, by), beyond),
+            None => self.try_step(before, beyond, &saved),
+        };
+        if is_across {
             return Some(beyond);
         }
         // The motion may come to rest exactly at a change point.

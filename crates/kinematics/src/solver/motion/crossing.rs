@@ -35,13 +35,14 @@ impl Walker<'_> {
         // If the motion is shorter than the widest step, its anchors are restored for the next
         // step.
         let anchors = self.anchors.clone();
-        approaches().take(WAYS).find_map(|by| {
+        let passed = approaches().take(WAYS).find_map(|by| {
             let passed = self.cross_at(limit, by);
             if passed.is_none() {
                 self.anchors.clone_from(&anchors);
             }
             passed
-        })
+        });
+        passed.or_else(|| self.cross_twice(limit, f64::INFINITY))
     }
 
     /// Crosses a limit as [`Walker::cross`] does, from a distance `by` before it to the same
@@ -98,12 +99,13 @@ impl Walker<'_> {
         let Some(step) = steps.find(|&i| engine.group_of(i) == Some(group)) else {
             return false;
         };
-        approaches().take(WAYS).any(|by| {
+        let crosses = approaches().take(WAYS).any(|by| {
             let before = engine.moved(at, -self.sense * by);
             let driver_states = self.step_to(before);
             let saved = self.state.clone();
             driver_states && self.crossing(step, (at, by), &saved).is_some()
-        })
+        });
+        crosses || self.has_pair(step, at)
     }
 
     /// Steps to a coordinate from the latest known state before it, by as many steps as the motion

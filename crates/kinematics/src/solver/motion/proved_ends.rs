@@ -203,7 +203,7 @@ impl Walker<'_> {
 
     /// Corrects the fold of a coupled group. Returns its coordinate with an error bound, and the
     /// unknowns of the group there.
-    pub(super) fn exact_fold(
+    pub(in crate::solver::motion) fn exact_fold(
         &mut self,
         of: (usize, usize),
         fold: Fold,

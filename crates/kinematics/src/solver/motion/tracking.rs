@@ -397,7 +397,9 @@ impl Walker<'_> {
     fn check_fit_between(&mut self, from: f64, limit: f64) -> Result<(), Fault> {
         let last = self.state.clone();
         let middle = from + 0.5 * (limit - from);
-        self.predict_nearest(middle);
+        // Close to the limit, the derivatives in an anchor have lost their digits.
+        let Walker { anchors, state, .. } = self;
+        anchors.predict_from_before(self.engine, middle, self.sense, state);
         let exists = self.engine.run(middle, Order::Position, &mut self.state) == Condition::Ok;
         let fits = if exists { self.check_fit() } else { Ok(()) };
         self.state = last;

@@ -27,6 +27,12 @@ impl Pair {
         ]
     }
 
+    /// Returns the value of the polynomial.
+    pub(in crate::solver) fn value(self, t: Double) -> Double {
+        let [q, p] = self.lower;
+        (t + p) * t + q
+    }
+
     /// Returns the zeros in increasing order, or `None` if they are complex.
     pub(in crate::solver) fn zeros(self) -> Option<[Double; 2]> {
         let [q, p] = self.lower;

@@ -9,10 +9,11 @@ use super::proof::PROOF_TOLERANCE;
 use super::{Junction, SingularGroup};
 use crate::arithmetic::Series;
 use crate::solver::Order;
-use crate::solver::change_point::{Bend, ChangePointCrossing};
-use crate::solver::coupled::CrossingPlace;
+use crate::solver::change_point::{Bend, ChangePointCrossing, FOLD_TOLERANCE};
+use crate::solver::coupled::{BRANCHES, CrossingPlace};
 use crate::solver::elements::SingularShift;
 use crate::solver::exact::Exact;
+use crate::solver::motion::Folded;
 use crate::solver::motion::proved_ends::BoundedEnd;
 use crate::solver::motion::tracking::Walker;
 use crate::solver::state::Condition;
@@ -20,28 +21,38 @@ use crate::solver::workspace::Workspace;
 use crate::{Double, Number, Vec2};
 
 /// Distances before a limit, in radians or scaled lengths, from which the group's curve is followed.
-const BEFORE: [f64; 5] = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8];
-/// Number of terms of the series.
+/// Along the curve they correspond to about their square roots. The first one lies before every
+/// change point in [`APART`], the last one close enough for curves of small radius.
+const BEFORE: [f64; 6] = [3e-4, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8];
+/// Number of terms of the series: at a tenth of its radius of convergence, the last one is about
+/// 1e-20, which is below the rounding error of a double.
 const CURVE_TERMS: usize = 20;
-/// Number of corrections per coefficient of the driver's coordinate.
+/// Number of corrections per coefficient of the driver's coordinate. Each is solved in doubles, so
+/// that two give the digits of double-double.
 const CORRECTIONS: usize = 2;
-/// Number of Newton steps to the fold.
+/// Maximum number of Newton steps to the fold. Each doubles the digits: six lead from one digit to
+/// those of double-double.
 const STEPS: usize = 12;
-/// Range of the distance between change point and fold along the curve. If it is smaller, rounding
-/// hides their order. If it is larger, a series in the driver's coordinate passes the change point.
-const APART: std::ops::Range<f64> = 1e-7..1e-2;
-/// Minimum zone of the series, in units of the distance between change point and fold.
-const WIDER: f64 = 3.0;
+/// Size of the last Newton step to the fold: its square is below the rounding error of
+/// double-double, and it is far below the smallest distance in [`APART`].
+const MAX_LAST_STEP: f64 = 1e-25;
+/// Range of the distance between change point and fold along the curve.
+///
+/// The driver's coordinates of both differ by about the square. At the lower end this is 1e-14, a
+/// rounding error of the coordinate in doubles, which hides their order. At the upper end it is
+/// 6e-4: there a series in the driver's coordinate passes the change point. A zone of at most 0.04
+/// contains [`WIDER`] times the upper end.
+const APART: std::ops::Range<f64> = 1e-7..2.5e-2;
+/// Minimum zone of the series, in units of the distance between change point and fold. The zone must
+/// contain the fold, and a part of the curve behind it, where the series is proved.
+const WIDER: f64 = 1.5;
 /// Factor by which a zone shrinks if the series cannot be proved in it.
 const ZONE_RATIO: f64 = 0.3;
-/// Maximum number of zones tried.
+/// Maximum number of zones tried: the last one is 2e-4 of the first.
 const ZONES: i32 = 8;
 /// Maximum difference between the series and the arriving motion, relative to the distance along the
 /// curve. The other branch is about as far away as that distance.
 const ARRIVAL: f64 = 1e-3;
-/// Maximum difference between the fold of the series and that of the group's equations, in radians or
-/// scaled lengths.
-const FOLD_TOLERANCE: f64 = 1e-11;
 
 /// The driver's coordinate along a curve.
 #[derive(Clone, Debug)]
@@ -52,6 +63,8 @@ pub(super) struct Curve {
     height: Option<Series>,
     /// The coordinate relative to that of the junction, in radians or scaled lengths.
     offset: Series,
+    /// Whether the motion reaches the fold before the change point, and ends without passing it.
+    ends_before: bool,
 }
 
 impl Curve {
@@ -72,7 +85,7 @@ impl Curve {
             last = by.abs().hi;
         }
         // Negated so that NaN is rejected.
-        let is_found = last < 1e-25 && APART.contains(&at.abs().hi);
+        let is_found = last < MAX_LAST_STEP && APART.contains(&at.abs().hi);
         is_found.then_some(at)
     }
 }
@@ -119,9 +132,13 @@ impl Walker<'_> {
         }
         let steps = 0..engine.program.steps.len();
         let is_coupled = |&i: &usize| engine.program.steps[i].coupled().is_some();
-        steps.filter(is_coupled).find_map(|step| {
+        let mut curves = steps
+            .filter(is_coupled)
+            .flat_map(|step| (0..BRANCHES).map(move |branch| (step, branch)))
+            .flat_map(|of| [false, true].map(|ends_before| (of, ends_before)));
+        curves.find_map(|of| {
             self.state.clone_from(&arrived);
-            let junction = self.curve_junction(step, (limit, by))?;
+            let junction = self.curve_junction(of, (limit, by))?;
             self.end_on_curve(&junction, before, &arrived)
         })
     }
@@ -189,6 +206,7 @@ impl Walker<'_> {
             step,
             height: Some(signed),
             offset,
+            ends_before: false,
         };
         self.expanded(at, series, curve, None)
     }
@@ -212,21 +230,36 @@ impl Walker<'_> {
             missed: Vec::new(),
             sides: [signs.clone(), signs],
             curve: Some(curve),
+            pair: None,
         };
+        // The signs of the state are those behind the change point if the motion ends before it.
+        let sense = self.sense;
+        if junction
+            .curve
+            .as_ref()
+            .is_some_and(|curve| curve.ends_before)
+        {
+            self.sense = -sense;
+        }
         if let Some(fold) = fold {
             junction.fold(fold, self.sense);
         }
-        self.expand(steps, coordinate, None, &mut junction).ok()?;
+        let expanded = self.expand(steps, coordinate, None, &mut junction);
+        self.sense = sense;
+        expanded.ok()?;
         (!junction.is_miss()).then_some(junction)
     }
 
-    /// Expands the mechanism along the curve of a coupled group through a crossing close to a limit.
-    /// The state is one before the limit.
-    fn curve_junction(&mut self, step: usize, near: (f64, f64)) -> Option<Junction> {
+    /// Expands the mechanism along one of the curves of a coupled group through a crossing close to a
+    /// limit. The state is one before the limit.
+    fn curve_junction(
+        &mut self,
+        ((step, branch), ends_before): ((usize, usize), bool),
+        near: (f64, f64),
+    ) -> Option<Junction> {
         let exact = self.exact?;
         let index = exact.engine.program.steps[step].coupled()?;
         let group = &exact.engine.program.coupled[index];
-        let rate = group.open(&mut self.state.scratch).first.to_vec();
         let (crossing, at) = self.nearest_crossing(step, near)?;
         let z = group.open(&mut self.state.scratch).z.to_vec();
         let at = self.meets(step, at, crossing)?;
@@ -244,19 +277,24 @@ impl Walker<'_> {
         let place = CrossingPlace {
             z: &z,
             matrix: &matrix,
-            rate: &rate,
         };
-        let offset = group.follow_curve(&place, CURVE_TERMS, &mut series, &mut |by, series| {
-            let (q, direction) = self.coordinate_along(at, by);
-            self.place_in_series(0..step, at.hi, q, direction, series)?;
-            Some(q)
-        })?;
+        let offset = group.follow_curve(
+            &place,
+            (branch, CURVE_TERMS),
+            &mut series,
+            &mut |by, series| {
+                let (q, direction) = self.coordinate_along(at, by);
+                self.place_in_series(0..step, at.hi, q, direction, series)?;
+                Some(q)
+            },
+        )?;
         let of = (step, group.group);
         let fold = SingularGroup::tolerances_at(of, SingularShift::default(), 2);
         let curve = Curve {
             step,
             height: None,
             offset,
+            ends_before,
         };
         self.expanded(at, series, curve, Some(fold))
     }
@@ -286,7 +324,11 @@ impl Walker<'_> {
         let fold = curve
             .fold()
             .filter(|fold| grows && fold.hi * self.sense > 0.0)?;
-        let bend = Bend::new(&curve.offset, fold)?;
+        // The parameter grows with the coordinate at the change point. Before the fold, the motion
+        // lies on the side of the change point, or on the other one.
+        let ends_before = curve.ends_before;
+        let side = if ends_before { fold.hi } else { -fold.hi };
+        let bend = Bend::new(&curve.offset, fold, side)?;
         let is_known = |group: usize| {
             let place = (group, junction.at.hi);
             self.crossings.has(engine, place, PROOF_TOLERANCE)
@@ -295,16 +337,24 @@ impl Walker<'_> {
         if !is_plain || junction.groups().any(is_known) || self.ahead(junction.at.hi) <= 0.0 {
             return None;
         }
-        // The state before must lie before the change point.
+        // The state before must lie before the change point, or before the fold on the other side.
         let from = bend.parameter(engine.difference(junction.at.hi, before))?;
         let disc = from.abs().max(fold.abs().hi);
-        if from * self.sense >= 0.0 || !self.has_no_other_change(junction, disc) {
+        let is_before = if ends_before {
+            (from - fold.hi) * self.sense > 0.0
+        } else {
+            from * self.sense < 0.0
+        };
+        if !is_before || !self.has_no_other_change(junction, disc) {
             return None;
         }
         let crossings = junction.folds.iter().map(|fold| {
-            let of = (fold.group, fold.turns());
+            let of = (fold.group, fold.turns() && !ends_before);
             let outputs = engine.outputs(fold.step);
-            ChangePointCrossing::new(junction.at, of, outputs, &junction.series)
+            let mut crossing =
+                ChangePointCrossing::bent(junction.at, of, outputs, &junction.series)?;
+            crossing.is_led_through = ends_before;
+            Some(crossing)
         });
         let mut crossings = crossings.collect::<Option<Vec<ChangePointCrossing>>>()?;
         if let (Some(group), Some(_)) = (engine.group_of(curve.step), &curve.height) {
@@ -312,7 +362,7 @@ impl Walker<'_> {
             let outputs = engine.outputs(curve.step);
             let of = (group, false);
             let mut crossing =
-                ChangePointCrossing::new(junction.at, of, outputs, &junction.series)?;
+                ChangePointCrossing::bent(junction.at, of, outputs, &junction.series)?;
             crossing.is_led_through = true;
             crossings.push(crossing);
         }
@@ -346,8 +396,7 @@ impl Walker<'_> {
         }
         let known = self.crossings.len();
         self.crossings.add(crossings);
-        let end = self
-            .exists_on_curve(junction, fold.scaled(0.5))
+        let end = (ends_before || self.exists_on_curve(junction, fold.scaled(0.5)))
             .then(|| self.fold_on_curve(junction, fold, arrived))
             .flatten();
         let Some(end) = end else {
@@ -455,23 +504,36 @@ impl Walker<'_> {
             return Some(end);
         };
         let group = &engine.program.coupled[index];
+        // The rates along the curve are those of the null vector at the fold.
+        let value = |v: Vec2<Series>| v.map(|s| s.value(fold).hi);
+        let rate = |v: Vec2<Series>| v.map(|s| s.derivative().value(fold).hi);
         for point in group.joints() {
             let place = junction.series.points[point.index()].p;
-            self.state.state.points[point.index()].p = place.map(|s| s.value(fold).hi);
+            let here = &mut self.state.state.points[point.index()];
+            (here.p, here.v) = (value(place), rate(place));
         }
         for link in group.turning() {
             let direction = junction.series.links[link.index()].d;
-            self.state.state.links[link.index()].d = direction.map(|s| s.value(fold).hi);
+            let here = &mut self.state.state.links[link.index()];
+            here.d = value(direction);
+            here.w = here.d.cross(rate(direction));
         }
         let Workspace { state, scratch, .. } = &mut self.state;
-        group.read(state, group.open(scratch).z);
-        let near = self.state.clone();
-        let stored = self.folds.len();
-        let end = self.fold(curve.step, index, at, &near).filter(is_here);
-        if end.is_none() {
-            self.folds.truncate(stored);
-        }
-        end
+        let buffers = group.open(scratch);
+        group.read(state, buffers.z);
+        group.read_rates(state, buffers.first, buffers.second);
+        // Newton's method in doubles would not separate the fold from the change point.
+        let start = group.fold(&mut self.state.scratch)?;
+        let z = group.open(&mut self.state.scratch).z.to_vec();
+        let found = self.exact_fold((curve.step, index), start, at);
+        let found = found.filter(|(end, _)| is_here(end));
+        let (end, z) = found.unwrap_or((BoundedEnd::unproved(at), z));
+        self.folds.push(Folded {
+            at: end.at,
+            index,
+            z,
+        });
+        Some(end)
     }
 
     /// Places the group of a curve at a distance along it. Returns `true` if the group's equations

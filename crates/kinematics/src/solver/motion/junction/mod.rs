@@ -6,6 +6,7 @@
 //! 2p, and its sign changes if p is odd. All series are in double-double. They are proved by
 //! solving the mechanism on both sides of the coordinate.
 
+mod coupled_pair;
 mod curve;
 mod pair;
 mod proof;
@@ -18,6 +19,7 @@ use crate::arithmetic::{Series, TERMS};
 use crate::solver::elements::{Dyad, POSITION, SingularShift, StepOutcome, root};
 use crate::solver::workspace::Workspace;
 use crate::{Double, Vec2};
+use coupled_pair::CoupledPair;
 use curve::Curve;
 pub(super) use pair::PairFound;
 use pair::{Paired, paired};
@@ -50,6 +52,8 @@ pub(super) struct Junction {
     sides: [Vec<f64>; 2],
     /// The driver's coordinate, if it is not the parameter of the series.
     curve: Option<Curve>,
+    /// The coupled group that passes two crossings.
+    pair: Option<CoupledPair>,
 }
 
 /// A group singular at a junction.
@@ -135,6 +139,11 @@ impl Junction {
         self.folds.iter().map(|f| f.spread).fold(0.0, f64::max)
     }
 
+    /// Returns the coupled group that passes two crossings.
+    pub(super) fn coupled_pair(&self) -> Option<&CoupledPair> {
+        self.pair.as_ref()
+    }
+
     /// Returns the steps whose group changes its sign.
     pub(super) fn turning(&self) -> impl Iterator<Item = usize> + '_ {
         self.folds.iter().filter(|f| f.turns()).map(|f| f.step)
@@ -176,20 +185,12 @@ impl Walker<'_> {
             missed: Vec::new(),
             sides: [signs.clone(), signs.clone()],
             curve: None,
+            pair: None,
         };
         let coordinate = self.coordinate_of(at, terms);
         let steps = 0..engine.program.steps.len();
         self.expand(steps, coordinate, crossing, &mut junction)?;
-        let is_pair = junction.folds.iter().any(|f| f.pair);
-        let wanted = if is_pair {
-            WANTED_BY_PAIR
-        } else {
-            MIN_KNOWN_COEFFICIENTS
-        };
-        if junction.known() < wanted && terms + MORE <= TERMS {
-            return Err(Refusal::Terms);
-        }
-        Ok(junction)
+        junction.with_enough_terms(terms)
     }
 
     /// Places steps in series, with all groups that are singular at the junction.
@@ -308,6 +309,21 @@ impl Junction {
             *sign = -*sign;
         }
         self.folds.push(fold);
+    }
+
+    /// Returns the junction if enough of the coefficients are known, or if more terms are not
+    /// possible.
+    fn with_enough_terms(self, terms: usize) -> Result<Junction, Refusal> {
+        let is_pair = self.folds.iter().any(|f| f.pair);
+        let wanted = if is_pair {
+            WANTED_BY_PAIR
+        } else {
+            MIN_KNOWN_COEFFICIENTS
+        };
+        if self.known() < wanted && terms + MORE <= TERMS {
+            return Err(Refusal::Terms);
+        }
+        Ok(self)
     }
 
     /// Returns the minimum number of known coefficients of all points and links.

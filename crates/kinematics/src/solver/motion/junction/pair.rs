@@ -231,6 +231,38 @@ pub(super) fn paired(
     })
 }
 
+/// Two close places at which two solutions of a coupled group cross, or at which they would if the
+/// group's input did not reverse just before.
+pub(super) struct PairedOpening {
+    pub(super) pair: Pair,
+    /// The distances of both places from the centre, in increasing order; none if the solutions miss
+    /// each other.
+    pub(super) turns: Vec<Double>,
+    /// The distance of the reversal from the centre.
+    pub(super) middle: Double,
+    /// The maximum distance of the places from the centre.
+    pub(super) spread: f64,
+}
+
+/// Returns the two places close to the centre of a series at which a group's opening has a double
+/// zero. An opening up to `slack` counts as zero.
+pub(super) fn paired_opening(opening: Series, slack: f64) -> Option<PairedOpening> {
+    let cubic = cubic(opening.derivative())?;
+    let spread = spread(cubic);
+    if !(MERGED..=SPREAD).contains(&spread) {
+        return None;
+    }
+    let (pair, middle) = divided(cubic, spread);
+    let (_, remainder) = opening.divided(pair.squared());
+    let turns = pair.zeros().into_iter().flatten().collect();
+    (bound(remainder, spread) <= slack).then_some(PairedOpening {
+        pair,
+        turns,
+        middle,
+        spread,
+    })
+}
+
 /// Returns a bound of a polynomial at all distances up to `spread`.
 fn bound<const N: usize>(coefficients: [Double; N], spread: f64) -> f64 {
     let sizes = coefficients.iter().rev().map(|c| c.abs().hi);

@@ -119,6 +119,12 @@ impl Walker<'_> {
                 }
                 continue;
             }
+            if let Some(pair) = junction.pair.as_ref().filter(|pair| pair.step == i) {
+                if !self.stays_on_branch((junction, dq), pair, q, &mut here) {
+                    return false;
+                }
+                continue;
+            }
             let fold = junction.folds.binary_search_by_key(&i, |fold| fold.step);
             let Some(dyad) = engine.program.steps[i].dyad() else {
                 if self
