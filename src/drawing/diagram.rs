@@ -1,9 +1,9 @@
 //! Draws vectors to scale: the closed polygon of a loop's vectors, head to tail, and velocities or
 //! accelerations from one pole.
 
-use super::extents::Extents;
+use super::cells::render::{Glyphs, render};
 use super::figure::{Figure, Role, Shape};
-use super::render::{Glyphs, render};
+use super::motion::extents::Extents;
 use super::view::WorldView;
 use crate::page::{Artwork, StyleSheet, TextAnchor};
 use crate::{Vec2, angle};

@@ -8,10 +8,10 @@
 //! side a name may still move by a few cells.
 
 use super::{Align, INERTIA, LabelPlace, Labels, SEATS, cell_of, cover_for, names, origin, width};
-use crate::drawing::extents::Extents;
+use crate::drawing::cells::raster::Raster;
+use crate::drawing::cells::render::{Glyphs, render_bare};
 use crate::drawing::figure::{Figure, Role};
-use crate::drawing::raster::Raster;
-use crate::drawing::render::{Glyphs, render_bare};
+use crate::drawing::motion::extents::Extents;
 use crate::drawing::view::WorldView;
 
 /// Number of steps of the plan along the motion: 1.5 degrees of a turn.

@@ -1,9 +1,9 @@
 //! Draws patterns of dots: marks, blocks, springs and plates in windows that are large enough.
 
-use super::figure::Role;
 use super::raster::{CharCell, Raster};
 use super::stroke::{self, FINE};
 use crate::Vec2;
+use crate::drawing::figure::Role;
 
 /// Squared radii of a mark, in dots: hollow inside the first, drawn up to the second.
 const HOLLOW: f64 = 4.0;
@@ -16,9 +16,9 @@ const SMALL: f64 = 4.6;
 const HALF_MARK: i32 = 3;
 
 /// Half the size of a block, in dots, along and across its guide.
-pub(super) const BLOCK: Vec2 = Vec2 { x: 6.0, y: 4.0 };
+pub(in crate::drawing) const BLOCK: Vec2 = Vec2 { x: 6.0, y: 4.0 };
 /// The same in a window where a pin is a character.
-pub(super) const SMALL_BLOCK: Vec2 = Vec2 { x: 5.0, y: 3.0 };
+pub(in crate::drawing) const SMALL_BLOCK: Vec2 = Vec2 { x: 5.0, y: 3.0 };
 
 /// Number of teeth of a spring.
 const TEETH: u32 = 8;
@@ -30,7 +30,7 @@ const OFF_RASTER: f64 = 1e6;
 
 /// Returns the corner between four dots that is nearest to a point in cell coordinates, counted in
 /// dots. A point that is not a number gives a corner far outside.
-pub(super) fn corner(at: Vec2) -> (i32, i32) {
+pub(in crate::drawing) fn corner(at: Vec2) -> (i32, i32) {
     let index = |v: f64| {
         if v.is_nan() {
             OFF_RASTER
@@ -54,7 +54,7 @@ fn around(at: Vec2) -> impl Iterator<Item = (i32, i32, f64)> {
 }
 
 /// Draws a pin: an opaque ring.
-pub(super) fn ring(raster: &mut Raster, at: Vec2, role: Role) {
+pub(in crate::drawing) fn ring(raster: &mut Raster, at: Vec2, role: Role) {
     for (x, y, far) in around(at) {
         if far < HOLLOW {
             stroke::clear(raster, x, y, role);
@@ -65,21 +65,27 @@ pub(super) fn ring(raster: &mut Raster, at: Vec2, role: Role) {
 }
 
 /// Draws a coupler point.
-pub(super) fn disc(raster: &mut Raster, at: Vec2, role: Role) {
+pub(in crate::drawing) fn disc(raster: &mut Raster, at: Vec2, role: Role) {
     for (x, y, _) in around(at).filter(|(_, _, far)| *far < SMALL) {
         stroke::dot(raster, x, y, role);
     }
 }
 
 /// Draws the core of a ring.
-pub(super) fn core(raster: &mut Raster, at: Vec2, role: Role) {
+pub(in crate::drawing) fn core(raster: &mut Raster, at: Vec2, role: Role) {
     for (x, y, _) in around(at).filter(|(_, _, far)| *far < CORE) {
         stroke::dot(raster, x, y, role);
     }
 }
 
 /// Draws a block around a point. `along` is a unit vector on the screen, `half` half its size.
-pub(super) fn block(raster: &mut Raster, at: Vec2, along: Vec2, half: Vec2, role: Role) {
+pub(in crate::drawing) fn block(
+    raster: &mut Raster,
+    at: Vec2,
+    along: Vec2,
+    half: Vec2,
+    role: Role,
+) {
     let (x, y) = corner(at);
     let reach = (half.x + half.y) as i32;
     for (dx, dy) in (-reach..reach).flat_map(|dy| (-reach..reach).map(move |dx| (dx, dy))) {
@@ -97,7 +103,7 @@ pub(super) fn block(raster: &mut Raster, at: Vec2, along: Vec2, half: Vec2, role
 
 /// Fills a plate with one dot in eight, at fixed places of the raster, so that little changes while
 /// it moves.
-pub(super) fn plate(raster: &mut Raster, corners: &[Vec2], role: Role) {
+pub(in crate::drawing) fn plate(raster: &mut Raster, corners: &[Vec2], role: Role) {
     let dots: Vec<Vec2> = corners
         .iter()
         .map(|c| Vec2::new(c.x * FINE.x, c.y * FINE.y))
@@ -130,7 +136,7 @@ pub(super) fn plate(raster: &mut Raster, corners: &[Vec2], role: Role) {
 }
 
 /// Returns `true` if a plate has a dot here, counted from the upper left.
-pub(super) fn is_of_plate(x: i32, y: i32) -> bool {
+pub(in crate::drawing) fn is_of_plate(x: i32, y: i32) -> bool {
     y % 2 == 0 && x % 4 == y % 4
 }
 
@@ -151,7 +157,7 @@ fn chord(corners: &[Vec2], y: f64) -> Option<(f64, f64)> {
 
 /// Returns the corners of a spring from end to end; `reach` is the height of its teeth to either
 /// side.
-pub(super) fn zigzag(a: Vec2, b: Vec2, reach: f64) -> impl Iterator<Item = Vec2> {
+pub(in crate::drawing) fn zigzag(a: Vec2, b: Vec2, reach: f64) -> impl Iterator<Item = Vec2> {
     let along = b - a;
     let across = along.perp() * (reach / along.norm());
     let starts = std::iter::once(a);

@@ -2,14 +2,14 @@
 
 mod plan;
 
-use super::figure::{Figure, Role, Shape};
 use super::raster::{CharCell, Raster};
 use super::symbol::cell_of;
-use super::view::WorldView;
 use crate::Vec2;
+use crate::drawing::figure::{Figure, Role, Shape};
+use crate::drawing::view::WorldView;
 use plan::LabelPlan;
 #[cfg(test)]
-pub(super) use plan::Side;
+pub(in crate::drawing) use plan::Side;
 
 /// The places of a figure's labels in the last frame; keep it from frame to frame.
 ///
@@ -132,7 +132,12 @@ const INERTIA: i32 = 6;
 
 impl Labels {
     /// Draws the labels of a figure over a raster that holds everything else.
-    pub(super) fn place(&mut self, figure: &Figure, view: &WorldView, raster: &mut Raster) {
+    pub(in crate::drawing) fn place(
+        &mut self,
+        figure: &Figure,
+        view: &WorldView,
+        raster: &mut Raster,
+    ) {
         let labels = names(figure);
         // Sizes of forces are placed last and never displace a name.
         let own = labels.clone().filter(|(_, _, role)| *role != Role::Force);
@@ -174,7 +179,7 @@ impl Labels {
 impl Labels {
     /// Returns the placed names of a figure, their points, and the column and row offsets of their
     /// first characters from the point's cell.
-    pub(super) fn placed_names<'f>(
+    pub(in crate::drawing) fn placed_names<'f>(
         &self,
         figure: &'f Figure,
         view: &WorldView,
@@ -246,7 +251,11 @@ fn best_place(
 
 /// Returns the first cells of all places next to a cell where a text hides nothing, best place
 /// first.
-pub(super) fn free_places(raster: &Raster, point: (i32, i32), text: &str) -> Vec<(i32, i32)> {
+pub(in crate::drawing) fn free_places(
+    raster: &Raster,
+    point: (i32, i32),
+    text: &str,
+) -> Vec<(i32, i32)> {
     let free = |seat: &&LabelSeat| {
         let (col, row) = origin(seat, point, text);
         cover(raster, col, row, text) == Some(0)
@@ -318,19 +327,19 @@ fn cover_for(
 #[cfg(test)]
 impl Labels {
     /// Returns the side of each label.
-    pub(super) fn sides(&self) -> impl Iterator<Item = Side> {
+    pub(in crate::drawing) fn sides(&self) -> impl Iterator<Item = Side> {
         self.places.iter().map(|place| Side::of(*place))
     }
 
     /// Returns the number of labels left out.
-    pub(super) fn hidden(&self) -> usize {
+    pub(in crate::drawing) fn hidden(&self) -> usize {
         self.places
             .iter()
             .filter(|&&p| p == LabelPlace::Hidden)
             .count()
     }
 
-    pub(super) fn len(&self) -> usize {
+    pub(in crate::drawing) fn len(&self) -> usize {
         self.places.len()
     }
 }

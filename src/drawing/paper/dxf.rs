@@ -13,18 +13,18 @@ const COLOURS: usize = 6;
 
 /// A layer of a [`DxfDocument`].
 #[derive(Clone, Copy, Debug)]
-pub(super) struct DxfLayer(usize);
+pub(in crate::drawing) struct DxfLayer(usize);
 
 /// A DXF document, filled entity by entity.
 #[derive(Debug, Default)]
-pub(super) struct DxfDocument {
+pub(in crate::drawing) struct DxfDocument {
     layers: Vec<String>,
     entities: String,
 }
 
 impl DxfDocument {
     /// Adds a layer, with the requested name as far as DXF allows. Names differ in more than case.
-    pub(super) fn layer(&mut self, requested: &str) -> DxfLayer {
+    pub(in crate::drawing) fn layer(&mut self, requested: &str) -> DxfLayer {
         let allowed = |c: char| {
             if c.is_ascii_alphanumeric() || "_-$".contains(c) {
                 c
@@ -52,7 +52,7 @@ impl DxfDocument {
         DxfLayer(self.layers.len() - 1)
     }
 
-    pub(super) fn line(&mut self, layer: DxfLayer, from: Vec2, to: Vec2) {
+    pub(in crate::drawing) fn line(&mut self, layer: DxfLayer, from: Vec2, to: Vec2) {
         if from.is_finite() && to.is_finite() {
             self.start_entity("LINE", layer);
             self.place(0, from);
@@ -61,14 +61,14 @@ impl DxfDocument {
     }
 
     /// Adds a chain of straight lines; points that are not finite break it.
-    pub(super) fn chain(&mut self, layer: DxfLayer, course: &[Vec2]) {
+    pub(in crate::drawing) fn chain(&mut self, layer: DxfLayer, course: &[Vec2]) {
         for run in course.split(|p| !p.is_finite()) {
             self.polyline(layer, run, false);
         }
     }
 
     /// Adds a closed outline.
-    pub(super) fn outline(&mut self, layer: DxfLayer, corners: &[Vec2]) {
+    pub(in crate::drawing) fn outline(&mut self, layer: DxfLayer, corners: &[Vec2]) {
         self.polyline(layer, corners, true);
     }
 
@@ -87,7 +87,7 @@ impl DxfDocument {
         self.start_entity("SEQEND", layer);
     }
 
-    pub(super) fn circle(&mut self, layer: DxfLayer, at: Vec2, radius: f64) {
+    pub(in crate::drawing) fn circle(&mut self, layer: DxfLayer, at: Vec2, radius: f64) {
         if at.is_finite() {
             self.start_entity("CIRCLE", layer);
             self.place(0, at);
@@ -95,7 +95,7 @@ impl DxfDocument {
         }
     }
 
-    pub(super) fn point(&mut self, layer: DxfLayer, at: Vec2) {
+    pub(in crate::drawing) fn point(&mut self, layer: DxfLayer, at: Vec2) {
         if at.is_finite() {
             self.start_entity("POINT", layer);
             self.place(0, at);
@@ -103,7 +103,7 @@ impl DxfDocument {
     }
 
     /// Adds a text, such as a name; names are ASCII.
-    pub(super) fn text(&mut self, layer: DxfLayer, at: Vec2, height: f64, text: &str) {
+    pub(in crate::drawing) fn text(&mut self, layer: DxfLayer, at: Vec2, height: f64, text: &str) {
         if at.is_finite() {
             self.start_entity("TEXT", layer);
             self.place(0, at);
@@ -130,7 +130,7 @@ impl DxfDocument {
     }
 
     /// Returns the whole document; `low` and `high` are the corners of the drawing's extents.
-    pub(super) fn text_of(&self, low: Vec2, high: Vec2) -> String {
+    pub(in crate::drawing) fn text_of(&self, low: Vec2, high: Vec2) -> String {
         let mut text = String::new();
         let mut put = |code, value: &dyn std::fmt::Display| pair(&mut text, code, value);
         put(0, &"SECTION");

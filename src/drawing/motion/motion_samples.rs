@@ -10,11 +10,11 @@ use std::f64::consts::PI;
 const SAMPLES: u32 = 720;
 
 /// Number of samples of a trail: a quarter of a turn.
-pub(super) const TRAIL: usize = SAMPLES as usize / 4;
+pub(in crate::drawing) const TRAIL: usize = SAMPLES as usize / 4;
 
 /// The samples of a motion.
 #[derive(Clone, Debug)]
-pub(super) struct Course {
+pub(in crate::drawing) struct Course {
     low: f64,
     high: f64,
     count: usize,
@@ -23,7 +23,7 @@ pub(super) struct Course {
 
 impl Course {
     /// Returns the samples of [`course`].
-    pub(super) fn of(scene: &Scene, solver: &Solver) -> Course {
+    pub(in crate::drawing) fn of(scene: &Scene, solver: &Solver) -> Course {
         let (low, high, count, closed) = ends(scene, solver);
         Course {
             low,
@@ -35,7 +35,7 @@ impl Course {
 
     /// Returns the number of samples up to a coordinate, with a fraction; `None` if the coordinate
     /// is not finite.
-    pub(super) fn sample(&self, at: f64) -> Option<f64> {
+    pub(in crate::drawing) fn sample(&self, at: f64) -> Option<f64> {
         let share = (at - self.low) / (self.high - self.low);
         let share = match self.closed {
             true => share.rem_euclid(1.0),
@@ -46,7 +46,7 @@ impl Course {
 
     /// Returns the `count` samples before a place, the farthest first; `backwards` if the motion
     /// comes from the later samples. A motion between limits has fewer near its ends.
-    pub(super) fn behind(
+    pub(in crate::drawing) fn behind(
         &self,
         place: f64,
         count: usize,
@@ -76,7 +76,10 @@ impl Course {
 }
 
 /// Returns the driver's coordinates along the motion, both ends included.
-pub(super) fn course(scene: &Scene, solver: &Solver) -> impl Iterator<Item = DriverState> + use<> {
+pub(in crate::drawing) fn course(
+    scene: &Scene,
+    solver: &Solver,
+) -> impl Iterator<Item = DriverState> + use<> {
     let (low, high, count, closed) = ends(scene, solver);
     (0..=count).map(move |k| {
         let share = f64::from(k) / f64::from(count);
@@ -92,7 +95,11 @@ pub(super) fn course(scene: &Scene, solver: &Solver) -> impl Iterator<Item = Dri
 
 /// Returns the driver's coordinates along the motion. If `is_timed` and the scene has a motion over
 /// time, they are its moments, with their rates.
-pub(super) fn paced_course(scene: &Scene, solver: &Solver, is_timed: bool) -> Vec<DriverState> {
+pub(in crate::drawing) fn paced_course(
+    scene: &Scene,
+    solver: &Solver,
+    is_timed: bool,
+) -> Vec<DriverState> {
     let clock = Clock::of(scene).filter(|_| is_timed && scene.motion.is_some());
     let Some(clock) = clock else {
         return course(scene, solver).collect();
@@ -111,7 +118,7 @@ pub(super) fn paced_course(scene: &Scene, solver: &Solver, is_timed: bool) -> Ve
 }
 
 /// Returns where the motion begins and ends, its number of samples, and whether it closes.
-pub(super) fn ends(scene: &Scene, solver: &Solver) -> (f64, f64, u32, bool) {
+pub(in crate::drawing) fn ends(scene: &Scene, solver: &Solver) -> (f64, f64, u32, bool) {
     let start = scene.mechanism.driver().start;
     match solver.motion().range {
         Range::Full { period } => {

@@ -4,13 +4,13 @@
 //! Hidden forces, and forces that equilibrium leaves undetermined, have no arrow. If a pin
 //! joins two bodies and carries no load, one arrow shows the force on the link that comes first.
 
-use super::bounds::Bounds;
 use super::extents::Extents;
-use super::figure::{Figure, Role, Shape};
-use super::legend::LegendEntry;
 use super::overlay::has_rates;
 use super::scale::{self, ArrowScale, MovingArrow};
-use super::view::WorldView;
+use crate::drawing::bounds::Bounds;
+use crate::drawing::figure::{Figure, Role, Shape};
+use crate::drawing::legend::LegendEntry;
+use crate::drawing::view::WorldView;
 use crate::quantity::DriverState;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
@@ -18,7 +18,7 @@ use crate::{Body, Input, Mechanism, Vec2};
 
 /// The scale of the force arrows, if forces are shown.
 #[derive(Clone, Debug, Default)]
-pub(super) struct ForceArrows {
+pub(in crate::drawing) struct ForceArrows {
     /// The scale of forces in newtons.
     scale: Option<ArrowScale>,
     /// The threshold below which a moment is the rounding error of a zero, in N m.
@@ -43,7 +43,7 @@ struct StateForces {
 
 impl ForceArrows {
     /// Computes one scale for the whole motion; appends the extents of the arrows' tips to `tips`.
-    pub(super) fn of(
+    pub(in crate::drawing) fn of(
         (scene, solver): (&Scene, &Solver),
         course: Vec<DriverState>,
         extents: &Extents,
@@ -70,7 +70,7 @@ impl ForceArrows {
     }
 
     /// Adds the arrows of a state with solved forces to a figure.
-    pub(super) fn add_to(
+    pub(in crate::drawing) fn add_to(
         &self,
         figure: &mut Figure,
         scene: &Scene,
@@ -105,7 +105,7 @@ impl ForceArrows {
     }
 
     /// Returns the legend entry of the arrows for a drawing with this window.
-    pub(super) fn legend(&self, view: &WorldView, zoom: f64) -> Option<LegendEntry> {
+    pub(in crate::drawing) fn legend(&self, view: &WorldView, zoom: f64) -> Option<LegendEntry> {
         let scale = self.scale.filter(|scale| scale.longest_magnitude() > 0.0)?;
         let cells = view.cells_along(scale.per(zoom));
         Some(LegendEntry::arrow(Role::Force, "F", "N", cells))
@@ -200,7 +200,7 @@ fn loads(mechanism: &Mechanism, solver: &Solver, state: &State, found: &mut Stat
 
 /// Formats a size with about three significant digits, in exponent notation below 1e-3 and from
 /// 1e7.
-pub(super) fn rounded(size: f64) -> String {
+pub(in crate::drawing) fn rounded(size: f64) -> String {
     if !(1e-3..1e7).contains(&size) {
         return format!("{size:.2e}");
     }

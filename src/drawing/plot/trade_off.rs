@@ -1,6 +1,6 @@
 //! Builds the chart of a study of methods: time against error, one letter per method.
 
-use super::plot::{Chart, Datum, DecadeAxis};
+use crate::drawing::plot::{Chart, Datum, DecadeAxis};
 use crate::study::Findings;
 use crate::wording::words;
 

@@ -1,12 +1,12 @@
 //! Draws traces in cells: fine dots in Braille, or else points in the upper and the lower half of a
 //! cell.
 
-use super::figure::Role;
 use super::raster::Raster;
 use super::render::Glyphs;
 use super::stroke;
-use super::view::WorldView;
 use crate::Vec2;
+use crate::drawing::figure::Role;
+use crate::drawing::view::WorldView;
 
 /// Parts of a cell that characters can show: two halves.
 const HALVES: Vec2 = Vec2 { x: 1.0, y: 2.0 };
@@ -15,7 +15,7 @@ const LOWER: char = '.';
 const BOTH: char = ':';
 
 /// Draws a chain of straight lines in world units; a point that is not finite is a gap.
-pub(super) fn draw(
+pub(in crate::drawing) fn draw(
     raster: &mut Raster,
     glyphs: Glyphs,
     view: &WorldView,

@@ -1,7 +1,7 @@
 //! Plots the driver's torque or force over a cycle, with its extremes marked.
 
-use super::plot::{Axis, CurveTurn, Panel, Plot, PlotCurve};
 use crate::Vec2;
+use crate::drawing::plot::{Axis, CurveTurn, Panel, Plot, PlotCurve};
 use crate::study::motor::Duty;
 
 /// Number of points of the curve.

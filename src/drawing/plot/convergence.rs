@@ -1,6 +1,6 @@
 //! Builds the chart of an iterative method's errors, iteration by iteration.
 
-use super::plot::{Chart, Datum, DecadeAxis};
+use crate::drawing::plot::{Chart, Datum, DecadeAxis};
 use crate::study::ErrorCurve;
 use crate::wording::words;
 

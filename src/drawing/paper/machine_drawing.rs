@@ -1,9 +1,9 @@
 //! Draws a linkage for CAD: one layer per link, always in millimetres.
 
 use super::dxf::{DxfDocument, DxfLayer};
-use super::extents::Extents;
-use super::outline::hull;
-use super::overlay::Overlay;
+use crate::drawing::motion::extents::Extents;
+use crate::drawing::motion::overlay::Overlay;
+use crate::drawing::outline::hull;
 use crate::scene::{Scene, Unit};
 use crate::solver::{Known, State};
 use crate::{Body, Link, LinkId, Mechanism, PointId, SlideId, Vec2};

@@ -1,8 +1,8 @@
 //! Computes the extents of a linkage over its whole motion, sampled once.
 
-use super::bounds::Bounds;
 use super::poses::Poses;
-use super::view::WindowZoom;
+use crate::drawing::bounds::Bounds;
+use crate::drawing::view::WindowZoom;
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Range, Solver, State};
 use crate::{Body, SlideId, Vec2};
@@ -37,11 +37,11 @@ pub struct Extents {
 
 /// The cells to keep free around a part.
 #[derive(Clone, Copy)]
-pub(super) struct Margin {
-    pub(super) left: f64,
-    pub(super) right: f64,
-    pub(super) above: f64,
-    pub(super) below: f64,
+pub(in crate::drawing) struct Margin {
+    pub(in crate::drawing) left: f64,
+    pub(in crate::drawing) right: f64,
+    pub(in crate::drawing) above: f64,
+    pub(in crate::drawing) below: f64,
 }
 
 /// Maximum number of window sizes in the cache.
@@ -94,7 +94,7 @@ impl Extents {
 
     /// Returns the extents enlarged by arrow tips. They belong to the drawing, not to the linkage,
     /// and are not part of [`Extents::bounds`].
-    pub(super) fn with_arrows(&self, tips: &[(f64, Bounds)]) -> Extents {
+    pub(in crate::drawing) fn with_arrows(&self, tips: &[(f64, Bounds)]) -> Extents {
         let mut extents = self.without_cache();
         let all = tips.iter().map(|(_, tips)| *tips);
         extents.arrows = all.fold(extents.arrows, Bounds::with);
@@ -198,12 +198,12 @@ impl Extents {
     }
 
     /// Returns a point of the frame that views place in the middle of a cell.
-    pub(super) fn anchor(&self) -> Vec2 {
+    pub(in crate::drawing) fn anchor(&self) -> Vec2 {
         self.anchor
     }
 
     /// Returns the extents that must be visible, with the cells for their names and symbols.
-    pub(super) fn parts(&self) -> [(Bounds, Margin); 4] {
+    pub(in crate::drawing) fn parts(&self) -> [(Bounds, Margin); 4] {
         // Half a cell more than names and supports need, because the window moves by up to half a
         // cell to align its anchor.
         self.parts_in([self.moving, self.guides, self.arrows], 0.5)
@@ -211,7 +211,11 @@ impl Extents {
 
     /// Returns the extents for a window that follows the linkage: those of one part of the motion
     /// with its arrow tips. Guides may end outside.
-    pub(super) fn parts_near(&self, space: Bounds, tips: Bounds) -> [(Bounds, Margin); 4] {
+    pub(in crate::drawing) fn parts_near(
+        &self,
+        space: Bounds,
+        tips: Bounds,
+    ) -> [(Bounds, Margin); 4] {
         self.parts_in([space, self.guides.within(space), tips], 0.0)
     }
 
@@ -231,13 +235,13 @@ impl Extents {
     }
 
     /// Returns the extents of the poses along the motion.
-    pub(super) fn poses(&self) -> &Poses {
+    pub(in crate::drawing) fn poses(&self) -> &Poses {
         &self.poses
     }
 
     /// Returns the zoom of a following window from the cache, or computes and stores it. The zoom
     /// depends on the window's size alone.
-    pub(super) fn nearness(
+    pub(in crate::drawing) fn nearness(
         &self,
         is_it: impl Fn(&WindowZoom) -> bool,
         find: impl FnOnce() -> WindowZoom,

@@ -1,10 +1,10 @@
 //! Converts Braille dots to block characters. A drawing is made in dots, 2 x 4 to a cell; each cell
 //! then gets the nearest block. Octants have the same grid, sextants three rows, quadrants two.
 
-use super::figure::Role;
 use super::pattern;
 use super::raster::Raster;
 use super::render::Glyphs;
+use crate::drawing::figure::Role;
 
 /// Block characters, by the grid they divide a cell into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,7 +21,7 @@ pub enum Blocks {
 const PLATE: char = '\u{2591}';
 
 /// Replaces Braille dots by blocks.
-pub(super) fn settle(raster: &mut Raster, glyphs: Glyphs) {
+pub(in crate::drawing) fn settle(raster: &mut Raster, glyphs: Glyphs) {
     let Glyphs::Blocks(blocks) = glyphs else {
         return;
     };

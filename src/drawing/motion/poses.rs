@@ -9,8 +9,8 @@
 //! Places are spaced evenly along a turn. Between two limits they are denser towards the limits,
 //! like the projection of evenly spaced points of a circle, because the linkage is fastest there.
 
-use super::bounds::Bounds;
 use crate::Vec2;
+use crate::drawing::bounds::Bounds;
 use std::f64::consts::PI;
 
 /// Number of places along the motion.
@@ -22,7 +22,7 @@ const CLOSE: usize = 3;
 
 /// The poses of a motion: the extents of each, and smoothed extents for windows.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Poses {
+pub(in crate::drawing) struct Poses {
     /// Start and length of the motion, in the driver's coordinate.
     start: f64,
     span: f64,
@@ -38,16 +38,20 @@ pub(super) struct Poses {
 
 /// The extents that a window must contain.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct PoseExtents {
-    pub(super) linkage: Bounds,
+pub(in crate::drawing) struct PoseExtents {
+    pub(in crate::drawing) linkage: Bounds,
     /// The extents of arrow tips; empty without arrows.
-    pub(super) tips: Bounds,
+    pub(in crate::drawing) tips: Bounds,
 }
 
 impl Poses {
     /// Computes smoothed extents from poses; `met` holds coordinates in the motion and their
     /// extents.
-    pub(super) fn new([start, span]: [f64; 2], closed: bool, met: &[(f64, Bounds)]) -> Poses {
+    pub(in crate::drawing) fn new(
+        [start, span]: [f64; 2],
+        closed: bool,
+        met: &[(f64, Bounds)],
+    ) -> Poses {
         let mut poses = Poses {
             start,
             span,
@@ -89,7 +93,7 @@ impl Poses {
     }
 
     /// Adds the extents of arrow tips at these coordinates.
-    pub(super) fn with_tips(mut self, tips: &[(f64, Bounds)]) -> Poses {
+    pub(in crate::drawing) fn with_tips(mut self, tips: &[(f64, Bounds)]) -> Poses {
         if self.smoothed.is_empty() {
             return self;
         }
@@ -109,7 +113,7 @@ impl Poses {
     }
 
     /// Adds further extents at every place, as a function of the coordinate.
-    pub(super) fn with_extents(mut self, other: impl Fn(f64) -> Bounds) -> Poses {
+    pub(in crate::drawing) fn with_extents(mut self, other: impl Fn(f64) -> Bounds) -> Poses {
         for index in 0..self.smoothed.len() {
             let there = other(self.coordinate(index as f64));
             self.alone[index] = self.alone[index].with(there);
@@ -155,13 +159,13 @@ impl Poses {
     }
 
     /// Returns `true` if the motion ends where it begins.
-    pub(super) fn is_closed(&self) -> bool {
+    pub(in crate::drawing) fn is_closed(&self) -> bool {
         self.closed
     }
 
     /// Returns coordinates along the motion, each in the middle of one of `count` parts; none
     /// without a motion.
-    pub(super) fn steps(&self, count: usize) -> impl Iterator<Item = f64> {
+    pub(in crate::drawing) fn steps(&self, count: usize) -> impl Iterator<Item = f64> {
         let count = if self.smoothed.is_empty() { 0 } else { count };
         let places = (0..count).map(move |k| (k as f64 + 0.5) / count as f64 * PLACES as f64);
         places.map(|place| self.coordinate(place))
@@ -169,7 +173,7 @@ impl Poses {
 
     /// Returns how much of the motion lies before a coordinate, from 0 to 1; `None` without a
     /// motion.
-    pub(super) fn share(&self, at: f64) -> Option<f64> {
+    pub(in crate::drawing) fn share(&self, at: f64) -> Option<f64> {
         self.smoothed.last()?;
         Some(self.place(at)? / PLACES as f64)
     }
@@ -197,7 +201,7 @@ impl Poses {
     }
 
     /// Returns the extents for a window at a coordinate; `None` if no pose of the motion is known.
-    pub(super) fn extents_at(&self, at: f64) -> Option<PoseExtents> {
+    pub(in crate::drawing) fn extents_at(&self, at: f64) -> Option<PoseExtents> {
         let last = self.smoothed.len().checked_sub(1)?;
         let place = self.place(at)?;
         #[expect(
@@ -219,7 +223,7 @@ impl Poses {
 
     /// Returns a sample of poses spread over the motion: the extents of each alone, and those for a
     /// window.
-    pub(super) fn some(&self) -> impl Iterator<Item = (Bounds, PoseExtents)> {
+    pub(in crate::drawing) fn some(&self) -> impl Iterator<Item = (Bounds, PoseExtents)> {
         let spaces = self
             .smoothed
             .iter()

@@ -2,13 +2,13 @@
 
 use super::arrow;
 use super::blocks::{self, Blocks};
-use super::figure::{Figure, Role, Shape};
 use super::labels::Labels;
 use super::raster::Raster;
 use super::symbol::Symbols;
 use super::trace;
-use super::view::WorldView;
 use crate::Vec2;
+use crate::drawing::figure::{Figure, Role, Shape};
+use crate::drawing::view::WorldView;
 
 /// The set of glyphs of a drawing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -117,7 +117,12 @@ pub fn render_into(
 }
 
 /// Renders a figure without its names.
-pub(super) fn render_bare(figure: &Figure, view: &WorldView, glyphs: Glyphs, raster: &mut Raster) {
+pub(in crate::drawing) fn render_bare(
+    figure: &Figure,
+    view: &WorldView,
+    glyphs: Glyphs,
+    raster: &mut Raster,
+) {
     raster.reset(view.cols(), view.rows());
     let mut symbols = Symbols {
         view,
@@ -131,7 +136,7 @@ pub(super) fn render_bare(figure: &Figure, view: &WorldView, glyphs: Glyphs, ras
 }
 
 /// Returns the shapes of a figure without its names, from bottom to top.
-pub(super) fn draw_order(figure: &Figure) -> impl Iterator<Item = &Shape> {
+pub(in crate::drawing) fn draw_order(figure: &Figure) -> impl Iterator<Item = &Shape> {
     let of = |current| move |shape: &&Shape| layer(shape) == current;
     LAYERS
         .into_iter()

@@ -3,12 +3,12 @@
 //! arrow that is too long for its place has a shaft broken in the middle.
 
 use super::dashes;
-use super::figure::Role;
 use super::raster::Raster;
 use super::render::Glyphs;
 use super::stroke;
 use super::symbol::cell_of;
 use crate::Vec2;
+use crate::drawing::figure::Role;
 
 /// Minimum arrow length, in cell widths. A shorter arrow would be a head without a shaft.
 const MIN_LEN: f64 = 1.0;
@@ -16,7 +16,7 @@ const MIN_LEN: f64 = 1.0;
 const BREAK: (f64, f64) = (0.4, 0.65);
 
 /// Returns the start and end of each piece of the shaft, as fractions of its length.
-pub(super) fn pieces(cut: bool) -> &'static [(f64, f64)] {
+pub(in crate::drawing) fn pieces(cut: bool) -> &'static [(f64, f64)] {
     if cut {
         &[(0.0, BREAK.0), (BREAK.1, 1.0)]
     } else {
@@ -25,7 +25,7 @@ pub(super) fn pieces(cut: bool) -> &'static [(f64, f64)] {
 }
 
 /// Draws an arrow between two points in cell coordinates. Cells are `aspect` times as high as wide.
-pub(super) fn draw(
+pub(in crate::drawing) fn draw(
     raster: &mut Raster,
     glyphs: Glyphs,
     aspect: f64,
@@ -122,7 +122,7 @@ fn closing(glyphs: Glyphs, direction: Vec2) -> char {
 const RIGHT: Vec2 = Vec2 { x: 1.0, y: 0.0 };
 
 /// Returns a horizontal arrow to the right for a legend, `cells` cells long.
-pub(super) fn level(glyphs: Glyphs, role: Role, cells: i32) -> String {
+pub(in crate::drawing) fn level(glyphs: Glyphs, role: Role, cells: i32) -> String {
     let shaft = match glyphs {
         Glyphs::Ascii => '-',
         Glyphs::Line => '\u{2500}',

@@ -4,15 +4,15 @@
 
 mod style;
 
-use super::arrow;
-use super::figure::{Figure, Role, Shape};
-use super::labels::Labels;
-use super::legend::LegendEntry;
-use super::pattern;
-use super::raster::Raster;
-use super::render::{Glyphs, draw_order, render_into};
-use super::view::WorldView;
 use crate::Vec2;
+use crate::drawing::cells::arrow;
+use crate::drawing::cells::labels::Labels;
+use crate::drawing::cells::pattern;
+use crate::drawing::cells::raster::Raster;
+use crate::drawing::cells::render::{Glyphs, draw_order, render_into};
+use crate::drawing::figure::{Figure, Role, Shape};
+use crate::drawing::legend::LegendEntry;
+use crate::drawing::view::WorldView;
 use crate::page::{Artwork, SvgGround, TextAnchor};
 use std::f64::consts::FRAC_1_SQRT_2;
 use style::{STYLE, class};

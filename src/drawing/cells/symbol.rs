@@ -1,13 +1,13 @@
 //! Draws the symbols of kinematic sketches: supports, hatching, blocks and marks. Their size is
 //! counted in cells, so they stay readable at any scale.
 
-use super::figure::Role;
 use super::pattern;
 use super::raster::Raster;
 use super::render::Glyphs;
 use super::stroke;
-use super::view::WorldView;
 use crate::Vec2;
+use crate::drawing::figure::Role;
+use crate::drawing::view::WorldView;
 
 /// Minimum number of rows for the triangle under a ground pin.
 const MIN_ROWS_WITH_TRIANGLE: u16 = 16;
@@ -32,10 +32,10 @@ const RAIL: f64 = (pattern::BLOCK.y + 1.5) / stroke::FINE.x;
 const SPRING: f64 = 1.0;
 
 /// The window, glyphs and raster that symbols are drawn with.
-pub(super) struct Symbols<'a> {
-    pub(super) view: &'a WorldView,
-    pub(super) glyphs: Glyphs,
-    pub(super) raster: &'a mut Raster,
+pub(in crate::drawing) struct Symbols<'a> {
+    pub(in crate::drawing) view: &'a WorldView,
+    pub(in crate::drawing) glyphs: Glyphs,
+    pub(in crate::drawing) raster: &'a mut Raster,
 }
 
 /// A coordinate beyond any raster, and small enough for integer arithmetic.
@@ -43,7 +43,7 @@ const OFF_RASTER: f64 = 1e6;
 
 /// Returns the cell that contains a point in cell coordinates. A far or undefined point gives a
 /// cell outside any raster.
-pub(super) fn cell_of(at: Vec2) -> (i32, i32) {
+pub(in crate::drawing) fn cell_of(at: Vec2) -> (i32, i32) {
     let index = |v: f64| {
         if v.is_nan() {
             OFF_RASTER
@@ -58,7 +58,7 @@ pub(super) fn cell_of(at: Vec2) -> (i32, i32) {
 impl Symbols<'_> {
     /// Draws the support under a ground pin: a triangle and hatching, or hatching alone in a low
     /// window.
-    pub(super) fn support(&mut self, at: Vec2) {
+    pub(in crate::drawing) fn support(&mut self, at: Vec2) {
         let middle = self.view.cell(at);
         let (col, row) = cell_of(middle);
         let roomy = self.view.rows() >= MIN_ROWS_WITH_TRIANGLE;
@@ -106,7 +106,7 @@ impl Symbols<'_> {
     }
 
     /// Draws a straight piece of a link, as wide as the window allows.
-    pub(super) fn bar(&mut self, a: Vec2, b: Vec2, role: Role) {
+    pub(in crate::drawing) fn bar(&mut self, a: Vec2, b: Vec2, role: Role) {
         if self.glyphs.is_dotted() && role.is_body() {
             let more = if role == Role::Lit {
                 HIGHLIGHT_WIDTH
@@ -130,7 +130,7 @@ impl Symbols<'_> {
     }
 
     /// Draws an arrow around three quarters of a circle.
-    pub(super) fn moment(&mut self, at: Vec2, is_left: bool) {
+    pub(in crate::drawing) fn moment(&mut self, at: Vec2, is_left: bool) {
         let (col, row) = cell_of(self.view.cell(at));
         let lines = if is_left {
             [(-1, ".--"), (-2, "("), (-1, "'->")]
@@ -144,7 +144,7 @@ impl Symbols<'_> {
 
     /// Draws a guide on the ground. If blocks and pins are made of dots, it is two rails with the
     /// block between them, because a single line through both would hide them.
-    pub(super) fn guide(&mut self, from: Vec2, to: Vec2, role: Role) {
+    pub(in crate::drawing) fn guide(&mut self, from: Vec2, to: Vec2, role: Role) {
         let (a, b) = (self.view.cell(from), self.view.cell(to));
         if !self.has_large_marks() {
             return self.bar(a, b, role);
@@ -166,7 +166,7 @@ impl Symbols<'_> {
     }
 
     /// Draws short strokes along a guide, to the right of its direction.
-    pub(super) fn hatching(&mut self, from: Vec2, to: Vec2) {
+    pub(in crate::drawing) fn hatching(&mut self, from: Vec2, to: Vec2) {
         let (a, b) = (self.view.cell(from), self.view.cell(to));
         if self.has_large_marks() {
             let rail = self.cell_offset(a, b) * RAIL;
@@ -218,7 +218,7 @@ impl Symbols<'_> {
     /// Draws a block on its guide. In characters it is always horizontal: brackets read as a block
     /// at any angle, a rotated box of so few cells does not. In dots it lies along an inclined
     /// guide.
-    pub(super) fn block(&mut self, at: Vec2, along: Vec2) {
+    pub(in crate::drawing) fn block(&mut self, at: Vec2, along: Vec2) {
         let position = self.view.cell(at);
         let along = Vec2::new(along.x, -along.y);
         let along = along / along.norm();
@@ -245,14 +245,14 @@ impl Symbols<'_> {
 
     /// Draws the plate of a link; the corners are in cell coordinates. In characters its edges
     /// suffice.
-    pub(super) fn plate(&mut self, corners: &[Vec2], role: Role) {
+    pub(in crate::drawing) fn plate(&mut self, corners: &[Vec2], role: Role) {
         if self.glyphs.is_dotted() {
             pattern::plate(self.raster, corners, role);
         }
     }
 
     /// Draws a spring: a zigzag between two straight ends.
-    pub(super) fn spring(&mut self, from: Vec2, to: Vec2) {
+    pub(in crate::drawing) fn spring(&mut self, from: Vec2, to: Vec2) {
         let (a, b) = (self.view.cell(from), self.view.cell(to));
         if self.glyphs.is_dotted() {
             let aspect = self.view.aspect();
@@ -276,7 +276,7 @@ impl Symbols<'_> {
     }
 
     /// Draws a closed line through points in cell coordinates.
-    pub(super) fn outline(&mut self, corners: &[Vec2], role: Role) {
+    pub(in crate::drawing) fn outline(&mut self, corners: &[Vec2], role: Role) {
         let ends = corners.iter().cycle().skip(1);
         for (&a, &b) in corners.iter().zip(ends) {
             self.bar(a, b, role);
@@ -284,7 +284,7 @@ impl Symbols<'_> {
     }
 
     /// Draws the barrel of a cylinder.
-    pub(super) fn barrel(&mut self, from: Vec2, to: Vec2, role: Role) {
+    pub(in crate::drawing) fn barrel(&mut self, from: Vec2, to: Vec2, role: Role) {
         let (a, b) = (self.view.cell(from), self.view.cell(to));
         let glyph = match self.glyphs {
             Glyphs::Ascii => '#',
@@ -313,7 +313,7 @@ impl Symbols<'_> {
     }
 
     /// Draws the rod of a cylinder: in dots thinner than other links.
-    pub(super) fn rod(&mut self, from: Vec2, to: Vec2, role: Role) {
+    pub(in crate::drawing) fn rod(&mut self, from: Vec2, to: Vec2, role: Role) {
         let (a, b) = (self.view.cell(from), self.view.cell(to));
         if self.glyphs.is_dotted() && role == Role::Driver {
             let width = self.view.weight().saturating_sub(1).max(1);
@@ -324,7 +324,7 @@ impl Symbols<'_> {
     }
 
     /// Draws the mark of a point, a single cell in characters.
-    pub(super) fn mark(&mut self, at: Vec2, role: Role) {
+    pub(in crate::drawing) fn mark(&mut self, at: Vec2, role: Role) {
         let position = self.view.cell(at);
         if self.has_large_marks() {
             match role {

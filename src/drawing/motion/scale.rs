@@ -1,8 +1,8 @@
 //! Scales arrows by one factor over the whole motion.
 
-use super::bounds::Bounds;
 use super::extents::Extents;
 use crate::Vec2;
+use crate::drawing::bounds::Bounds;
 
 /// The longest arrow as a fraction of the diagonal of all the linkage's positions.
 const MAX_LEN: f64 = 0.2;
@@ -13,7 +13,7 @@ const OUTLIER_FACTOR: f64 = 3.0;
 
 /// The scale of arrows of one kind.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct ArrowScale {
+pub(in crate::drawing) struct ArrowScale {
     /// The magnitude that the longest arrow shows.
     most: f64,
     /// The drawing's units of length per unit of the magnitude.
@@ -21,17 +21,17 @@ pub(super) struct ArrowScale {
 }
 
 /// The driver's coordinate, an arrow's tail there, and its vector.
-pub(super) type MovingArrow = (f64, Vec2, Vec2);
+pub(in crate::drawing) type MovingArrow = (f64, Vec2, Vec2);
 
 /// Returns the length of the longest arrow in a drawing of these extents.
-pub(super) fn longest(extents: &Extents) -> f64 {
+pub(in crate::drawing) fn longest(extents: &Extents) -> f64 {
     MAX_LEN * extents.bounds().size().norm()
 }
 
 impl ArrowScale {
     /// Computes the scale at which the longest of a motion's arrows has the length `longest`;
     /// appends the arrows' tips to `tips`.
-    pub(super) fn of_motion(
+    pub(in crate::drawing) fn of_motion(
         arrows: &[MovingArrow],
         longest: f64,
         tips: &mut Vec<(f64, Bounds)>,
@@ -56,17 +56,17 @@ impl ArrowScale {
     }
 
     /// Returns the length of an arrow of magnitude 1, on a drawing enlarged by `zoom`.
-    pub(super) fn per(self, zoom: f64) -> f64 {
+    pub(in crate::drawing) fn per(self, zoom: f64) -> f64 {
         self.per / zoom
     }
 
     /// Returns the magnitude that the longest arrow shows.
-    pub(super) fn longest_magnitude(self) -> f64 {
+    pub(in crate::drawing) fn longest_magnitude(self) -> f64 {
         self.most
     }
 
     /// Returns the tip of an arrow at a point, and `true` if it was cut.
-    pub(super) fn tip(self, from: Vec2, size: Vec2, zoom: f64) -> (Vec2, bool) {
+    pub(in crate::drawing) fn tip(self, from: Vec2, size: Vec2, zoom: f64) -> (Vec2, bool) {
         let norm = size.norm();
         // The rounding error of the longest arrow must not break it.
         let cut = norm > self.most * (1.0 + 1e-9);

@@ -1,10 +1,10 @@
 //! Draws ghosts of the linkage: another assembly, other places in its motion, the linkage before an
 //! edit, or another linkage.
 
-use super::figure::{Figure, Role};
-use super::outline::{self, Corner};
-use super::roles::roles;
 use crate::Member;
+use crate::drawing::figure::{Figure, Role};
+use crate::drawing::outline::{self, Corner};
+use crate::drawing::roles::roles;
 use crate::scene::Scene;
 use crate::solver::{Condition, State};
 
@@ -15,7 +15,7 @@ pub fn add_ghost(figure: &mut Figure, scene: &Scene, now: &State, other: &State)
 }
 
 /// Adds the links that have moved in another state, with the given role.
-pub(super) fn add_moved(
+pub(in crate::drawing) fn add_moved(
     figure: &mut Figure,
     scene: &Scene,
     now: &State,

@@ -7,17 +7,17 @@
 //! ends it would miss them by up to half a cell, and flicker while they stay in place.
 
 use super::dashes;
-use super::figure::Role;
 use super::raster::Raster;
 use super::render::Glyphs;
 use crate::Vec2;
+use crate::drawing::figure::Role;
 
 /// The slope, in rows per column, from which a shallow line climbs by slashes; below it, by half
 /// rows. `__/__/` looks like a staircase below about a third, `__--` like a comb above it.
 const MIN_SLASH_SLOPE: f64 = 0.36;
 
 /// Draws the line from `a` to `b`, in cell coordinates.
-pub(super) fn line(raster: &mut Raster, glyphs: Glyphs, a: Vec2, b: Vec2, role: Role) {
+pub(in crate::drawing) fn line(raster: &mut Raster, glyphs: Glyphs, a: Vec2, b: Vec2, role: Role) {
     match glyphs {
         // Without attributes strokes have no weight.
         Glyphs::Ascii | Glyphs::Line if role == Role::Lit => points(raster, a, b, '#', role),
@@ -31,7 +31,11 @@ pub(super) fn line(raster: &mut Raster, glyphs: Glyphs, a: Vec2, b: Vec2, role: 
 }
 
 /// Returns the cells of the line from `a` to `b`, from the left, or from above if it is steep.
-pub(super) fn cells(raster: &Raster, a: Vec2, b: Vec2) -> impl Iterator<Item = (i32, i32)> + use<> {
+pub(in crate::drawing) fn cells(
+    raster: &Raster,
+    a: Vec2,
+    b: Vec2,
+) -> impl Iterator<Item = (i32, i32)> + use<> {
     let clipped = clip(middle_of_cell(a), middle_of_cell(b), raster);
     let course = clipped.map(|(a, b)| LineFunction::new(a, b));
     course.into_iter().flat_map(|course| {
@@ -46,7 +50,7 @@ fn middle_of_cell(p: Vec2) -> Vec2 {
 
 /// Returns the part of the line inside the raster enlarged by one cell on each side; `None` if it
 /// is empty, or if an end is not finite.
-pub(super) fn clip(a: Vec2, b: Vec2, raster: &Raster) -> Option<(Vec2, Vec2)> {
+pub(in crate::drawing) fn clip(a: Vec2, b: Vec2, raster: &Raster) -> Option<(Vec2, Vec2)> {
     let size = Vec2::new(f64::from(raster.cols()), f64::from(raster.rows()));
     let one = Vec2::new(1.0, 1.0);
     clip_to(a, b, [Vec2::ZERO - one, size + one])
@@ -54,7 +58,11 @@ pub(super) fn clip(a: Vec2, b: Vec2, raster: &Raster) -> Option<(Vec2, Vec2)> {
 
 /// Returns the part of the line inside a box (Liang and Barsky 1984); `None` if it is empty, or if
 /// an end is not finite.
-pub(super) fn clip_to(a: Vec2, b: Vec2, [low, high]: [Vec2; 2]) -> Option<(Vec2, Vec2)> {
+pub(in crate::drawing) fn clip_to(
+    a: Vec2,
+    b: Vec2,
+    [low, high]: [Vec2; 2],
+) -> Option<(Vec2, Vec2)> {
     // The most frequent case.
     let is_inside = |p: Vec2| low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y;
     if is_inside(a) && is_inside(b) {
@@ -245,7 +253,7 @@ const BLANK: u32 = 0x2800;
 const DOTS: [[u32; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
 
 /// Number of dots of a cell along x and y.
-pub(super) const FINE: Vec2 = Vec2 { x: 2.0, y: 4.0 };
+pub(in crate::drawing) const FINE: Vec2 = Vec2 { x: 2.0, y: 4.0 };
 
 fn dots(raster: &mut Raster, a: Vec2, b: Vec2, role: Role) {
     let is_steep = (b.y - a.y).abs() * FINE.y > (b.x - a.x).abs() * FINE.x;
@@ -259,7 +267,7 @@ fn dots(raster: &mut Raster, a: Vec2, b: Vec2, role: Role) {
 }
 
 /// Draws a line `width` dots wide.
-pub(super) fn bar(raster: &mut Raster, a: Vec2, b: Vec2, width: u8, role: Role) {
+pub(in crate::drawing) fn bar(raster: &mut Raster, a: Vec2, b: Vec2, width: u8, role: Role) {
     let finer = |p: Vec2| Vec2::new(p.x * FINE.x, p.y * FINE.y);
     let Some((a, b)) = clip(a, b, raster) else {
         return;
@@ -280,7 +288,7 @@ pub(super) fn bar(raster: &mut Raster, a: Vec2, b: Vec2, width: u8, role: Role) 
 /// Returns the parts of cells that the line from `a` to `b` passes; a cell has `count` parts along
 /// x and y. Parts are counted over the whole raster and returned from the left, or from above if
 /// the line is steep.
-pub(super) fn parts(
+pub(in crate::drawing) fn parts(
     raster: &Raster,
     a: Vec2,
     b: Vec2,
@@ -295,7 +303,7 @@ pub(super) fn parts(
 }
 
 /// Sets one dot, counted over the whole raster, and keeps the cell's other dots.
-pub(super) fn dot(raster: &mut Raster, x: i32, y: i32, role: Role) {
+pub(in crate::drawing) fn dot(raster: &mut Raster, x: i32, y: i32, role: Role) {
     let (col, row) = (x.div_euclid(2), y.div_euclid(4));
     let Some(old) = raster.cell(col, row) else {
         return;
@@ -311,7 +319,7 @@ pub(super) fn dot(raster: &mut Raster, x: i32, y: i32, role: Role) {
 }
 
 /// Clears one dot, or a whole character, and gives the rest of its cell this role.
-pub(super) fn clear(raster: &mut Raster, x: i32, y: i32, role: Role) {
+pub(in crate::drawing) fn clear(raster: &mut Raster, x: i32, y: i32, role: Role) {
     let (col, row) = (x.div_euclid(2), y.div_euclid(4));
     let Some(old) = raster.cell(col, row).filter(|old| old.glyph != ' ') else {
         return;

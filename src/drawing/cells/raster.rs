@@ -1,6 +1,6 @@
 //! Character cells with a glyph and a role.
 
-use super::figure::Role;
+use crate::drawing::figure::Role;
 
 /// A character cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,7 +67,7 @@ impl Raster {
     }
 
     /// Sets a cell; does nothing outside.
-    pub(super) fn set_cell(&mut self, col: i32, row: i32, glyph: char, role: Role) {
+    pub(in crate::drawing) fn set_cell(&mut self, col: i32, row: i32, glyph: char, role: Role) {
         if let Some(i) = self.index(col, row) {
             self.cells[i] = CharCell { glyph, role };
         }
@@ -80,7 +80,7 @@ impl Raster {
     }
 
     /// Returns the rows from the top, mutably.
-    pub(super) fn lines_mut(&mut self) -> impl Iterator<Item = &mut [CharCell]> {
+    pub(in crate::drawing) fn lines_mut(&mut self) -> impl Iterator<Item = &mut [CharCell]> {
         self.cells.chunks_mut(usize::from(self.cols).max(1))
     }
 

@@ -1,15 +1,15 @@
 //! Computes the parts of a drawing that depend on the whole motion: traces, other positions, and
 //! arrows to one scale. The motion is solved once; every frame then draws from the result.
 
-use super::bounds::Bounds;
 use super::extents::Extents;
-use super::figure::{Figure, Role, Shape};
 use super::force_arrows::ForceArrows;
 use super::ghosts::add_moved;
-use super::legend::LegendEntry;
 use super::motion_samples::{Course, TRAIL, course, ends, paced_course};
 use super::scale::{self, ArrowScale, MovingArrow};
-use super::view::WorldView;
+use crate::drawing::bounds::Bounds;
+use crate::drawing::figure::{Figure, Role, Shape};
+use crate::drawing::legend::LegendEntry;
+use crate::drawing::view::WorldView;
 use crate::scene::Scene;
 use crate::solver::{Condition, Known, Order, Solver, State, Workspace};
 use crate::{PointId, Vec2};
@@ -100,7 +100,7 @@ impl Overlay {
     }
 
     /// Returns the traces as chains of straight lines, in world units.
-    pub(super) fn traces(&self) -> &[Arc<[Vec2]>] {
+    pub(in crate::drawing) fn traces(&self) -> &[Arc<[Vec2]>] {
         &self.traces
     }
 
@@ -260,7 +260,7 @@ impl Arrows {
     }
 }
 
-pub(super) fn has_rates(condition: Condition) -> bool {
+pub(in crate::drawing) fn has_rates(condition: Condition) -> bool {
     match condition {
         Condition::Ok | Condition::ChangePoint => true,
         Condition::DeadPoint | Condition::NoAssembly => false,
