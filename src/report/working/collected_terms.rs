@@ -7,10 +7,10 @@ use super::equations::{
 };
 use super::expression::{Expression, Function};
 use super::figures::{Figures, WrittenSum};
-use super::group_unknowns::{ProblemForm, Stage};
-use super::polygon::Term;
+use super::loops::group_unknowns::{ProblemForm, Stage};
+use super::loops::polygon::Term;
+use super::loops::sides::{SideShape, Turns};
 use super::positions::pieces;
-use super::sides::{SideShape, Turns};
 use super::symbols;
 use crate::page::UNIT;
 use crate::wording::words;

@@ -1,19 +1,19 @@
 //! Writes velocities and accelerations of joints, centres of mass and further points: by tangential
 //! and normal components about a pivot or another joint of the link, or along a guide.
 
-use super::context::{Context, Draft};
-use super::expression::{Expression, Function};
-use super::sides::Turns;
-use super::solution::angle_sum;
-use super::symbols::{self, of_point};
 use crate::page::UNIT;
+use crate::report::working::context::{Context, Draft};
+use crate::report::working::expression::{Expression, Function};
+use crate::report::working::loops::sides::Turns;
+use crate::report::working::loops::solution::angle_sum;
+use crate::report::working::symbols::{self, of_point};
 use crate::solver::Sliding;
 use crate::wording::words;
 use crate::{Body, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
 
 /// The reference of a point's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum PointBasis {
+pub(in crate::report::working) enum PointBasis {
     /// A link, and another point of it.
     Link(LinkId, PointId),
     /// A guide.
@@ -21,7 +21,7 @@ pub(super) enum PointBasis {
 }
 
 /// Writes the motion of every moving point.
-pub(super) fn points(context: &Context<'_>, draft: &mut Draft) {
+pub(in crate::report::working) fn points(context: &Context<'_>, draft: &mut Draft) {
     draft.page.part(words().points_part());
     let mechanism = &context.scene.mechanism;
     let moving = mechanism
@@ -48,7 +48,11 @@ pub(super) fn points(context: &Context<'_>, draft: &mut Draft) {
 
 /// Returns the reference of a point: preferably a ground pivot, then a guide on the ground, then a
 /// joint placed earlier.
-pub(super) fn seat(mechanism: &Mechanism, places: &[usize], point: PointId) -> Option<PointBasis> {
+pub(in crate::report::working) fn seat(
+    mechanism: &Mechanism,
+    places: &[usize],
+    point: PointId,
+) -> Option<PointBasis> {
     let links = &mechanism.point(point).links;
     let pivot = links.iter().find_map(|&link| {
         let mut members = mechanism.link(link).members.iter();
@@ -77,7 +81,7 @@ pub(super) fn seat(mechanism: &Mechanism, places: &[usize], point: PointId) -> O
 }
 
 /// Returns the first placed point of a link, if it precedes this one.
-pub(super) fn earliest(
+pub(in crate::report::working) fn earliest(
     mechanism: &Mechanism,
     places: &[usize],
     link: LinkId,
@@ -90,7 +94,7 @@ pub(super) fn earliest(
 
 /// Returns the rank of every point in the solution order: ground points first, then in the order of
 /// the groups.
-pub(super) fn places(context: &Context<'_>) -> Vec<usize> {
+pub(in crate::report::working) fn places(context: &Context<'_>) -> Vec<usize> {
     let mut places = vec![0; context.scene.mechanism.points().len()];
     let groups = context.solver.plan().groups.iter();
     for (index, point) in groups.flat_map(|group| &group.points).enumerate() {

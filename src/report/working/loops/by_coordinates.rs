@@ -1,19 +1,19 @@
 //! Derives vectors between two points of one body from their coordinates: length, and angle to the
 //! body.
 
-use super::context::{Context, Draft};
-use super::expression::{Expression, Function};
 use super::group_unknowns::{ProblemForm, Stage};
 use super::sides::{Side, SideReading, SideShape};
 use super::solution::angle_sum;
-use super::symbols;
 use crate::page::UNIT;
+use crate::report::working::context::{Context, Draft};
+use crate::report::working::expression::{Expression, Function};
+use crate::report::working::symbols;
 use crate::wording::words;
 use crate::{Body, LinkId, Member, Vec2};
 
 /// Writes length and angle of every vector for which neither the scene nor the coordinates show
 /// them.
-pub(super) fn vectors(context: &Context<'_>, draft: &mut Draft) {
+pub(in crate::report::working) fn vectors(context: &Context<'_>, draft: &mut Draft) {
     let sides = context.polygon.sides.iter().zip(&context.readings);
     let mut is_shown = false;
     for (side, reading) in sides {
@@ -110,7 +110,7 @@ fn turned(
 
 /// Writes the angles of the vectors that rotate with links found by a group, except those in its
 /// own loops.
-pub(super) fn found(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
+pub(in crate::report::working) fn found(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
     let is_own = |number: usize| {
         let loops = stage
             .loops

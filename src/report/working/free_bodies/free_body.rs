@@ -1,30 +1,30 @@
 //! Writes the free body of a link: the forces on it, and its three equations of motion with
 //! numbers.
 
-use super::context::{Context, Draft};
-use super::expression::{Expression, Function};
-use super::figures::WrittenSum;
 use super::forces::point_name;
 use crate::page::UNIT;
+use crate::report::working::context::{Context, Draft};
+use crate::report::working::expression::{Expression, Function};
+use crate::report::working::figures::WrittenSum;
 use crate::solver::LoadAction;
 use crate::wording::words;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
 
 /// A force on a link, or a couple.
-pub(super) struct BodyForce {
+pub(in crate::report::working) struct BodyForce {
     pub name: String,
     pub force: Vec2,
     /// The point of application; `None` for a couple.
-    pub(super) at: Option<Vec2>,
+    pub(in crate::report::working) at: Option<Vec2>,
     /// The couple in N m.
-    pub(super) couple: f64,
+    pub(in crate::report::working) couple: f64,
     /// The joint that transmits it; `None` for a load.
-    pub(super) joint: Option<BodyJoint>,
+    pub(in crate::report::working) joint: Option<BodyJoint>,
 }
 
 /// The joint that transmits a force to a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum BodyJoint {
+pub(in crate::report::working) enum BodyJoint {
     /// A pin.
     Pin(PointId),
     /// A guide; the force acts on its slider or on its carrier.
@@ -34,7 +34,7 @@ pub(super) enum BodyJoint {
 }
 
 /// Returns all forces on a link, without inertia; `None` if one is indeterminate.
-pub(super) fn on_link(
+pub(in crate::report::working) fn on_link(
     context: &Context<'_>,
     id: LinkId,
     acted: &[LoadAction],
@@ -51,7 +51,7 @@ pub(super) fn on_link(
 
 /// Writes the forces on a link, and its three equations with numbers. Returns `false` if a force is
 /// indeterminate.
-pub(super) fn free_body(
+pub(in crate::report::working) fn free_body(
     context: &Context<'_>,
     draft: &mut Draft,
     id: LinkId,
@@ -352,7 +352,11 @@ impl FreeBody<'_> {
 
 /// Returns the force of a guide on its slider for sign 1, or the reaction for -1; `None` if it is
 /// indeterminate.
-pub(super) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option<BodyForce> {
+pub(in crate::report::working) fn guided(
+    context: &Context<'_>,
+    slide: SlideId,
+    sign: f64,
+) -> Option<BodyForce> {
     let (state, mechanism) = (context.state, &context.scene.mechanism);
     let given = mechanism.slide(slide);
     let t = state.travel(slide).guide;
@@ -379,7 +383,11 @@ pub(super) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option
 
 /// Returns the name of the force on a link at a pin. It includes the other body if there is only
 /// one and the pin has no load.
-pub(super) fn pin_name(context: &Context<'_>, link: LinkId, point: PointId) -> String {
+pub(in crate::report::working) fn pin_name(
+    context: &Context<'_>,
+    link: LinkId,
+    point: PointId,
+) -> String {
     let by = context.scene.mechanism.partner(link, point);
     let (name, at) = (context.scene.link_name(link), point_name(context, point));
     match by {
@@ -390,7 +398,7 @@ pub(super) fn pin_name(context: &Context<'_>, link: LinkId, point: PointId) -> S
 }
 
 /// Returns `true` if the point joins the link to something else.
-pub(super) fn is_joint(mechanism: &Mechanism, id: PointId) -> bool {
+pub(in crate::report::working) fn is_joint(mechanism: &Mechanism, id: PointId) -> bool {
     let point = mechanism.point(id);
     let slides = mechanism
         .slides()
@@ -402,7 +410,7 @@ pub(super) fn is_joint(mechanism: &Mechanism, id: PointId) -> bool {
 
 /// Returns the maximum moment (N m) of a force on any link, or for a driven slide the maximum force
 /// (N). The driver's effort may be a small difference of such values.
-pub(super) fn largest(context: &Context<'_>, acted: &[LoadAction]) -> f64 {
+pub(in crate::report::working) fn largest(context: &Context<'_>, acted: &[LoadAction]) -> f64 {
     let mechanism = &context.scene.mechanism;
     let sizes = mechanism.link_ids().filter_map(|id| {
         let link = mechanism.link(id);

@@ -1,18 +1,23 @@
 //! Writes the laws of springs with numbers.
 
-use super::context::{Context, Draft};
-use super::expression::Expression;
 use super::forces::point_name;
 use super::knots::{line_at, on_line};
-use super::symbols;
 use crate::angle::{TURN, radians};
 use crate::page::UNIT;
+use crate::report::working::context::{Context, Draft};
+use crate::report::working::expression::Expression;
+use crate::report::working::symbols;
 use crate::solver::LoadAction;
 use crate::wording::words;
 use crate::{Body, LinkId, Load, PointId, Profile};
 
 /// Writes the law of a spring; does nothing for other loads.
-pub(super) fn law(context: &Context<'_>, draft: &mut Draft, load: &Load, acted: &LoadAction) {
+pub(in crate::report::working) fn law(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    load: &Load,
+    acted: &LoadAction,
+) {
     match *load {
         Load::Spring {
             from,

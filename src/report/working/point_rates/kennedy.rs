@@ -4,16 +4,16 @@
 use super::centres::{
     CentreBasis, CentreLine, CentrePlace, LinkCentre, centres, coordinate, longest, named, symbol,
 };
-use super::context::{Context, Draft};
-use super::expression::{Expression, Function};
-use super::figures::Figures;
-use super::symbols::{self, of_point};
 use crate::page::UNIT;
+use crate::report::working::context::{Context, Draft};
+use crate::report::working::expression::{Expression, Function};
+use crate::report::working::figures::Figures;
+use crate::report::working::symbols::{self, of_point};
 use crate::wording::words;
 use crate::{LinkId, PointId, Vec2, angle};
 
 /// Writes the centre of every link: the construction of those that need one, then a table.
-pub(super) fn instant_centres(context: &Context<'_>, draft: &mut Draft) {
+pub(in crate::report::working) fn instant_centres(context: &Context<'_>, draft: &mut Draft) {
     let centres = centres(context);
     if centres.is_empty() {
         return;

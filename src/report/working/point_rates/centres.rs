@@ -1,10 +1,10 @@
 //! Finds the instant centre of every moving link: a pivot, the intersection of two lines by
 //! Kennedy's theorem, or from the velocity of a point.
 
-use super::Working;
-use super::context::Context;
-use super::sides::Turns;
-use super::symbols::of_point;
+use crate::report::working::Working;
+use crate::report::working::context::Context;
+use crate::report::working::loops::sides::Turns;
+use crate::report::working::symbols::of_point;
 use crate::scene::Scene;
 use crate::solver::{Solver, State};
 use crate::{Body, LinkId, PointId, SlideId, Slider, Vec2, angle};
@@ -31,7 +31,7 @@ pub struct InstantCentre {
 
 /// The position of an instant centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum CentrePlace {
+pub(in crate::report::working) enum CentrePlace {
     At(Vec2),
     /// At infinity in this direction and the opposite one.
     Far(Vec2),
@@ -41,7 +41,7 @@ pub(super) enum CentrePlace {
 
 /// The construction of an instant centre.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum CentreBasis {
+pub(in crate::report::working) enum CentreBasis {
     /// A pivot on the ground.
     Pivot(PointId),
     /// The link cannot rotate.
@@ -54,7 +54,7 @@ pub(super) enum CentreBasis {
 
 /// A line through a joint, perpendicular to its velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct CentreLine {
+pub(in crate::report::working) struct CentreLine {
     pub joint: PointId,
     /// The other link of the joint, and its centre. `None` if the joint slides along a guide of the
     /// ground, or if the other centre is at infinity.
@@ -65,7 +65,7 @@ pub(super) struct CentreLine {
 
 /// The instant centre of a link.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct LinkCentre {
+pub(in crate::report::working) struct LinkCentre {
     pub link: LinkId,
     pub place: CentrePlace,
     pub basis: CentreBasis,
@@ -108,23 +108,27 @@ impl Working {
 }
 
 /// Returns the symbol of a link's instant centre, such as `I_r3`.
-pub(super) fn symbol(context: &Context<'_>, link: LinkId) -> String {
+pub(in crate::report::working) fn symbol(context: &Context<'_>, link: LinkId) -> String {
     format!("I_{}", context.scene.link_name(link))
 }
 
 /// Returns the symbol of a point's coordinate, such as `xB`.
-pub(super) fn coordinate(context: &Context<'_>, axis: &str, point: PointId) -> String {
+pub(in crate::report::working) fn coordinate(
+    context: &Context<'_>,
+    axis: &str,
+    point: PointId,
+) -> String {
     of_point(axis, context.scene.point_name(point).unwrap_or_default())
 }
 
 /// Returns the length of the longest vector, which determines the rounding errors of positions.
-pub(super) fn longest(context: &Context<'_>) -> f64 {
+pub(in crate::report::working) fn longest(context: &Context<'_>) -> f64 {
     let lengths = context.readings.iter().map(|reading| reading.r.abs());
     lengths.fold(0.0, f64::max)
 }
 
 /// Returns the centres of all links, in solution order.
-pub(super) fn centres(context: &Context<'_>) -> Vec<LinkCentre> {
+pub(in crate::report::working) fn centres(context: &Context<'_>) -> Vec<LinkCentre> {
     if !context.has_rates() || !(context.fastest[0] > 0.0) {
         return Vec::new();
     }
@@ -276,7 +280,7 @@ fn pivot(context: &Context<'_>, link: LinkId) -> Option<PointId> {
 }
 
 /// Returns the named points of a link.
-pub(super) fn named<'c>(
+pub(in crate::report::working) fn named<'c>(
     context: &'c Context<'_>,
     link: LinkId,
 ) -> impl Iterator<Item = PointId> + 'c {
@@ -312,7 +316,7 @@ fn crossing(context: &Context<'_>, lines: &[CentreLine]) -> Option<(Vec2, [Centr
 
 impl CentreLine {
     /// Returns the direction in degrees.
-    pub(super) fn degrees(&self) -> f64 {
+    pub(in crate::report::working) fn degrees(&self) -> f64 {
         angle::degrees(self.u)
     }
 }

@@ -1,16 +1,17 @@
 //! Writes the forces: loads, every link and pin in turn, and the driver.
 
-use super::context::{Context, Draft};
-use super::expression::Expression;
-use super::figures::WrittenSum;
 use super::free_body::{free_body, largest};
 use crate::page::UNIT;
+use crate::report::working::context::{Context, Draft};
+use crate::report::working::expression::Expression;
+use crate::report::working::figures::WrittenSum;
+use crate::report::working::reactions;
 use crate::solver::{Condition, LoadAction};
 use crate::wording::words;
 use crate::{Input, Load, PointId, Vec2};
 
 /// Writes all parts on forces; nothing for a mechanism without loads.
-pub(super) fn forces(context: &Context<'_>, draft: &mut Draft) {
+pub(in crate::report::working) fn forces(context: &Context<'_>, draft: &mut Draft) {
     if !context.solver.has_forces() {
         return;
     }
@@ -31,7 +32,7 @@ pub(super) fn forces(context: &Context<'_>, draft: &mut Draft) {
     if context.state.residual().is_none() {
         draft.page.text(words().reactions_need_not_exist());
     } else {
-        super::reactions::reactions(context, draft, &acted);
+        reactions::reactions(context, draft, &acted);
         let links = context.scene.mechanism.link_ids();
         let open: Vec<&str> = links
             .filter(|&link| !free_body(context, draft, link, &acted))
@@ -82,7 +83,7 @@ fn loads(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
 }
 
 /// Returns the name of a kind of load.
-pub(super) fn kind(load: &Load) -> &'static str {
+pub(in crate::report::working) fn kind(load: &Load) -> &'static str {
     match load {
         Load::Force { .. } => words().force(),
         Load::Torque { .. } => words().torque(),
@@ -93,12 +94,15 @@ pub(super) fn kind(load: &Load) -> &'static str {
     }
 }
 
-pub(super) fn components(context: &Context<'_>, force: Vec2) -> [String; 2] {
+pub(in crate::report::working) fn components(context: &Context<'_>, force: Vec2) -> [String; 2] {
     let size = force.norm();
     [force.x, force.y].map(|v| context.figures.format_or_zero(v, size))
 }
 
-pub(super) fn point_name<'a>(context: &'a Context<'_>, point: PointId) -> &'a str {
+pub(in crate::report::working) fn point_name<'a>(
+    context: &'a Context<'_>,
+    point: PointId,
+) -> &'a str {
     context.scene.point_name(point).unwrap_or(words().a_point())
 }
 
@@ -153,7 +157,7 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[LoadAct
 }
 
 /// Writes the two independent checks: power, and the equilibrium of the whole mechanism.
-pub(super) fn check(context: &Context<'_>, draft: &mut Draft) {
+pub(in crate::report::working) fn check(context: &Context<'_>, draft: &mut Draft) {
     let state = context.state;
     let (Some(left), Some(force), Some(moment)) =
         (state.residual(), state.frame_force(), state.frame_moment())

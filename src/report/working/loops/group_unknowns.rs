@@ -9,7 +9,7 @@ use crate::{Body, Input, LinkId, Mechanism, SlideId};
 
 /// An unknown of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum LoopUnknown {
+pub(in crate::report::working) enum LoopUnknown {
     /// The angle of a link, and of everything that rotates with it.
     Angle(LinkId),
     /// The position along a slide.
@@ -22,7 +22,7 @@ pub(super) enum LoopUnknown {
 
 /// The form of a group's problem.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum ProblemForm {
+pub(in crate::report::working) enum ProblemForm {
     /// No unknowns: the driver's group, or a loop that repeats others.
     Nothing,
     /// Two angles: a triangle of three known sides.
@@ -41,7 +41,7 @@ pub(super) enum ProblemForm {
 
 /// A group of the plan with its loops.
 #[derive(Clone, Debug)]
-pub(super) struct Stage {
+pub(in crate::report::working) struct Stage {
     /// The index of the group in the plan; `None` for a vector that only closes a loop.
     pub group: Option<usize>,
     /// The indices of the group's loops.
@@ -52,7 +52,7 @@ pub(super) struct Stage {
 
 /// The groups that find the angles of links and the positions of slides.
 #[derive(Clone, Debug)]
-pub(super) struct Schedule {
+pub(in crate::report::working) struct Schedule {
     /// The group that finds the angle of each link.
     links: Vec<usize>,
     /// The group that finds the position of each slide.
@@ -64,7 +64,11 @@ pub(super) struct Schedule {
 impl Stage {
     /// Returns the inputs between links of which one has an unknown angle here: each gives a
     /// further equation.
-    pub(super) fn elbows(&self, mechanism: &Mechanism, polygon: &Polygon) -> Vec<[LinkId; 2]> {
+    pub(in crate::report::working) fn elbows(
+        &self,
+        mechanism: &Mechanism,
+        polygon: &Polygon,
+    ) -> Vec<[LinkId; 2]> {
         let root = |link: LinkId| match polygon.locks.turns(Body::Link(link), 0.0) {
             Turns::With(root, _) => root,
             Turns::Never | Turns::Freely => link,
@@ -77,7 +81,11 @@ impl Stage {
 }
 
 impl Schedule {
-    pub(super) fn of(scene: &Scene, plan: &Plan, polygon: &Polygon) -> Schedule {
+    pub(in crate::report::working) fn of(
+        scene: &Scene,
+        plan: &Plan,
+        polygon: &Polygon,
+    ) -> Schedule {
         let mechanism = &scene.mechanism;
         let last = plan.groups.len();
         let (mut links, mut points) = (
@@ -123,7 +131,7 @@ impl Schedule {
     }
 
     /// Returns `true` if a side's direction is that of an input, or locked to it.
-    pub(super) fn is_driven(&self, side: &Side) -> bool {
+    pub(in crate::report::working) fn is_driven(&self, side: &Side) -> bool {
         side.turns_with().is_some_and(|link| self.drives(link))
     }
 
@@ -133,7 +141,7 @@ impl Schedule {
     }
 
     /// Returns `true` if a side's length is that of an input.
-    pub(super) fn is_pushed(&self, side: &Side) -> bool {
+    pub(in crate::report::working) fn is_pushed(&self, side: &Side) -> bool {
         matches!(side.shape, SideShape::Slide(slide) if self.pushes(slide))
     }
 
@@ -144,7 +152,7 @@ impl Schedule {
     }
 
     /// Returns the input that determines a side's length or direction, if any.
-    pub(super) fn input(&self, side: &Side) -> Option<Input> {
+    pub(in crate::report::working) fn input(&self, side: &Side) -> Option<Input> {
         let link = side.turns_with();
         let gives = |(input, root): &&(Input, Option<LinkId>)| {
             let is_rotary = root.is_some() && *root == link;
@@ -155,7 +163,7 @@ impl Schedule {
     }
 
     /// Returns the group that finds a side's angle; `None` if it is given.
-    pub(super) fn angle_group(&self, side: &Side) -> Option<usize> {
+    pub(in crate::report::working) fn angle_group(&self, side: &Side) -> Option<usize> {
         match side.turns {
             Turns::Never => None,
             Turns::With(link, _) if self.drives(link) => None,
@@ -165,7 +173,7 @@ impl Schedule {
     }
 
     /// Returns the group that finds a side's length; `None` if it is given.
-    pub(super) fn length_group(&self, side: &Side) -> Option<usize> {
+    pub(in crate::report::working) fn length_group(&self, side: &Side) -> Option<usize> {
         match side.shape {
             SideShape::Link(_) | SideShape::Rigid(..) => None,
             SideShape::Slide(slide) if self.pushes(slide) => None,
@@ -176,7 +184,11 @@ impl Schedule {
 }
 
 /// Returns the groups in order, then the vectors that only close a loop.
-pub(super) fn stages(plan: &Plan, polygon: &Polygon, schedule: &Schedule) -> Vec<Stage> {
+pub(in crate::report::working) fn stages(
+    plan: &Plan,
+    polygon: &Polygon,
+    schedule: &Schedule,
+) -> Vec<Stage> {
     let of_group = |number: usize| {
         let loops = polygon.loops.iter().enumerate();
         let own = loops.filter(|(_, l)| l.group == Some(number));

@@ -1,10 +1,10 @@
 //! Free-body diagrams: the forces on each link, for drawings.
 
-use super::Working;
 use super::free_body::{BodyForce, BodyJoint, on_link};
-use super::reactions::inertia;
 use crate::LinkId;
 use crate::drawing::FreeForce;
+use crate::report::working::Working;
+use crate::report::working::reactions::inertia;
 use crate::scene::Scene;
 use crate::solver::{Solver, State};
 

@@ -1,9 +1,9 @@
 //! Velocities and accelerations of points with their components, for vector diagrams.
 
-use super::Working;
-use super::context::Context;
 use super::points::{PointBasis, earliest, places, seat};
-use super::symbols::of_point;
+use crate::report::working::Working;
+use crate::report::working::context::Context;
+use crate::report::working::symbols::of_point;
 use crate::scene::Scene;
 use crate::solver::{Solver, State};
 use crate::{LinkId, PointId, Vec2};

@@ -1,17 +1,21 @@
 //! Writes the laws of loads (the factor over the driver, the curve of a press), and the part of the
 //! driver's effort against each load.
 
-use super::context::{Context, Draft};
-use super::expression::Expression;
 use super::forces::{kind, point_name};
 use super::knots::{line_at, on_line};
 use crate::page::UNIT;
+use crate::report::working::context::{Context, Draft};
+use crate::report::working::expression::Expression;
 use crate::solver::{LoadAction, PressStroke};
 use crate::wording::words;
 use crate::{Body, Input, Load, PointId, Profile, SlideId, StrokeEnd, Vec2};
 
 /// Writes the laws of loads that are not constant.
-pub(super) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
+pub(in crate::report::working) fn laws(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    acted: &[LoadAction],
+) {
     let mechanism = &context.scene.mechanism;
     for (load, acted) in mechanism.loads().iter().zip(acted) {
         match *load {
@@ -113,12 +117,12 @@ fn scaled(
 }
 
 /// Returns the names of the parts of the driver's effort in a formula.
-pub(super) fn share_names() -> [&'static str; 3] {
+pub(in crate::report::working) fn share_names() -> [&'static str; 3] {
     [words().column_load(), words().gravity(), words().inertia()]
 }
 
 /// Writes the power of every load, and the part of the driver's effort that balances it.
-pub(super) fn shares(
+pub(in crate::report::working) fn shares(
     context: &Context<'_>,
     draft: &mut Draft,
     acted: &[LoadAction],

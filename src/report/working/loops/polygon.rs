@@ -4,14 +4,14 @@ use super::sides::{Locks, Side};
 
 /// A side of a loop, and whether it is traversed backwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Term {
+pub(in crate::report::working) struct Term {
     pub side: usize,
     pub reversed: bool,
 }
 
 /// A closed loop.
 #[derive(Clone, Debug)]
-pub(super) struct Loop {
+pub(in crate::report::working) struct Loop {
     pub terms: Vec<Term>,
     /// The group of the plan that closes it; `None` if the loop only yields a further vector.
     pub group: Option<usize>,
@@ -19,7 +19,7 @@ pub(super) struct Loop {
 
 /// All sides and loops of a scene.
 #[derive(Clone, Debug)]
-pub(super) struct Polygon {
+pub(in crate::report::working) struct Polygon {
     pub sides: Vec<Side>,
     pub loops: Vec<Loop>,
     pub locks: Locks,
@@ -27,7 +27,7 @@ pub(super) struct Polygon {
 
 impl Polygon {
     /// Returns the sides of a loop with their directions.
-    pub(super) fn terms<'a>(
+    pub(in crate::report::working) fn terms<'a>(
         &'a self,
         of: &'a Loop,
     ) -> impl Iterator<Item = (&'a Side, bool)> + Clone {
@@ -37,7 +37,7 @@ impl Polygon {
     }
 
     /// Returns the names of a term's start and end, as traversed by the loop.
-    pub(super) fn ends(&self, term: Term) -> (&str, &str) {
+    pub(in crate::report::working) fn ends(&self, term: Term) -> (&str, &str) {
         let side = &self.sides[term.side];
         if term.reversed {
             (&side.head, &side.tail)
@@ -47,14 +47,14 @@ impl Polygon {
     }
 
     /// Returns the points of a loop in order, the first one repeated at the end.
-    pub(super) fn walk(&self, of: &Loop) -> String {
+    pub(in crate::report::working) fn walk(&self, of: &Loop) -> String {
         let mut walk: Vec<&str> = of.terms.iter().map(|&term| self.ends(term).0).collect();
         walk.extend(of.terms.last().map(|&term| self.ends(term).1));
         walk.join(" → ")
     }
 
     /// Returns the sides that are not in any loop.
-    pub(super) fn riders(&self) -> impl Iterator<Item = &Side> {
+    pub(in crate::report::working) fn riders(&self) -> impl Iterator<Item = &Side> {
         let is_in_loop = |side: usize| {
             let mut terms = self.loops.iter().flat_map(|l| &l.terms);
             terms.any(|term| term.side == side)

@@ -1,15 +1,19 @@
 //! Writes the equilibrium of pins with a load: how the adjacent links share it.
 
-use super::context::{Context, Draft};
-use super::figures::WrittenSum;
 use super::forces::{components, kind, point_name};
 use super::free_body::{BodyForce, guided, is_joint, pin_name};
+use crate::report::working::context::{Context, Draft};
+use crate::report::working::figures::WrittenSum;
 use crate::solver::LoadAction;
 use crate::wording::words;
 use crate::{PointId, Slider, Vec2};
 
 /// Writes the equilibrium of every moving pin that joins several bodies and has a load or a spring.
-pub(super) fn pins(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
+pub(in crate::report::working) fn pins(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    acted: &[LoadAction],
+) {
     let mechanism = &context.scene.mechanism;
     // A load on a ground pin goes directly into the ground.
     let moving = mechanism

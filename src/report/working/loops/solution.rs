@@ -1,14 +1,17 @@
 //! A loop prepared for solving: the sum of its known sides, and its arms.
 
-use super::context::{Context, Draft};
-use super::equations::{EquationTerm, LoopSide, Multiplier, in_figures, in_symbols, known};
-use super::expression::Expression;
-use super::figures::{Figures, WrittenSum};
 use super::group_unknowns::{ProblemForm, Stage};
 use super::polygon::{Loop, Term};
-use super::positions::single;
 use super::sides::{Side, SideShape, Turns};
 use crate::page::UNIT;
+use crate::report::working::context::{Context, Draft};
+use crate::report::working::equations::{
+    EquationTerm, LoopSide, Multiplier, in_figures, in_symbols, known,
+};
+use crate::report::working::expression::Expression;
+use crate::report::working::figures::{Figures, WrittenSum};
+use crate::report::working::positions::single;
+use crate::report::working::symbols;
 use crate::solver::Order;
 use crate::{Vec2, angle};
 
@@ -17,18 +20,21 @@ use crate::{Vec2, angle};
 const DIAGONALS: [&str; 3] = ["m", "s", "f"];
 
 /// A loop prepared for solving, with its known sides summed.
-pub(super) struct Solution<'a> {
-    pub(super) context: &'a Context<'a>,
-    pub(super) stage: &'a Stage,
-    pub(super) of: &'a Loop,
-    pub(super) members: Vec<LoopSide<'a>>,
-    pub(super) figures: Figures,
+pub(in crate::report::working) struct Solution<'a> {
+    pub(in crate::report::working) context: &'a Context<'a>,
+    pub(in crate::report::working) stage: &'a Stage,
+    pub(in crate::report::working) of: &'a Loop,
+    pub(in crate::report::working) members: Vec<LoopSide<'a>>,
+    pub(in crate::report::working) figures: Figures,
     /// The sum of the known sides.
-    pub(super) known: Vec2,
+    pub(in crate::report::working) known: Vec2,
 }
 
 impl<'a> Solution<'a> {
-    pub(super) fn new(context: &'a Context<'a>, stage: &'a Stage) -> Option<Self> {
+    pub(in crate::report::working) fn new(
+        context: &'a Context<'a>,
+        stage: &'a Stage,
+    ) -> Option<Self> {
         let (&[number], false) = (&stage.loops[..], matches!(stage.form, ProblemForm::Nothing))
         else {
             return None;
@@ -52,7 +58,7 @@ impl<'a> Solution<'a> {
 
     /// Returns `true` if only the group's unknowns are missing, so that the solution can be tried
     /// without an assembly.
-    pub(super) fn is_known(&self) -> bool {
+    pub(in crate::report::working) fn is_known(&self) -> bool {
         let own = |term: &Term| match &self.stage.form {
             ProblemForm::Triangle(a, b) => a.contains(term) || b.contains(term),
             ProblemForm::Quadratic(arm, slide) => arm.contains(term) || term == slide,
@@ -70,12 +76,12 @@ impl<'a> Solution<'a> {
         tries && pairs.all(|(term, member)| own(term) || member.sought == [false, false])
     }
 
-    pub(super) fn member(&self, term: Term) -> LoopSide<'_> {
+    pub(in crate::report::working) fn member(&self, term: Term) -> LoopSide<'_> {
         self.context.member(term, self.stage)
     }
 
     /// Returns the known sides along an axis, in symbols and evaluated.
-    pub(super) fn known_text(&self, axis: &Multiplier) -> [String; 2] {
+    pub(in crate::report::working) fn known_text(&self, axis: &Multiplier) -> [String; 2] {
         let of = |m: &LoopSide<'_>| m.pieces(Order::Position, axis, self.figures);
         let pieces: Vec<EquationTerm> = self.members.iter().flat_map(of).collect();
         let known: Vec<EquationTerm> = pieces.into_iter().filter(|p| p.unknown.is_none()).collect();
@@ -84,7 +90,7 @@ impl<'a> Solution<'a> {
 
     /// Returns the letter of the vector that the unknown sides add up to: the lecture's m, or
     /// another one if the scene uses m as the name of a vector or a link.
-    pub(super) fn diagonal(&self) -> &'static str {
+    pub(in crate::report::working) fn diagonal(&self) -> &'static str {
         let scene = self.context.scene;
         let is_free = |name: &&str| {
             let sides = &self.context.polygon.sides;
@@ -96,7 +102,7 @@ impl<'a> Solution<'a> {
     }
 
     /// Writes the components of the required sum of the unknown sides, m = -(known sides).
-    pub(super) fn write_m(&self, draft: &mut Draft) -> [Expression; 2] {
+    pub(in crate::report::working) fn write_m(&self, draft: &mut Draft) -> [Expression; 2] {
         let f = self.figures;
         let m = -self.known;
         let sizes = self.members.iter().map(|m| m.reading.r.abs());
@@ -117,7 +123,7 @@ impl<'a> Solution<'a> {
     }
 
     /// Writes the length of a vector from its components, under a name, and returns it.
-    pub(super) fn write_length(
+    pub(in crate::report::working) fn write_length(
         &self,
         draft: &mut Draft,
         name: &str,
@@ -129,7 +135,7 @@ impl<'a> Solution<'a> {
 
     /// Returns an arm: its length, and the angle by which its direction leads the angle named after
     /// it.
-    pub(super) fn arm(&self, arm: &[Term]) -> DyadArm<'a> {
+    pub(in crate::report::working) fn arm(&self, arm: &[Term]) -> DyadArm<'a> {
         match single(arm) {
             Some(term) => {
                 let member = self.member(term);
@@ -170,14 +176,14 @@ impl<'a> Solution<'a> {
             length: format!("|{}|", text.text()),
             value: sum.norm(),
             given: false,
-            theta: super::symbols::theta(name),
+            theta: symbols::theta(name),
             ahead: angle::wrapped(angle::degrees(sum) - own),
             solved: own,
         }
     }
 
     /// Returns the names of the start, the common joint and the end of a dyad's arms.
-    pub(super) fn joints(&self, first: &[Term], second: &[Term]) -> [&str; 3] {
+    pub(in crate::report::working) fn joints(&self, first: &[Term], second: &[Term]) -> [&str; 3] {
         let ends = |term: &Term| self.context.polygon.ends(*term);
         let name = |end: Option<&'a str>| end.unwrap_or("");
         let p = first.first().map(|t| self.context.polygon.ends(*t).0);
@@ -187,7 +193,11 @@ impl<'a> Solution<'a> {
     }
 
     /// Returns the arms in the order in which the loop traverses them.
-    pub(super) fn in_order<'t>(&self, a: &'t [Term], b: &'t [Term]) -> [Vec<Term>; 2] {
+    pub(in crate::report::working) fn in_order<'t>(
+        &self,
+        a: &'t [Term],
+        b: &'t [Term],
+    ) -> [Vec<Term>; 2] {
         let count = self.of.terms.len();
         let is_arm = |term: &Term| a.contains(term) || b.contains(term);
         let starts = (0..count).find(|&i| {
@@ -213,14 +223,20 @@ impl<'a> Solution<'a> {
     }
 
     /// Writes the angle of the link with which a side rotates, if that is not the side's own.
-    pub(super) fn write_link_angle(&self, draft: &mut Draft, side: &Side, theta: f64, loss: f64) {
+    pub(in crate::report::working) fn write_link_angle(
+        &self,
+        draft: &mut Draft,
+        side: &Side,
+        theta: f64,
+        loss: f64,
+    ) {
         let (Turns::With(link, ahead), f) = (side.turns, self.figures) else {
             return;
         };
         if side.shape == SideShape::Link(link) {
             return;
         }
-        let symbol = super::symbols::theta(self.context.scene.link_name(link));
+        let symbol = symbols::theta(self.context.scene.link_name(link));
         let computed = theta - ahead;
         draft.agree_angle(&symbol, computed, self.context.state.angle(link), loss);
         draft.page.equation([
@@ -230,7 +246,7 @@ impl<'a> Solution<'a> {
         ]);
     }
 
-    pub(super) fn longest(&self) -> f64 {
+    pub(in crate::report::working) fn longest(&self) -> f64 {
         self.members
             .iter()
             .fold(0.0, |maximum, m| maximum.max(m.reading.r.abs()))
@@ -238,23 +254,23 @@ impl<'a> Solution<'a> {
 }
 
 /// One arm of a dyad.
-pub(super) struct DyadArm<'a> {
+pub(in crate::report::working) struct DyadArm<'a> {
     /// The side, if it is a single one.
-    pub(super) side: Option<&'a Side>,
+    pub(in crate::report::working) side: Option<&'a Side>,
     /// The symbol of its length.
-    pub(super) length: String,
-    pub(super) value: f64,
-    pub(super) given: bool,
+    pub(in crate::report::working) length: String,
+    pub(in crate::report::working) value: f64,
+    pub(in crate::report::working) given: bool,
     /// The symbol of the unknown angle.
-    pub(super) theta: String,
+    pub(in crate::report::working) theta: String,
     /// The angle, in degrees, by which the arm's direction along the loop leads the unknown angle.
-    pub(super) ahead: f64,
+    pub(in crate::report::working) ahead: f64,
     /// The solver's angle.
-    pub(super) solved: f64,
+    pub(in crate::report::working) solved: f64,
 }
 
 impl DyadArm<'_> {
-    pub(super) fn figure(&self, figures: Figures) -> String {
+    pub(in crate::report::working) fn figure(&self, figures: Figures) -> String {
         if self.given {
             figures.given(self.value)
         } else {
@@ -263,7 +279,7 @@ impl DyadArm<'_> {
     }
 
     /// Returns the direction along the loop, in the solver's state.
-    pub(super) fn direction(&self) -> Vec2 {
+    pub(in crate::report::working) fn direction(&self) -> Vec2 {
         angle::unit(self.solved + self.ahead)
     }
 }
@@ -272,12 +288,12 @@ fn length(figures: Figures, value: f64) -> String {
     format!("{} {UNIT}{}", figures.number(value), figures.unit)
 }
 
-pub(super) fn degrees(figures: Figures, value: f64) -> String {
+pub(in crate::report::working) fn degrees(figures: Figures, value: f64) -> String {
     format!("{} deg", figures.number(value))
 }
 
 /// Formats a sum of angles as calculated, and from 0 to below 360 if that differs.
-pub(super) fn angle_sum(figures: Figures, value: f64) -> String {
+pub(in crate::report::working) fn angle_sum(figures: Figures, value: f64) -> String {
     let direction = figures.direction(value);
     if (0.0..angle::TURN).contains(&value) {
         format!("{direction} deg")
@@ -287,7 +303,7 @@ pub(super) fn angle_sum(figures: Figures, value: f64) -> String {
 }
 
 /// Formats an angle as calculated, and from 0 to below 360 if that differs.
-pub(super) fn turn(figures: Figures, value: f64) -> String {
+pub(in crate::report::working) fn turn(figures: Figures, value: f64) -> String {
     let half = angle::TURN / 2.0;
     let signed = angle::wrapped(value + half) - half;
     let direction = figures.direction(value);

@@ -1,16 +1,16 @@
 //! The sides of the vector polygons: the scene's vectors, and unnamed ones between two joints of
 //! one body that a loop needs.
 
-use super::symbols;
 use crate::quantity::{Aspect, Subject, value};
 use crate::report::tables::shared_body;
+use crate::report::working::symbols;
 use crate::scene::{Scene, Vector, VectorKind};
 use crate::solver::Known;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2, angle};
 
 /// The kind of side.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum SideShape {
+pub(in crate::report::working) enum SideShape {
     /// A link, from end to end.
     Link(LinkId),
     /// A slide, from the sliding point back to `through`.
@@ -23,7 +23,7 @@ pub(super) enum SideShape {
 
 /// The dependence of a side's direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Turns {
+pub(in crate::report::working) enum Turns {
     /// Constant.
     Never,
     /// The direction of a link plus a constant angle in degrees.
@@ -34,7 +34,7 @@ pub(super) enum Turns {
 
 /// A vector of the loop equations.
 #[derive(Clone, Debug)]
-pub(super) struct Side {
+pub(in crate::report::working) struct Side {
     pub name: String,
     pub tail: String,
     pub head: String,
@@ -47,7 +47,7 @@ pub(super) struct Side {
 /// The length and direction of a side in a state, with their rates; these are 0 if they do not
 /// exist.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct SideReading {
+pub(in crate::report::working) struct SideReading {
     pub r: f64,
     pub rate: f64,
     pub accel: f64,
@@ -61,7 +61,7 @@ pub(super) struct SideReading {
 
 impl SideReading {
     /// Returns the vector of the side, head minus tail.
-    pub(super) fn vector(&self) -> Vec2 {
+    pub(in crate::report::working) fn vector(&self) -> Vec2 {
         self.u * self.r
     }
 }
@@ -69,13 +69,13 @@ impl SideReading {
 /// For every link, the link or ground to which slides lock its direction, and the angle between
 /// both.
 #[derive(Clone, Debug)]
-pub(super) struct Locks {
+pub(in crate::report::working) struct Locks {
     root: Vec<Body>,
     offset: Vec<f64>,
 }
 
 impl Locks {
-    pub(super) fn of(mechanism: &Mechanism) -> Locks {
+    pub(in crate::report::working) fn of(mechanism: &Mechanism) -> Locks {
         let links = mechanism.links().len();
         let mut locks = Locks {
             root: mechanism.link_ids().map(Body::Link).collect(),
@@ -128,7 +128,7 @@ impl Locks {
     }
 
     /// Returns the dependence of a direction at `angle` to a body.
-    pub(super) fn turns(&self, body: Body, angle: f64) -> Turns {
+    pub(in crate::report::working) fn turns(&self, body: Body, angle: f64) -> Turns {
         let Body::Link(link) = body else {
             return Turns::Never;
         };
@@ -143,7 +143,7 @@ impl Locks {
 
 impl Side {
     /// Creates the side of a vector of the scene.
-    pub(super) fn of(
+    pub(in crate::report::working) fn of(
         scene: &Scene,
         vector: &Vector,
         locks: &Locks,
@@ -178,7 +178,7 @@ impl Side {
 
     /// Returns the link with which it rotates, after which its angular velocity is named; `None` if
     /// it does not rotate, or with two bodies.
-    pub(super) fn turns_with(&self) -> Option<LinkId> {
+    pub(in crate::report::working) fn turns_with(&self) -> Option<LinkId> {
         match self.turns {
             Turns::With(link, _) => Some(link),
             Turns::Never | Turns::Freely => None,
@@ -186,23 +186,27 @@ impl Side {
     }
 
     /// Returns `true` if its length changes.
-    pub(super) fn stretches(&self) -> bool {
+    pub(in crate::report::working) fn stretches(&self) -> bool {
         matches!(self.shape, SideShape::Slide(_) | SideShape::Free(..))
     }
 
     /// Returns the symbol of its angle.
-    pub(super) fn theta(&self) -> String {
+    pub(in crate::report::working) fn theta(&self) -> String {
         symbols::theta(&self.name)
     }
 
     /// Returns the name used for its angular velocity: that of the link with which it rotates.
-    pub(super) fn turner<'a>(&'a self, scene: &'a Scene) -> &'a str {
+    pub(in crate::report::working) fn turner<'a>(&'a self, scene: &'a Scene) -> &'a str {
         self.turns_with()
             .map_or(self.name.as_str(), |link| scene.link_name(link))
     }
 
     /// Evaluates the side in a state that has an assembly; rates are 0 if they do not exist.
-    pub(super) fn read(&self, mechanism: &Mechanism, state: Known<'_>) -> SideReading {
+    pub(in crate::report::working) fn read(
+        &self,
+        mechanism: &Mechanism,
+        state: Known<'_>,
+    ) -> SideReading {
         let figure = |subject, aspect| value(subject, aspect, &state).unwrap_or(0.0);
         let turning = |subject, reading: SideReading| SideReading {
             omega: figure(subject, Aspect::Omega),
@@ -272,7 +276,7 @@ impl Side {
 }
 
 /// Returns the distance of a link's ends.
-pub(super) fn length(mechanism: &Mechanism, link: LinkId) -> f64 {
+pub(in crate::report::working) fn length(mechanism: &Mechanism, link: LinkId) -> f64 {
     let link = mechanism.link(link);
     let to = link.ends.and_then(|(_, to)| link.local(to));
     to.map_or(0.0, Vec2::norm)

@@ -1,13 +1,13 @@
 //! Interpolates forces over a coordinate, linearly between two knots.
 
-use super::context::{Context, Draft};
-use super::expression::Expression;
 use crate::Profile;
 use crate::page::UNIT;
+use crate::report::working::context::{Context, Draft};
+use crate::report::working::expression::Expression;
 
 /// Returns the two knots that enclose a coordinate; at a jump, those of the line after it. Returns
 /// `None` beyond the knots.
-pub(super) fn line_at(curve: &Profile, at: f64) -> Option<[[f64; 2]; 2]> {
+pub(in crate::report::working) fn line_at(curve: &Profile, at: f64) -> Option<[[f64; 2]; 2]> {
     let is_on = |pair: &&[[f64; 2]]| pair[0][0] <= at && at <= pair[1][0];
     let mut lines = curve.knots().windows(2);
     let line = lines.rfind(|pair| pair[0][0] < pair[1][0] && is_on(pair))?;
@@ -17,7 +17,7 @@ pub(super) fn line_at(curve: &Profile, at: f64) -> Option<[[f64; 2]; 2]> {
 /// Writes the force p on the line between two knots, and returns it with the magnitude of its
 /// terms. `symbol` is the coordinate's name, and its rounding error is that of values of the given
 /// size.
-pub(super) fn on_line(
+pub(in crate::report::working) fn on_line(
     context: &Context<'_>,
     draft: &mut Draft,
     symbol: &str,

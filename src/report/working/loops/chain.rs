@@ -1,10 +1,11 @@
 //! Converts the loop equations of a scene to a chain of dependent values.
 
-use super::Working;
-use super::context::Context;
 use super::group_unknowns::LoopUnknown;
 use super::polygon::Term;
 use super::sides::{Locks, SideShape, Turns};
+use crate::report::working::Working;
+use crate::report::working::context::Context;
+use crate::report::working::methods;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
 use crate::study::{ChainGroup, LoopSum, SolutionChain, UnknownKind, UnknownVector, VectorPart};
@@ -166,7 +167,7 @@ fn is_held(context: &Context<'_>, input: Input) -> bool {
 }
 
 fn kind(unknown: LoopUnknown) -> UnknownKind {
-    super::methods::kind(unknown)
+    methods::kind(unknown)
 }
 
 /// Returns the value and the rates of a variable in the state; an angle in rad. Returns `None` for

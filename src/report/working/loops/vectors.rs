@@ -1,12 +1,12 @@
 //! The vectors of each loop with their given or computed values, for tables with a column per
 //! vector and for drawn polygons.
 
-use super::Working;
-use super::context::Context;
-use super::introduction::sum_text;
 use super::polygon::{Loop, Term};
 use super::sides::{Side, SideReading, SideShape};
-use super::symbols;
+use crate::report::working::Working;
+use crate::report::working::context::Context;
+use crate::report::working::introduction::sum_text;
+use crate::report::working::symbols;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
 use crate::wording::words;
