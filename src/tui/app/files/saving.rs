@@ -1,9 +1,9 @@
 //! Writes the scene, values and images to files, with a prompt if something would be lost.
 
-use super::{App, Mode};
 use crate::files::WriteError;
 use crate::scene::Scene;
 use crate::tui::Origin;
+use crate::tui::app::{App, Mode};
 use crate::tui::commands::action::Action;
 use crate::tui::document::disk::FileStatus;
 use crate::tui::document::edit_result;
@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 impl App {
     /// Saves the scene to its own file, or asks for a file.
-    pub(super) fn save_own(&mut self) {
+    pub(in crate::tui::app) fn save_own(&mut self) {
         self.player.playback.pause();
         let Origin::File(path) = self.player.open_scene.origin() else {
             self.prompt_for_name();
@@ -38,7 +38,7 @@ impl App {
     }
 
     /// Asks for the name of another file.
-    pub(super) fn prompt_for_name(&mut self) {
+    pub(in crate::tui::app) fn prompt_for_name(&mut self) {
         self.player.playback.pause();
         let proposal = match self.player.open_scene.origin() {
             Origin::File(path) => path.to_string_lossy().into_owned(),
@@ -55,7 +55,7 @@ impl App {
 
     /// Writes content to a file, within the granted permissions. A saved scene then belongs to that
     /// file.
-    pub(super) fn store(&mut self, content: SavedContent, to: PathBuf, leave: Leave) {
+    pub(in crate::tui::app) fn store(&mut self, content: SavedContent, to: PathBuf, leave: Leave) {
         if self.document.storing {
             self.shell.set_message(words().still_writing());
             return;

@@ -1,7 +1,7 @@
 //! Watches the scene's file and rereads it after changes by other programs.
 
-use super::{App, Effect, Unsaved};
 use crate::scene::Scene;
+use crate::tui::app::{App, Effect, Unsaved};
 use crate::tui::commands::action::Action;
 use crate::tui::document::disk::{FileCheckOutcome, FileStatus, unmarked};
 use crate::tui::document::history::Deed;
@@ -29,14 +29,14 @@ impl App {
 
     /// Handles the results of finished file operations where the caller cannot quit the program. A
     /// pending quit is left to the next call that can.
-    pub(super) fn drain_results(&mut self, now: Duration) {
+    pub(in crate::tui::app) fn drain_results(&mut self, now: Duration) {
         while let Some(then) = self.clerk.next() {
             then(self, now);
         }
     }
 
     /// Starts watching the scene's file.
-    pub(super) fn watch(&mut self) {
+    pub(in crate::tui::app) fn watch(&mut self) {
         let origin = self.player.open_scene.origin();
         self.document.belong_to(origin);
         self.check_file(self.now, true);
@@ -103,7 +103,7 @@ impl App {
     }
 
     /// Rereads the file on request; replaces unsaved edits only if `over`.
-    pub(super) fn reload(&mut self, over: bool) {
+    pub(in crate::tui::app) fn reload(&mut self, over: bool) {
         let Origin::File(path) = self.player.open_scene.origin().clone() else {
             self.shell.set_message(words().no_file_to_read());
             return;

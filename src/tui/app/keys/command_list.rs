@@ -1,9 +1,9 @@
 //! Lists all commands, filters the list and runs one.
 
-use super::quitting::Pending;
-use super::{App, Effect, Mode};
 use crate::files::{directories, from_home};
 use crate::scene::presets;
+use crate::tui::app::files::quitting::Pending;
+use crate::tui::app::{App, Effect, Mode};
 use crate::tui::commands::action::{Action, KeyContext, entry_of};
 use crate::tui::commands::key::Key;
 use crate::tui::document::opening::{self, OpenFileError, OpenedFile};
@@ -16,12 +16,12 @@ use std::time::Duration;
 
 impl App {
     /// Opens the list of commands.
-    pub(super) fn list_commands(&mut self) {
+    pub(in crate::tui::app) fn list_commands(&mut self) {
         self.shell.mode = Mode::Palette(CommandList::new());
     }
 
     /// Handles a key of the list. Returns `None` for keys with the same meaning everywhere.
-    pub(super) fn palette_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
+    pub(in crate::tui::app) fn palette_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         let page = self.page();
         let Mode::Palette(palette) = &mut self.shell.mode else {
             return None;

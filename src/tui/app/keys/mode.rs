@@ -1,7 +1,7 @@
 //! Defines the input modes.
 
-use super::Unsaved;
-use super::goal_run::GoalRun;
+use crate::tui::app::Unsaved;
+use crate::tui::app::goal_run::GoalRun;
 use crate::tui::commands::line::EditLine;
 use crate::tui::document::writing::{Prompt, Question};
 use crate::tui::figures::search::NameSearch;
@@ -63,7 +63,7 @@ impl Mode {
     }
 
     /// Returns the input line of this mode, if it has one.
-    pub(super) fn line(&mut self) -> Option<&mut EditLine> {
+    pub(in crate::tui::app) fn line(&mut self) -> Option<&mut EditLine> {
         match self {
             Mode::GoTo(line) | Mode::Guess(line) | Mode::Goal(line) | Mode::Value(line) => {
                 Some(line)

@@ -1,7 +1,7 @@
 //! Records unsaved edits for recovery and restores those of earlier sessions.
 
 use super::super::Origin;
-use super::{App, Effect, Mode};
+use crate::tui::app::{App, Effect, Mode};
 use crate::tui::commands::action::Action;
 use crate::tui::commands::key::Key;
 use crate::tui::document::SharedRecovery;
@@ -44,13 +44,13 @@ impl App {
     }
 
     /// Watches the file of a newly opened scene and offers edits of earlier sessions.
-    pub(super) fn meet(&mut self) {
+    pub(in crate::tui::app) fn meet(&mut self) {
         self.watch();
         self.remember(true);
     }
 
     /// Opens a recovery record for the scene and, if `offers`, offers the edits of other sessions.
-    pub(super) fn remember(&mut self, offers: bool) {
+    pub(in crate::tui::app) fn remember(&mut self, offers: bool) {
         let before = self.document.recovery.take();
         let Some(folder) = self.document.folder.clone() else {
             return;
@@ -92,7 +92,7 @@ impl App {
     }
 
     /// Records the edits for recovery after a change, or removes the record if nothing is unsaved.
-    pub(super) fn keep(&mut self) {
+    pub(in crate::tui::app) fn keep(&mut self) {
         if self.has_edits() && std::mem::take(&mut self.document.has_no_edits_folder) {
             let message = words().edits_kept_nowhere().to_owned();
             self.clerk
@@ -123,7 +123,7 @@ impl App {
     }
 
     /// Updates the recovery record after a save: keeps later edits and drops restored ones.
-    pub(super) fn keep_saved(&mut self) {
+    pub(in crate::tui::app) fn keep_saved(&mut self) {
         if !self.has_edits() {
             self.release();
             return;
@@ -138,7 +138,7 @@ impl App {
     }
 
     /// Removes the recovery record because the edits are saved or discarded.
-    pub(super) fn release(&mut self) {
+    pub(in crate::tui::app) fn release(&mut self) {
         if let Some(kept) = self.document.recovery.clone() {
             self.clerk.submit(move || {
                 locked(&kept).release();
@@ -149,7 +149,11 @@ impl App {
 
     /// Handles a key while edits are offered. Returns `None` for keys with the same meaning
     /// everywhere. Keys typed before the offer was readable are ignored.
-    pub(super) fn handle_offer_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
+    pub(in crate::tui::app) fn handle_offer_key(
+        &mut self,
+        key: Key,
+        now: Duration,
+    ) -> Option<Effect> {
         let (page, is_readable) = (self.page(), self.shell.can_be_answered(now));
         let Mode::Recovery(offer) = &mut self.shell.mode else {
             return None;

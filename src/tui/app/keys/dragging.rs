@@ -4,11 +4,11 @@
 //! depends on them. A ground pin moves by its coordinates; the free end of a link moves by its
 //! coordinates on the link or by the link's length.
 
-use super::App;
 use super::pointing::DragTarget;
 use crate::CoordinateAxis;
 use crate::scene::{Measure, Scene, Value};
 use crate::solver::State;
+use crate::tui::app::App;
 use crate::tui::document::history::Deed;
 use crate::wording::words;
 use crate::{LinkId, PointId, Vec2};
@@ -17,7 +17,7 @@ use std::time::Duration;
 /// The values in the scene's text that determine a point's position. All are kept by name, because
 /// an edit may renumber them.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct TypedPlace {
+pub(in crate::tui::app) struct TypedPlace {
     point: String,
     /// The link in whose frame the values are; `None` for the ground frame.
     link: Option<String>,
@@ -109,7 +109,7 @@ impl TypedPlace {
 impl App {
     /// Returns the named point nearest to `place` within `reach`, among ground points and points of
     /// a single link.
-    pub(super) fn typed_near(&self, position: Vec2, reach: f64) -> Option<PointId> {
+    pub(in crate::tui::app) fn typed_near(&self, position: Vec2, reach: f64) -> Option<PointId> {
         let (scene, state) = (
             self.player.open_scene.scene(),
             self.player.open_scene.state(),
@@ -129,7 +129,7 @@ impl App {
     }
 
     /// Moves the cursor to the first value of a point and starts a new edit.
-    pub(super) fn take_point(&mut self, point: PointId) {
+    pub(in crate::tui::app) fn take_point(&mut self, point: PointId) {
         let Some(typed) = TypedPlace::of(self.player.open_scene.scene(), point) else {
             return;
         };
@@ -155,7 +155,12 @@ impl App {
     }
 
     /// Moves a point's values to the mouse position, in multiples of the editor's step.
-    pub(super) fn drag_point(&mut self, typed: &TypedPlace, position: Vec2, now: Duration) {
+    pub(in crate::tui::app) fn drag_point(
+        &mut self,
+        typed: &TypedPlace,
+        position: Vec2,
+        now: Duration,
+    ) {
         let open_scene = &self.player.open_scene;
         let link = typed.link.as_deref();
         let Some(position) = in_frame(open_scene.scene(), open_scene.state(), link, position)

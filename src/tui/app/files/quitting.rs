@@ -1,7 +1,7 @@
 //! Quits the program or replaces the scene, with a prompt about unsaved edits.
 
 use super::super::OpenedScene;
-use super::{App, Effect, Mode};
+use crate::tui::app::{App, Effect, Mode};
 use crate::tui::commands::key::Key;
 use std::time::Duration;
 
@@ -27,7 +27,7 @@ pub(crate) enum Pending {
 
 impl App {
     /// Returns `true` if there are applied or staged edits that no file holds.
-    pub(super) fn has_edits(&self) -> bool {
+    pub(in crate::tui::app) fn has_edits(&self) -> bool {
         self.is_changed() || self.is_waiting()
     }
 
@@ -37,7 +37,7 @@ impl App {
     }
 
     /// Quits, or asks first if something would be lost.
-    pub(super) fn quit(&mut self) -> Effect {
+    pub(in crate::tui::app) fn quit(&mut self) -> Effect {
         if !self.loses_edits() {
             return Effect::Quit;
         }
@@ -59,13 +59,13 @@ impl App {
     }
 
     /// Asks whether to save or discard unsaved edits.
-    pub(super) fn prompt_about_edits(&mut self, question: Unsaved) {
+    pub(in crate::tui::app) fn prompt_about_edits(&mut self, question: Unsaved) {
         self.shell.open_prompt(Mode::Unsaved(question));
     }
 
     /// Handles a key of the prompt about unsaved edits. Returns `None` for keys with the same
     /// meaning everywhere.
-    pub(super) fn answer(&mut self, key: Key, now: Duration) -> Option<Effect> {
+    pub(in crate::tui::app) fn answer(&mut self, key: Key, now: Duration) -> Option<Effect> {
         let Mode::Unsaved(question) = &self.shell.mode else {
             return None;
         };
@@ -97,7 +97,7 @@ impl App {
 
     /// Runs the pending action after a key, once all edits are saved. Drops it if the user returned
     /// to unsaved edits.
-    pub(super) fn settle(&mut self, effect: Effect) -> Effect {
+    pub(in crate::tui::app) fn settle(&mut self, effect: Effect) -> Effect {
         if !self.shell.mode.is_normal() || self.pending.is_none() || self.document.storing {
             return effect;
         }

@@ -1,8 +1,8 @@
 //! Compares the open scene with another one.
 
 use super::super::OpenedScene;
-use super::{App, BackTarget};
 use crate::report::Tables;
+use crate::tui::app::{App, BackTarget};
 use crate::tui::figures::sheet::Sheet;
 use crate::tui::player::compared_scene::ComparedScene;
 use crate::tui::views::scene_picker::list::{PickerTarget, Purpose};
@@ -10,21 +10,21 @@ use crate::wording::words;
 
 /// The scene compared with the open one.
 #[derive(Debug, Default)]
-pub(super) struct Comparison {
+pub(in crate::tui::app) struct Comparison {
     compared: Option<ComparedScene>,
     /// The scene of the last comparison.
     last: Option<PickerTarget>,
 }
 
 impl Comparison {
-    pub(super) fn compared(&self) -> Option<&ComparedScene> {
+    pub(in crate::tui::app) fn compared(&self) -> Option<&ComparedScene> {
         self.compared.as_ref()
     }
 }
 
 impl App {
     /// Lets the user pick a scene to compare with, or ends a running comparison.
-    pub(super) fn compare(&mut self) {
+    pub(in crate::tui::app) fn compare(&mut self) {
         if self.end_comparison() {
             self.sample();
             self.shell.set_message(words().no_longer_compared());
@@ -37,7 +37,7 @@ impl App {
 
     /// Starts a comparison of the open scene with another one. Returns a message if the two cannot
     /// be compared.
-    pub(super) fn compare_with(
+    pub(in crate::tui::app) fn compare_with(
         &mut self,
         place: PickerTarget,
         name: String,
@@ -57,7 +57,7 @@ impl App {
 
     /// Moves the compared scene to the open scene's coordinate. After an edit, it is first matched
     /// to the open scene again.
-    pub(super) fn follow(&mut self) {
+    pub(in crate::tui::app) fn follow(&mut self) {
         let Some(mut compared) = self.comparison.compared.take() else {
             return;
         };
@@ -74,7 +74,7 @@ impl App {
     }
 
     /// Ends the comparison. Returns `true` if there was one.
-    pub(super) fn end_comparison(&mut self) -> bool {
+    pub(in crate::tui::app) fn end_comparison(&mut self) -> bool {
         let compared = self.comparison.compared.take().is_some();
         self.scroll_by(0);
         compared

@@ -1,12 +1,12 @@
 //! Opens the help, turns its pages and searches it.
 
-use super::{App, Effect, Mode};
+use crate::tui::app::{App, Effect, Mode};
 use crate::tui::commands::key::Key;
 use crate::tui::views::help::text::Help;
 
 impl App {
     /// Opens or closes the help.
-    pub(super) fn toggle_help(&mut self) {
+    pub(in crate::tui::app) fn toggle_help(&mut self) {
         self.shell.mode = match self.shell.mode {
             Mode::Help(_) => self.below(),
             Mode::Candidates => Mode::Help(Help::over_candidates()),
@@ -15,7 +15,7 @@ impl App {
     }
 
     /// Returns the mode to restore when an overlay closes.
-    pub(super) fn below(&self) -> Mode {
+    pub(in crate::tui::app) fn below(&self) -> Mode {
         match &self.shell.mode {
             Mode::Help(help) if help.returns_to_candidates => Mode::Candidates,
             _ => Mode::Normal,
@@ -23,14 +23,14 @@ impl App {
     }
 
     /// Wraps the shown topic to the screen's width.
-    pub(super) fn relayout_help(&mut self) {
+    pub(in crate::tui::app) fn relayout_help(&mut self) {
         if let Mode::Help(help) = &mut self.shell.mode {
             help.layout_topic(self.shell.size.width, &self.shell.keymap);
         }
     }
 
     /// Handles a key of the search line. Returns `None` for keys with the same meaning everywhere.
-    pub(super) fn handle_search_key(&mut self, key: Key) -> Option<Effect> {
+    pub(in crate::tui::app) fn handle_search_key(&mut self, key: Key) -> Option<Effect> {
         let (columns, keymap) = (self.shell.size.width, &self.shell.keymap);
         let Mode::Help(help) = &mut self.shell.mode else {
             return None;

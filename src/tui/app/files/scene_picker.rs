@@ -1,8 +1,8 @@
 //! Lets the user pick a preset or a file.
 
 use super::super::Origin;
-use super::{App, Effect, Mode};
 use crate::scene::presets;
+use crate::tui::app::{App, Effect, Mode};
 use crate::tui::commands::key::Key;
 use crate::tui::document::opening::{self, OpenFileError, OpenedFile};
 use crate::tui::views::scene_picker::list::{
@@ -17,12 +17,12 @@ use std::time::Duration;
 
 impl App {
     /// Lists the scenes that can be opened, starting in the folder of the open file.
-    pub(super) fn pick(&mut self) {
+    pub(in crate::tui::app) fn pick(&mut self) {
         self.list(Purpose::Open, None);
     }
 
     /// Opens the list with the cursor on `at`, or on the open scene.
-    pub(super) fn list(&mut self, purpose: Purpose, at: Option<PickerTarget>) {
+    pub(in crate::tui::app) fn list(&mut self, purpose: Purpose, at: Option<PickerTarget>) {
         let folder = match self.player.open_scene.origin() {
             Origin::File(path) => path.parent().map(Path::to_owned),
             Origin::Preset(_) | Origin::New(_) | Origin::Stdin => None,
@@ -68,7 +68,7 @@ impl App {
     }
 
     /// Returns `true` if the scene's text differs from the opened text.
-    pub(super) fn is_edited(&self) -> bool {
+    pub(in crate::tui::app) fn is_edited(&self) -> bool {
         self.player.open_scene.scene().text() != &*self.document.original
     }
 
@@ -104,7 +104,7 @@ impl App {
 
     /// Handles a key of the list; letters narrow the search. Returns `None` for keys with the same
     /// meaning everywhere.
-    pub(super) fn pick_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
+    pub(in crate::tui::app) fn pick_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         let page = self.page();
         let Mode::AssemblyChoice(picker) = &mut self.shell.mode else {
             return None;

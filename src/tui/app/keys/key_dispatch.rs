@@ -1,6 +1,6 @@
 //! Dispatches keys and pasted text according to the mode.
 
-use super::{App, Effect, Mode, View};
+use crate::tui::app::{App, Effect, Mode, View};
 use crate::tui::commands::action::Action;
 use crate::tui::commands::key::Key;
 use crate::tui::commands::line::EditLine;
@@ -153,7 +153,7 @@ impl App {
     }
 
     /// Returns `true` if the mode permits an action that is not its own.
-    pub(super) fn takes(&self, action: Action) -> bool {
+    pub(in crate::tui::app) fn takes(&self, action: Action) -> bool {
         match self.shell.mode {
             Mode::Tour(_) => screens::allows(action),
             _ => self.shell.mode.is_normal(),
@@ -182,7 +182,7 @@ impl App {
     }
 
     /// Goes one level back: closes a mode, or ends what [`App::back_target`] says.
-    pub(super) fn back(&mut self) {
+    pub(in crate::tui::app) fn back(&mut self) {
         if let Mode::Help(help) = &mut self.shell.mode
             && help.show_all()
         {

@@ -1,7 +1,7 @@
 //! Asks for file names and for permission to write.
 
-use super::{App, Effect, Mode};
 use crate::files::{directories, from_home};
+use crate::tui::app::{App, Effect, Mode};
 use crate::tui::commands::key::Key;
 use crate::tui::commands::line::EditLine;
 use crate::tui::document::saving::Leave;
@@ -11,7 +11,7 @@ use std::time::Duration;
 impl App {
     /// Handles the key that permits a write. Returns `None` for keys with the same meaning
     /// everywhere.
-    pub(super) fn confirm_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
+    pub(in crate::tui::app) fn confirm_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         let Mode::Confirm(question) = &self.shell.mode else {
             return None;
         };
@@ -29,7 +29,7 @@ impl App {
     }
 
     /// Writes to the typed file, without permission to overwrite an existing one.
-    pub(super) fn accept_file(&mut self, prompt: Prompt) {
+    pub(in crate::tui::app) fn accept_file(&mut self, prompt: Prompt) {
         let typed = prompt.name.text().trim();
         self.shell.mode = Mode::Normal;
         if !typed.is_empty() {
@@ -39,7 +39,7 @@ impl App {
     }
 
     /// Asks for a file name, with a proposal.
-    pub(super) fn prompt_for_file(&mut self, content: SavedContent, proposal: &str) {
+    pub(in crate::tui::app) fn prompt_for_file(&mut self, content: SavedContent, proposal: &str) {
         let name = EditLine::for_file(proposal);
         self.shell.mode = Mode::FileName(Prompt { content, name });
     }

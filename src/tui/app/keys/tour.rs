@@ -1,13 +1,13 @@
 //! Starts the tour and turns its pages.
 
-use super::{App, Effect, Mode};
 use crate::files::directories;
+use crate::tui::app::{App, Effect, Mode};
 use crate::tui::commands::key::Key;
 use crate::tui::views::tour::screens::{SCREENS, is_first_start};
 
 impl App {
     /// Starts the tour.
-    pub(super) fn tour(&mut self) {
+    pub(in crate::tui::app) fn tour(&mut self) {
         self.shell.mode = Mode::Tour(0);
     }
 
@@ -25,7 +25,7 @@ impl App {
     }
 
     /// Handles the keys that turn the tour's pages. Returns `None` for all others.
-    pub(super) fn turn_page(&mut self, key: Key) -> Option<Effect> {
+    pub(in crate::tui::app) fn turn_page(&mut self, key: Key) -> Option<Effect> {
         let Mode::Tour(number) = self.shell.mode else {
             return None;
         };

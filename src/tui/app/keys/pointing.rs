@@ -1,7 +1,7 @@
 //! Handles the mouse. Every mouse action is also available by key.
 
 use super::dragging::TypedPlace;
-use super::{App, Effect, Mode, View};
+use crate::tui::app::{App, Effect, Mode, View};
 use crate::tui::commands::key::Key;
 use crate::tui::commands::mouse::{Mouse, MouseEventKind};
 use crate::tui::figures::cursor::Cursor;
@@ -17,7 +17,7 @@ const PICK_DISTANCE: f64 = 1.5;
 
 /// The object that the pressed button drags.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) enum DragTarget {
+pub(in crate::tui::app) enum DragTarget {
     #[default]
     Nothing,
     /// The driver, with the lead of its coordinate over the mouse's. The viewport may follow the
@@ -36,7 +36,7 @@ impl App {
     }
 
     /// Takes over the mouse, or returns it to the terminal.
-    pub(super) fn toggle_mouse(&mut self) {
+    pub(in crate::tui::app) fn toggle_mouse(&mut self) {
         self.shell.has_mouse = !self.shell.has_mouse;
         self.end_drag();
         self.shell.set_message(match self.shell.has_mouse {
@@ -162,7 +162,7 @@ impl App {
     }
 
     /// Ends a mouse drag.
-    pub(super) fn end_drag(&mut self) {
+    pub(in crate::tui::app) fn end_drag(&mut self) {
         self.shell.drag_target = DragTarget::Nothing;
         self.views.viewport.lens.end_drag();
     }

@@ -1,12 +1,12 @@
 //! Exports values, drawings, screens and reports.
 
 use super::super::views::{self, Copied};
-use super::{App, Effect, Mode};
 use crate::capability::{Detected, PictureProtocol};
 use crate::quantity::{Catalogue, Clock};
 use crate::report::{Columns, Report, RowFormat, Steps, Sweep, WrittenDecimal};
 use crate::solver::Order;
 use crate::tui::Origin;
+use crate::tui::app::{App, Effect, Mode};
 use crate::tui::commands::action::Action;
 use crate::tui::commands::key::Key;
 use crate::tui::document::writing::{SavedContent, Text};
@@ -17,7 +17,7 @@ use crate::tui::terminal::clipboard;
 use crate::wording::words;
 
 impl App {
-    pub(super) fn take_out(&mut self, action: Action) -> Effect {
+    pub(in crate::tui::app) fn take_out(&mut self, action: Action) -> Effect {
         match action {
             Action::Copy => return self.copy(),
             Action::Picture => return Effect::Picture,
@@ -81,7 +81,7 @@ impl App {
 
     /// Handles the keys that choose how much of the tables to copy. Returns `None` for keys with
     /// the same meaning everywhere.
-    pub(super) fn copy_key(&mut self, key: Key) -> Option<Effect> {
+    pub(in crate::tui::app) fn copy_key(&mut self, key: Key) -> Option<Effect> {
         let text = match key {
             Key::Char('v') => self.shown().value(self.views.cursor),
             Key::Char('r') => Some(self.shown().row(self.views.cursor)),

@@ -1,8 +1,8 @@
 //! Replaces the open scene by another one, or by an edited form of the same one.
 
-use super::shell::SceneBefore;
-use super::{App, Mode};
 use crate::tui::OpenedScene;
+use crate::tui::app::shell::SceneBefore;
+use crate::tui::app::{App, Mode};
 use crate::tui::document::opening;
 use crate::tui::player::Player;
 use crate::tui::player::open_scene::OpenScene;
@@ -11,7 +11,7 @@ use std::time::Duration;
 
 impl App {
     /// Opens the preset at a distance from the current one in the list of presets.
-    pub(super) fn open(&mut self, distance: isize) {
+    pub(in crate::tui::app) fn open(&mut self, distance: isize) {
         let Some(preset) = self.player.open_scene.preset_at(distance) else {
             self.shell.set_message(words().no_presets());
             return;
@@ -24,7 +24,7 @@ impl App {
 
     /// Shows another scene, paused at its initial coordinate, and resets all state of the previous
     /// one.
-    pub(super) fn show_now(&mut self, opened: OpenedScene) {
+    pub(in crate::tui::app) fn show_now(&mut self, opened: OpenedScene) {
         self.end_comparison();
         self.end_drag();
         self.document.open(&opened.scene);
