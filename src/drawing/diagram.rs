@@ -1,9 +1,9 @@
 //! Draws vectors to scale: the closed polygon of a loop's vectors, head to tail, and velocities or
 //! accelerations from one pole.
 
-use super::extents::Extents;
+use super::cells::render::{Glyphs, render};
 use super::figure::{Figure, Role, Shape};
-use super::render::{Glyphs, render};
+use super::motion::extents::Extents;
 use super::view::WorldView;
 use crate::page::{Artwork, StyleSheet, TextAnchor};
 use crate::{Vec2, angle};
@@ -75,27 +75,8 @@ const MIN_LEN: f64 = 2.0;
 const HALF_TEXT: f64 = 4.5;
 
 const STYLE: StyleSheet = StyleSheet {
-    light: "\
-.given{stroke:#222}
-.driven{stroke:#a50e16}
-.sought{stroke:#0000ff;stroke-dasharray:9 4}
-.part{stroke:#666;stroke-width:1.4;stroke-dasharray:4 3}
-.head{stroke-dasharray:none}
-.arc{stroke:#845a00;stroke-width:1.2}
-.level{stroke:#999;stroke-width:1;stroke-dasharray:2 4}
-.pole{fill:#222}
-.of-arc{fill:#845a00}
-",
-    dark: "\
-.given{stroke:#ddd}
-.driven{stroke:#ffaca4}
-.sought{stroke:#87d7ff}
-.part{stroke:#aaa}
-.arc{stroke:#deb43c}
-.level{stroke:#777}
-.pole{fill:#ddd}
-.of-arc{fill:#deb43c}
-",
+    light: include_str!("diagram/light.css"),
+    dark: include_str!("diagram/dark.css"),
 };
 
 /// Maximum columns and rows of the diagram in characters.

@@ -1,8 +1,8 @@
 //! Draws the free-body diagram of a link.
 
-use super::extents::Extents;
 use super::figure::{Figure, Role, Shape};
-use super::force_arrows::rounded;
+use super::motion::extents::Extents;
+use super::motion::force_arrows::rounded;
 use super::outline::{self, Corner};
 use super::roles::{link_roles, roles};
 use crate::scene::Scene;

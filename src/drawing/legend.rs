@@ -4,9 +4,9 @@
 //! v 500 mm/s = ------>   a 5000 mm/s^2 = -- ->>   trace P
 //! ```
 
-use super::arrow;
+use super::cells::arrow;
+use super::cells::render::Glyphs;
 use super::figure::Role;
-use super::render::Glyphs;
 use crate::wording::words;
 
 /// An entry of a legend.

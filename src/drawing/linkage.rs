@@ -2,9 +2,9 @@
 
 mod stops;
 
-use super::extents::Extents;
 use super::figure::{Figure, Role, Shape};
 use super::highlight;
+use super::motion::extents::Extents;
 use super::outline::{self, Corner};
 use super::roles::{link_roles, roles};
 use crate::quantity::Subject;

@@ -3,7 +3,7 @@
 mod following;
 
 use super::bounds::Bounds;
-use super::extents::{Extents, Margin};
+use super::motion::extents::{Extents, Margin};
 use crate::Vec2;
 pub(super) use following::WindowZoom;
 

@@ -9,36 +9,7 @@ use super::{Content, Equation, Facts, Illustration, Page, Row, Table};
 use crate::wording::words;
 use std::fmt::Write as _;
 
-const SHEET: &str = "\
-:root{color-scheme:light dark;--ink:#1b1b1b;--paper:#fff;--line:#bbb;--quiet:#555;--found:#8a1014}
-body{margin:2rem auto;padding:0 1rem;max-width:60rem;color:var(--ink);background:var(--paper);\
-font:16px/1.45 Georgia,'DejaVu Serif',serif}
-h1{font-size:1.7rem}
-h2{font-size:1.3rem;margin-top:2.2rem;border-bottom:1px solid var(--line)}
-h3{font-size:1.05rem;margin-top:1.6rem}
-.eq{margin:.35rem 0 .35rem 2rem;padding-left:2rem;text-indent:-2rem;overflow-wrap:break-word}
-i{font-family:Cambria,'STIX Two Math','DejaVu Serif',serif}
-sub,sup{font-size:.72em;line-height:0}
-.sheet{overflow-x:auto;margin:1rem 0}
-table{border-collapse:collapse;font-size:.95rem}
-th,td{padding:.2rem .7rem;text-align:right;white-space:nowrap}
-thead th{border-bottom:1px solid var(--ink)}
-tbody tr{border-bottom:1px solid var(--line)}
-th:first-child{text-align:left}
-tbody th{font-weight:normal}
-td.told{text-align:left;white-space:normal}
-td.found{color:var(--found);font-weight:bold}
-dl{display:grid;grid-template-columns:max-content auto;gap:.25rem 1.2rem}
-dt{color:var(--quiet)}
-dd{margin:0}
-figure{margin:1.2rem 0;break-inside:avoid}
-figcaption{color:var(--quiet);font-size:.9rem;margin-top:.3rem}
-.art{max-width:100%;height:auto;display:block}
-@page{size:A4;margin:18mm}
-@media print{body{margin:0;padding:0;max-width:none;font-size:10.5pt}table,.eq{break-inside:avoid}\
-.sheet{overflow:visible}table{font-size:8.5pt}th,td{padding:.1rem .35rem}tbody th{white-space:normal}\
-h2,h3{break-after:avoid}}
-";
+const SHEET: &str = include_str!("page.css");
 const DARK: &str = ":root{--ink:#ddd;--paper:#181818;--line:#555;--quiet:#aaa;--found:#ff9a94}\n";
 
 impl Page {

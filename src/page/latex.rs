@@ -6,24 +6,7 @@ use super::prose::{ProsePiece, is_spelled, is_symbol, with_marked_unit};
 use super::{Content, Equation, Facts, Illustration, Page, Row, Table};
 use std::fmt::Write as _;
 
-const HEAD: &str = "\
-\\documentclass[a4paper,11pt]{article}
-\\usepackage[utf8]{inputenc}
-\\usepackage{amsmath}
-\\usepackage{tikz}
-\\setlength{\\textwidth}{165mm}
-\\setlength{\\oddsidemargin}{-3mm}
-\\setlength{\\topmargin}{-10mm}
-\\setlength{\\headheight}{0mm}
-\\setlength{\\headsep}{0mm}
-\\setlength{\\textheight}{247mm}
-\\setlength{\\parindent}{0pt}
-\\setlength{\\parskip}{4pt}
-\\newcommand{\\eqline}[1]{\\par\\hangindent=16mm\\hangafter=1\\hspace*{6mm}\\(\\displaystyle #1\\)\\par}
-\\emergencystretch=3em
-\\raggedbottom
-\\begin{document}
-";
+const HEAD: &str = include_str!("preamble.tex");
 
 /// Characters per line of paper; wider tables are scaled down.
 const LINE: usize = 76;

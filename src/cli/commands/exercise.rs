@@ -65,18 +65,19 @@ pub(in crate::cli) fn exercise(args: &ExerciseArgs, screen: TextScreen) -> Resul
         return write_text(None, &sheet);
     };
     let format = args.format.unwrap_or_default();
+    let style = (format, dialect, screen);
     for seed in seeds.clone() {
         let names = endings(format).map(|ending| format!("{stem}-{seed}{ending}"));
         // A check of the contents is needed only if a file exists.
         if names.iter().any(|name| folder.join(name).exists()) {
-            made(seed)?.check_nothing_overwritten(folder, format, dialect, screen)?;
+            made(seed)?.check_nothing_overwritten(folder, style)?;
         }
     }
     let unwritable = |e| Failure::Output(Some(folder.clone()), e);
     std::fs::create_dir_all(folder).map_err(unwritable)?;
     let mut progress = Progress::new(args.count.into(), words().parts(), screen, false);
     for (done, seed) in (1..).zip(seeds) {
-        made(seed)?.write(folder, format, dialect, screen)?;
+        made(seed)?.write(folder, style)?;
         progress.report_progress(done);
     }
     progress.end();
@@ -166,6 +167,9 @@ impl QuestionState {
     }
 }
 
+/// How the files of an exercise are written.
+type FileStyle = (ReportFormat, CsvDialect, TextScreen);
+
 /// An exercise with its answers.
 struct GeneratedExercise {
     name: String,
@@ -215,9 +219,7 @@ impl GeneratedExercise {
     /// be filled in.
     fn files(
         &self,
-        format: ReportFormat,
-        dialect: CsvDialect,
-        screen: TextScreen,
+        (format, dialect, screen): FileStyle,
     ) -> Result<[(String, String); 4], Failure> {
         let mut blank = Vec::new();
         let written = blank_answers(&self.key, &self.scene_file(), dialect, &mut blank);
@@ -237,14 +239,8 @@ impl GeneratedExercise {
 
     /// Returns an error if a file with other contents would be overwritten. An existing file of
     /// answers may be replaced only if it has no answers.
-    fn check_nothing_overwritten(
-        &self,
-        folder: &Path,
-        format: ReportFormat,
-        dialect: CsvDialect,
-        screen: TextScreen,
-    ) -> Result<(), Failure> {
-        for (ending, text) in self.files(format, dialect, screen)? {
+    fn check_nothing_overwritten(&self, folder: &Path, style: FileStyle) -> Result<(), Failure> {
+        for (ending, text) in self.files(style)? {
             let path = folder.join(format!("{}{ending}", self.name));
             let is_lost = match read_without_waiting(&path, MAX_REPORT_SIZE) {
                 Ok(bytes) if ending == ANSWERS => !is_blank(&bytes, &self.key, &self.scene_file()),
@@ -260,14 +256,8 @@ impl GeneratedExercise {
     }
 
     /// Writes its four files.
-    fn write(
-        &self,
-        folder: &Path,
-        format: ReportFormat,
-        dialect: CsvDialect,
-        screen: TextScreen,
-    ) -> Result<(), Failure> {
-        for (ending, text) in self.files(format, dialect, screen)? {
+    fn write(&self, folder: &Path, style: FileStyle) -> Result<(), Failure> {
+        for (ending, text) in self.files(style)? {
             let path = folder.join(format!("{}{ending}", self.name));
             write_text(Some(&path), &text)?;
         }

@@ -14,9 +14,9 @@
 
 use super::frame::{FrameGlyphs, length, write};
 use super::layout::CellScale;
+use crate::drawing::cells::raster::Raster;
+use crate::drawing::cells::render::Glyphs;
 use crate::drawing::figure::Role;
-use crate::drawing::raster::Raster;
-use crate::drawing::render::Glyphs;
 use crate::wording::words;
 
 /// A point of a chart. Both coordinates must be positive and finite; other points are left out.

@@ -1,8 +1,8 @@
 //! The parts that plots and charts share: the axes that frame them, and text in cells.
 
+use crate::drawing::cells::raster::Raster;
+use crate::drawing::cells::render::Glyphs;
 use crate::drawing::figure::Role;
-use crate::drawing::raster::Raster;
-use crate::drawing::render::Glyphs;
 use std::ops::Range;
 
 /// The glyphs of axes, cursor and legend.

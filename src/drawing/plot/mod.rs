@@ -17,6 +17,8 @@
 
 mod band;
 mod chart;
+pub(super) mod convergence;
+pub(super) mod effort_plot;
 mod frame;
 mod layout;
 mod map;
@@ -26,6 +28,7 @@ mod svg_plot;
 #[cfg(test)]
 mod tests;
 mod ticks;
+pub(super) mod trade_off;
 
 pub use band::PlotBand;
 pub use chart::{Chart, Datum, DecadeAxis};

@@ -6,11 +6,11 @@ use super::path::{PLACE, Pen};
 use super::ticks::TickStyle;
 use super::{CurveTurn, Panel, Plot, PlotStyle};
 use crate::Vec2;
-use crate::drawing::blocks::settle;
+use crate::drawing::cells::blocks::settle;
+use crate::drawing::cells::labels::free_places;
+use crate::drawing::cells::raster::Raster;
+use crate::drawing::cells::render::Glyphs;
 use crate::drawing::figure::Role;
-use crate::drawing::labels::free_places;
-use crate::drawing::raster::Raster;
-use crate::drawing::render::Glyphs;
 use crate::quantity::StateValues;
 use crate::wording::words;
 

@@ -5,10 +5,10 @@
 //! With lines, box-drawing strokes join the cells and step from row to row. Braille dots do the
 //! same on a grid with eight dots per cell.
 
+use super::super::cells::raster::Raster;
+use super::super::cells::render::Glyphs;
+use super::super::cells::stroke::{clip_to, dot};
 use super::super::figure::Role;
-use super::super::raster::Raster;
-use super::super::render::Glyphs;
-use super::super::stroke::{clip_to, dot};
 use super::is_place;
 use crate::Vec2;
 

@@ -30,26 +30,8 @@ const HALF_TEXT: f64 = 4.5;
 const DASHES: usize = 5;
 
 const SHEET: StyleSheet = StyleSheet {
-    light: "\
-.axis{stroke-width:1}
-.grid{stroke:#bbb;stroke-width:.5}
-.cursor{stroke-width:1;stroke-dasharray:2 4}
-.dotted{stroke-width:1.5;stroke-dasharray:1 5}
-.c1{stroke:#b4002e;stroke-dasharray:9 5}
-.c2{stroke:#7a1fa2;stroke-dasharray:3 4}
-.c3{stroke:#005a9c;stroke-dasharray:12 4 3 4}
-.c4{stroke:#00695c;stroke-dasharray:16 6}
-.mark{fill:#222}
-.place{fill:none;stroke-width:1.2}
-",
-    dark: "\
-.grid{stroke:#555}
-.c1{stroke:#ff7a8a}
-.c2{stroke:#d79bff}
-.c3{stroke:#7cc4ff}
-.c4{stroke:#6fd8c8}
-.mark{fill:#ddd}
-",
+    light: include_str!("light.css"),
+    dark: include_str!("dark.css"),
 };
 
 impl Plot {

@@ -1,7 +1,7 @@
 //! Tests the places of names over whole motions: they rarely change sides, and hide nothing.
 
 use super::*;
-use crate::drawing::labels::Side;
+use crate::drawing::cells::labels::Side;
 
 /// Returns the figure of a linkage with the names of its points, as drawings show it.
 fn usual(stage: &DrawingStage, at: f64) -> Figure {
@@ -26,7 +26,7 @@ fn planned(stage: &DrawingStage, view: &WorldView, glyphs: Glyphs) -> Labels {
 /// Returns the number of names that hide a part of a bar, a mark or an arrow.
 fn covering(figure: &Figure, view: &WorldView, glyphs: Glyphs, labels: &Labels) -> usize {
     let mut plain = Raster::new();
-    crate::drawing::render::render_bare(figure, view, glyphs, &mut plain);
+    crate::drawing::cells::render::render_bare(figure, view, glyphs, &mut plain);
     let covers = |(text, at, right, down): &(&str, Vec2, i32, i32)| {
         let (col, row) = cell(view, *at);
         let mut cells = (0..).zip(text.chars());

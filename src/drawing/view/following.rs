@@ -5,7 +5,7 @@
 //! that fixed parts do not move between two steps. Both are rounded independently: steps that
 //! depend on each other would make the window shake.
 
-use super::super::poses::PoseExtents;
+use super::super::motion::poses::PoseExtents;
 use super::{Extents, Margin, WorldView};
 use crate::Vec2;
 

@@ -17,7 +17,7 @@ pub(super) fn check(context: &Context<'_>, draft: &mut Draft) {
         return;
     }
     closure(context, draft);
-    super::forces::check(context, draft);
+    super::free_bodies::forces::check(context, draft);
     if let Some(worst) = draft
         .agreements
         .iter()

@@ -7,10 +7,10 @@ use super::equations::{
 };
 use super::expression::{Expression, Function};
 use super::figures::{Figures, WrittenSum};
-use super::group_unknowns::{ProblemForm, Stage};
-use super::polygon::Term;
+use super::loops::group_unknowns::{ProblemForm, Stage};
+use super::loops::polygon::Term;
+use super::loops::sides::{SideShape, Turns};
 use super::positions::pieces;
-use super::sides::{SideShape, Turns};
 use super::symbols;
 use crate::page::UNIT;
 use crate::wording::words;
@@ -39,6 +39,25 @@ struct CollectedTerm {
     negative: bool,
     coefficient: Option<usize>,
     factors: Vec<UnknownFactor>,
+}
+
+impl CollectedTerm {
+    fn new(negative: bool, coefficient: Option<usize>, factors: Vec<UnknownFactor>) -> Self {
+        CollectedTerm {
+            negative,
+            coefficient,
+            factors,
+        }
+    }
+
+    /// Returns a term with a coefficient, if that exists.
+    fn known(
+        negative: bool,
+        coefficient: Option<usize>,
+        factors: Vec<UnknownFactor>,
+    ) -> Option<Self> {
+        coefficient.map(|_| CollectedTerm::new(negative, coefficient, factors))
+    }
 }
 
 /// An unknown, or its sine or cosine.
@@ -285,12 +304,8 @@ impl LoopCollector<'_> {
         }
         for ((own, other), k) in [(&b, &a), (&a, &b)].into_iter().zip([0, 1]) {
             let mut terms = Vec::new();
-            let mut push = |negative, coefficient: Option<usize>, factors: Vec<UnknownFactor>| {
-                terms.extend(coefficient.map(|coefficient| CollectedTerm {
-                    negative,
-                    coefficient: Some(coefficient),
-                    factors,
-                }));
+            let mut push = |negative, coefficient, factors| {
+                terms.extend(CollectedTerm::known(negative, coefficient, factors));
             };
             push(false, minus_x, vec![own.sin()]);
             push(false, y, vec![own.cos()]);
@@ -327,22 +342,18 @@ impl LoopCollector<'_> {
         let b = Some(self.formula(&mut into, &b, 1));
         let across = self.known(&mut into, &Multiplier::Across(heading()), false);
         let along = self.known(&mut into, &Multiplier::Along(heading()), false);
-        let term = |negative, coefficient, factors| CollectedTerm {
-            negative,
-            coefficient,
-            factors,
-        };
+        let term = CollectedTerm::new;
         let mut first = vec![
             term(false, a, vec![arm.sin()]),
             term(false, b, vec![arm.cos()]),
         ];
-        first.extend(across.map(|_| term(false, across, Vec::new())));
+        first.extend(CollectedTerm::known(false, across, Vec::new()));
         let mut second = vec![
             term(slide.reversed, None, vec![UnknownFactor::length(&slide)]),
             term(false, a, vec![arm.cos()]),
             term(true, b, vec![arm.sin()]),
         ];
-        second.extend(along.map(|_| term(false, along, Vec::new())));
+        second.extend(CollectedTerm::known(false, along, Vec::new()));
         into.equations = vec![first, second];
         (into, self.both_of(&slide))
     }
@@ -386,20 +397,12 @@ impl LoopCollector<'_> {
         let [across, along] = [Function::Sin, Function::Cos]
             .map(|function| rest(function).map(|rest| self.formula(&mut into, &rest, 1)));
         let mut first = Vec::new();
-        let mut second = vec![CollectedTerm {
-            negative: member.reversed,
-            coefficient: None,
-            factors: vec![UnknownFactor::length(&member)],
-        }];
-        let mut push =
-            |into: usize, negative, coefficient: Option<usize>, factors: Vec<UnknownFactor>| {
-                let term = coefficient.map(|coefficient| CollectedTerm {
-                    negative,
-                    coefficient: Some(coefficient),
-                    factors,
-                });
-                [&mut first, &mut second][into].extend(term);
-            };
+        let length = vec![UnknownFactor::length(&member)];
+        let mut second = vec![CollectedTerm::new(member.reversed, None, length)];
+        let mut push = |into: usize, negative, coefficient, factors| {
+            let term = CollectedTerm::known(negative, coefficient, factors);
+            [&mut first, &mut second][into].extend(term);
+        };
         push(0, false, minus_x, vec![turning.sin()]);
         push(0, false, y, vec![turning.cos()]);
         push(0, false, across, Vec::new());
@@ -420,16 +423,9 @@ impl LoopCollector<'_> {
             let factor = self.formula(&mut into, &between.minus_if(own.reversed), 0);
             let axis = Multiplier::Across(Heading::of(&other));
             let rest = self.known(&mut into, &axis, false);
-            let mut terms = vec![CollectedTerm {
-                negative: false,
-                coefficient: Some(factor),
-                factors: vec![UnknownFactor::length(&own)],
-            }];
-            terms.extend(rest.map(|rest| CollectedTerm {
-                negative: false,
-                coefficient: Some(rest),
-                factors: Vec::new(),
-            }));
+            let length = vec![UnknownFactor::length(&own)];
+            let mut terms = vec![CollectedTerm::new(false, Some(factor), length)];
+            terms.extend(CollectedTerm::known(false, rest, Vec::new()));
             into.equations.push(terms);
             multipliers.push(axis.name(self.context.notation));
         }
@@ -444,11 +440,7 @@ impl LoopCollector<'_> {
         for (axis, function) in [(Multiplier::X, "cos"), (Multiplier::Y, "sin")] {
             let mut terms: Vec<CollectedTerm> = Vec::new();
             let rest = self.known(&mut into, &axis, false);
-            terms.extend(rest.map(|rest| CollectedTerm {
-                negative: false,
-                coefficient: Some(rest),
-                factors: Vec::new(),
-            }));
+            terms.extend(CollectedTerm::known(false, rest, Vec::new()));
             for (member, length) in self.members.iter().zip(&mut lengths) {
                 let part = match function {
                     "cos" => member.reading.theta.to_radians().cos(),
@@ -475,11 +467,7 @@ impl LoopCollector<'_> {
                         (Some(own), vec![stretching], false)
                     }
                 };
-                terms.push(CollectedTerm {
-                    negative,
-                    coefficient,
-                    factors,
-                });
+                terms.push(CollectedTerm::new(negative, coefficient, factors));
             }
             equations.push(terms);
         }

@@ -4,9 +4,9 @@
 use super::equations::LoopSide;
 use super::expression::Expression;
 use super::figures::Figures;
-use super::group_unknowns::{Schedule, Stage};
-use super::polygon::{Loop, Polygon, Term};
-use super::sides::{SideReading, SideShape, Turns};
+use super::loops::group_unknowns::{Schedule, Stage};
+use super::loops::polygon::{Loop, Polygon, Term};
+use super::loops::sides::{SideReading, SideShape, Turns};
 use super::symbols::WorkingNotation;
 use crate::page::{Block, Content, Head, Page, Setting, Table, Units};
 use crate::scene::Scene;
@@ -106,7 +106,7 @@ impl<'a> Context<'a> {
     }
 
     /// Returns the coordinate of the input that drives a side, or else the driver's.
-    fn given_at(&self, side: &super::sides::Side) -> f64 {
+    fn given_at(&self, side: &super::loops::sides::Side) -> f64 {
         let mechanism = &self.scene.mechanism;
         let input = self.schedule.input(side);
         let timed = input.and_then(|input| mechanism.timed_input(input));
@@ -198,7 +198,7 @@ impl<'a> Context<'a> {
     }
 }
 
-impl super::sides::Side {
+impl super::loops::sides::Side {
     /// Evaluates a side from the scene and the driver only.
     fn given(&self, mechanism: &Mechanism, at: f64) -> SideReading {
         let theta = match (self.turns, self.shape) {
@@ -211,7 +211,7 @@ impl super::sides::Side {
             (Turns::Never, SideShape::Link(_) | SideShape::Free(..)) | (Turns::Freely, _) => 0.0,
         };
         let r = match self.shape {
-            SideShape::Link(link) => super::sides::length(mechanism, link),
+            SideShape::Link(link) => super::loops::sides::length(mechanism, link),
             SideShape::Rigid(_, local) => local.norm(),
             SideShape::Slide(_) => at,
             SideShape::Free(..) => 0.0,

@@ -2,9 +2,9 @@
 
 use super::context::{Context, Draft};
 use super::expression::{Expression, Function};
-use super::group_unknowns::Stage;
-use super::sides::{Side, SideShape};
-use super::solution::turn;
+use super::loops::group_unknowns::Stage;
+use super::loops::sides::{Side, SideShape};
+use super::loops::solution::turn;
 use super::symbols;
 use crate::page::UNIT;
 use crate::solver::{Newton, NewtonRow, NewtonUnknown};

@@ -12,7 +12,7 @@
 //! sin(theta - theta_j), and n gives sin(theta_j - theta) or cos(theta - theta_j).
 
 use super::figures::{Figures, WrittenSum, factor};
-use super::sides::{Side, SideReading, Turns};
+use super::loops::sides::{Side, SideReading, Turns};
 use super::symbols::{self, WorkingNotation};
 use crate::Vec2;
 use crate::solver::Order;

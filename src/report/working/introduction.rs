@@ -3,8 +3,8 @@
 
 use super::context::{Context, Draft};
 use super::figures::WrittenSum;
-use super::polygon::Loop;
-use super::sides::{Side, Turns};
+use super::loops::polygon::Loop;
+use super::loops::sides::{Side, Turns};
 use super::symbols;
 use crate::page::UNIT;
 use crate::quantity::{Catalogue, state_word};
@@ -195,7 +195,7 @@ fn solved(context: &Context<'_>, of: &Loop) -> String {
 
 /// Returns the name of the body that carries a vector.
 fn place<'c>(context: &Context<'c>, side: &Side) -> &'c str {
-    use super::sides::SideShape;
+    use super::loops::sides::SideShape;
     match side.shape {
         SideShape::Rigid(crate::Body::Link(link), _) => context.scene.link_name(link),
         SideShape::Rigid(crate::Body::Ground, _)
@@ -240,7 +240,7 @@ pub(super) fn position_table(context: &Context<'_>, draft: &mut Draft) {
     let (vector, ends) = (words().vector(), words().column_ends());
     let [r_is, theta_is] = ["r", "θ"].map(|symbol| words().column_is(symbol));
     draft.table([vector, ends, &r, &r_is, "θ [deg]", &theta_is], rows);
-    super::by_coordinates::vectors(context, draft);
+    super::loops::by_coordinates::vectors(context, draft);
 }
 
 fn length_mark(context: &Context<'_>, side: &Side) -> &'static str {
@@ -271,7 +271,7 @@ fn angle_mark(context: &Context<'_>, side: &Side) -> String {
     let Turns::With(_, offset) = side.turns else {
         return String::new();
     };
-    let is_own = matches!(side.shape, super::sides::SideShape::Link(own) if own == link);
+    let is_own = matches!(side.shape, super::loops::sides::SideShape::Link(own) if own == link);
     match (is_own, context.schedule.is_driven(side)) {
         (true, true) => input_mark(context, side).into(),
         (true, false) => words().is_sought().into(),

@@ -7,9 +7,6 @@
 //! state. Other values are calculated by the printed formula, and recorded together with the
 //! solver's value.
 
-mod by_coordinates;
-mod centres;
-mod chain;
 mod check;
 mod collected_terms;
 mod context;
@@ -17,46 +14,33 @@ mod coupled;
 mod equations;
 mod expression;
 mod figures;
-mod forces;
-mod free_body;
-mod free_body_drawing;
-mod group_unknowns;
+mod free_bodies;
 mod guided;
 mod introduction;
-mod kennedy;
-mod knots;
-mod loads;
-mod loop_finder;
+mod loops;
 mod methods;
-mod pins;
-mod point_parts;
-mod points;
-mod polygon;
+mod point_rates;
 mod positions;
 mod rates;
 mod reactions;
-mod sides;
-mod solution;
-mod springs;
 mod symbols;
 mod triangle;
-mod vectors;
 
-pub use centres::InstantCentre;
 pub use context::Agreement;
+pub use loops::vectors::{LoopVector, LoopVectors, RelativeMotion, VectorFigure};
 pub use methods::{Guess, GuessError, PositionMethod, WorkedMethod};
-pub use point_parts::{PointMotion, PointParts};
+pub use point_rates::centres::InstantCentre;
+pub use point_rates::point_parts::{PointMotion, PointParts};
 pub use symbols::WorkingNotation;
 pub(super) use symbols::of_point;
-pub use vectors::{LoopVector, LoopVectors, RelativeMotion, VectorFigure};
 
 use crate::page::Page;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
 use context::{Context, Draft};
 use figures::Figures;
-use group_unknowns::{Schedule, Stage};
-use polygon::Polygon;
+use loops::group_unknowns::{Schedule, Stage};
+use loops::polygon::Polygon;
 
 /// The structure of a scene's working, computed once: its loops, and the unknowns of each group in
 /// them.
@@ -123,9 +107,9 @@ const PARTS: [(WorkingPart, WritePart); 12] = [
     (WorkingPart::Accelerations, |context, draft| {
         rates::rates(context, draft, Order::Acceleration);
     }),
-    (WorkingPart::Points, points::points),
-    (WorkingPart::Centres, kennedy::instant_centres),
-    (WorkingPart::Forces, forces::forces),
+    (WorkingPart::Points, point_rates::points::points),
+    (WorkingPart::Centres, point_rates::kennedy::instant_centres),
+    (WorkingPart::Forces, free_bodies::forces::forces),
     (WorkingPart::Check, check::check),
 ];
 
@@ -136,7 +120,7 @@ impl Working {
         let plan = solver.plan();
         let polygon = Polygon::of(scene, plan);
         let schedule = Schedule::of(scene, plan, &polygon);
-        let stages = group_unknowns::stages(plan, &polygon, &schedule);
+        let stages = loops::group_unknowns::stages(plan, &polygon, &schedule);
         Working {
             polygon,
             schedule,

@@ -4,10 +4,10 @@
 use super::context::{Context, Draft};
 use super::equations::{EquationTerm, Heading, LoopSide, Multiplier, in_figures, in_symbols};
 use super::figures::Figures;
-use super::group_unknowns::{ProblemForm, Stage};
 use super::introduction::sum_text;
-use super::polygon::{Loop, Term};
-use super::solution::Solution;
+use super::loops::group_unknowns::{ProblemForm, Stage};
+use super::loops::polygon::{Loop, Term};
+use super::loops::solution::Solution;
 use crate::solver::Order;
 use crate::wording::words;
 
@@ -109,7 +109,7 @@ pub(super) fn solutions(context: &Context<'_>, draft: &mut Draft) {
         }
         solve(context, draft, stage);
         if context.has_positions() {
-            super::by_coordinates::found(context, draft, stage);
+            super::loops::by_coordinates::found(context, draft, stage);
         }
     }
 }

@@ -6,9 +6,9 @@ use super::equations::{
     EquationTerm, Heading, LoopSide, Multiplier, coefficient, in_figures, in_numbers, in_symbols,
     known, solved_for,
 };
-use super::group_unknowns::{LoopUnknown, ProblemForm, Stage};
+use super::loops::group_unknowns::{LoopUnknown, ProblemForm, Stage};
+use super::loops::sides::{SideShape, Turns};
 use super::positions::loop_heading;
-use super::sides::{SideShape, Turns};
 use super::symbols;
 use crate::page::UNIT;
 use crate::report::Entry;

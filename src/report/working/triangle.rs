@@ -4,8 +4,8 @@
 use super::context::Draft;
 use super::expression::{Expression, Function};
 use super::figures::Figures;
-use super::polygon::Term;
-use super::solution::{DyadArm, Solution, degrees, turn};
+use super::loops::polygon::Term;
+use super::loops::solution::{DyadArm, Solution, degrees, turn};
 use crate::page::UNIT;
 use crate::wording::words;
 

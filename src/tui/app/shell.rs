@@ -1,6 +1,6 @@
 //! The input mode, the current view and the screen.
 
-use super::pointing::DragTarget;
+use super::keys::pointing::DragTarget;
 use super::{Mode, View};
 use crate::capability::{Capability, Colours, Detected, PictureProtocol};
 use crate::drawing::{Blocks, Glyphs};

@@ -1,102 +1,116 @@
-// The macro for catalogues of messages. The parent module explains their purpose.
+//! Reads the messages of a language. `english.txt` describes their form.
 
-/// Defines a part of the catalogue: a trait with a function for each message, and one language's
-/// implementation.
+use std::collections::BTreeSet;
+
+/// A message of a language.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct Message {
+    pub(crate) name: String,
+    /// The names and types of the arguments; `None` for a fixed text.
+    pub(crate) arguments: Option<Vec<(String, String)>>,
+    /// The text with its arguments in braces; `None` if a function writes it.
+    pub(crate) text: Option<String>,
+}
+
+/// Reads the messages in a text.
 ///
-/// ```text
-/// catalogue! {
-///     /// What the part is about.
-///     trait Motion for English {
-///         paused = "paused";                                          // fn paused(&self) -> &'static str
-///         ends_at(at: &str, unit: &str) = "ends at {at} {unit}";      // fn ends_at(&self, ..) -> String
-///         links(count: usize) = { counted(count, "link", "links") };  // the same, where grammar decides
-///     }
-/// }
-/// ```
-///
-/// A second language implements the same messages in
-/// `catalogue! { impl Motion for Turkish { .. } }`:
-///
-/// ```
-/// include!(concat!(env!("CARGO_MANIFEST_DIR"), "/src/wording/catalogue.rs"));
-/// catalogue! {
-///     trait Motion for English {
-///         paused = "paused";
-///         ends_at(at: &str) = "ends at {at}";
-///     }
-/// }
-/// catalogue! {
-///     impl Motion for Turkish {
-///         paused = "durdu";
-///         ends_at(at: &str) = "{at} konumunda biter";
-///     }
-/// }
-/// struct English;
-/// struct Turkish;
-/// fn main() {
-///     let spoken: [&dyn Motion; 2] = [&English, &Turkish];
-///     assert_eq!(spoken.map(|words| words.paused()), ["paused", "durdu"]);
-///     assert_eq!(spoken[1].ends_at("60"), "60 konumunda biter");
-/// }
-/// ```
-///
-/// A missing message is a compile error:
-///
-/// ```compile_fail
-/// include!(concat!(env!("CARGO_MANIFEST_DIR"), "/src/wording/catalogue.rs"));
-/// catalogue! {
-///     trait Motion for English {
-///         paused = "paused";
-///         ends_at(at: &str) = "ends at {at}";
-///     }
-/// }
-/// catalogue! {
-///     impl Motion for Turkish {
-///         paused = "durdu";
-///     }
-/// }
-/// struct English;
-/// struct Turkish;
-/// fn main() {}
-/// ```
-macro_rules! catalogue {
-    ($(#[$about:meta])* trait $part:ident for $language:ident { $($sentences:tt)* }) => {
-        $(#[$about])*
-        pub trait $part {
-            catalogue! { @declared $($sentences)* }
+/// # Errors
+/// Returns the first error with its line.
+pub(crate) fn messages(text: &str) -> Result<Vec<Message>, String> {
+    let mut names = BTreeSet::new();
+    let mut found = Vec::new();
+    let mut lines = text.lines().enumerate().peekable();
+    while let Some((number, line)) = lines.next() {
+        if line.is_empty() || line.starts_with('#') {
+            continue;
         }
-        catalogue! { impl $part for $language { $($sentences)* } }
-    };
-    (impl $part:ident for $language:ident { $($sentences:tt)* }) => {
-        impl $part for $language {
-            catalogue! { @message $($sentences)* }
+        let fault = |what: &str| format!("line {}: {what}: {line}", number + 1);
+        let (head, start) = match line.split_once(" =") {
+            Some((head, text)) => (head, Some(text.strip_prefix(' ').unwrap_or(text))),
+            None => (line, None),
+        };
+        let mut text = start.map(str::to_owned);
+        while let Some((_, more)) = lines.next_if(|(_, line)| line.starts_with("    ")) {
+            let text = text
+                .as_mut()
+                .ok_or_else(|| fault("no `=` before the text"))?;
+            *text += if text.ends_with("\\n") { "" } else { " " };
+            *text += &more[4..];
         }
-    };
-    (@declared $($(#[$only:meta])* $name:ident $(($($given:ident: $kind:ty),*))? = $text:tt;)*) => {
-        $($(#[$only])* catalogue! { @one $name $(($($given: $kind),*))? })*
-    };
-    (@one $name:ident) => {
-        fn $name(&self) -> &'static str;
-    };
-    (@one $name:ident ($($given:ident: $kind:ty),*)) => {
-        fn $name(&self, $($given: $kind),*) -> String;
-    };
-    (@message $($(#[$only:meta])* $name:ident $(($($given:ident: $kind:ty),*))? = $text:tt;)*) => {
-        $($(#[$only])* catalogue! { @one $name $(($($given: $kind),*))? = $text })*
-    };
-    (@one $name:ident = $text:tt) => {
-        fn $name(&self) -> &'static str {
-            $text
+        let (name, arguments) = match head.split_once('(') {
+            None => (head, None),
+            Some((name, rest)) => {
+                let list = rest.strip_suffix(')').ok_or_else(|| fault("no `)`"))?;
+                (name, Some(arguments(list)))
+            }
+        };
+        let is_name = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
+        if name.is_empty() || !name.chars().all(is_name) {
+            return Err(fault("not a name"));
         }
-    };
-    (@one $name:ident ($($given:ident: $kind:ty),*) = $text:literal) => {
-        #[allow(unused_variables, reason = "a language need not say all that it is given")]
-        fn $name(&self, $($given: $kind),*) -> String {
-            format!($text)
+        if !names.insert(name) {
+            return Err(fault("a second message of this name"));
         }
+        found.push(Message {
+            name: name.to_owned(),
+            arguments,
+            text: text.map(|text| unescaped(&text)),
+        });
+    }
+    Ok(found)
+}
+
+/// A table of texts, each with its translation.
+pub(crate) type Translations = Vec<(String, String)>;
+
+/// Reads the tables of translations in a text, with their names.
+///
+/// # Errors
+/// Returns the first line that is no pair of a table.
+pub(crate) fn translations(text: &str) -> Result<Vec<(&str, Translations)>, String> {
+    let mut tables: Vec<(&str, Translations)> = Vec::new();
+    let mut lines = text.lines();
+    while let Some(line) = lines.next() {
+        if let Some(name) = line.strip_prefix("## ") {
+            tables.push((name, Vec::new()));
+        } else if !line.is_empty() && !line.starts_with('#') {
+            let translation = lines.next().and_then(|line| line.strip_prefix("    "));
+            let (Some((_, table)), Some(translation)) = (tables.last_mut(), translation) else {
+                return Err(format!("no translation in a table: {line}"));
+            };
+            table.push((unescaped(line), unescaped(translation)));
+        }
+    }
+    Ok(tables)
+}
+
+/// Splits a list of arguments at commas outside brackets.
+fn arguments(list: &str) -> Vec<(String, String)> {
+    let mut depth = 0;
+    let parts = list.split(|c: char| {
+        depth += i32::from("[(<".contains(c)) - i32::from("])>".contains(c));
+        c == ',' && depth == 0
+    });
+    let argument = |part: &str| {
+        let (name, kind) = part.split_once(':').unwrap_or((part, "&str"));
+        (name.trim().to_owned(), kind.trim().to_owned())
     };
-    (@one $name:ident ($($given:ident: $kind:ty),*) = $text:block) => {
-        #[allow(unused_variables, reason = "a language need not say all that it is given")]
-        fn $name(&self, $($given: $kind),*) -> String $text
-    };
+    parts.map(argument).collect()
+}
+
+/// Returns the text without quotes around it, with line breaks and backslashes.
+fn unescaped(text: &str) -> String {
+    let quoted = text
+        .strip_prefix('"')
+        .and_then(|text| text.strip_suffix('"'));
+    let mut letters = quoted.unwrap_or(text).chars();
+    let mut plain = String::new();
+    while let Some(letter) = letters.next() {
+        plain.push(match letter {
+            '\\' if letters.as_str().starts_with('n') => letters.next().map_or('n', |_| '\n'),
+            '\\' => letters.next().unwrap_or('\\'),
+            letter => letter,
+        });
+    }
+    plain
 }

@@ -18,7 +18,7 @@ pub enum Language {
 const LOCALE: [&str; 3] = ["LC_ALL", "LC_MESSAGES", "LANG"];
 
 impl Language {
-    /// All languages, in the order in which the workbench cycles through them.
+    /// All languages, in the order of the variants. The workbench cycles through them.
     pub const ALL: [Language; 2] = [Language::English, Language::Turkish];
 
     /// Returns the language's name in options and in the configuration.
@@ -47,10 +47,7 @@ impl Language {
     /// Returns the next language, cyclically.
     #[must_use]
     pub fn next(self) -> Language {
-        match self {
-            Language::English => Language::Turkish,
-            Language::Turkish => Language::English,
-        }
+        Language::ALL[(self as usize + 1) % Language::ALL.len()]
     }
 
     /// Returns the current language.
@@ -88,19 +85,18 @@ impl Language {
 #[cfg(not(test))]
 mod spoken {
     use super::Language;
-    use std::sync::atomic::{AtomicBool, Ordering};
+    use std::sync::atomic::{AtomicUsize, Ordering};
 
-    static IS_TURKISH: AtomicBool = AtomicBool::new(false);
+    /// The index of the language in [`Language::ALL`].
+    static CURRENT_LANGUAGE: AtomicUsize = AtomicUsize::new(0);
 
     pub(super) fn get() -> Language {
-        match IS_TURKISH.load(Ordering::Relaxed) {
-            false => Language::English,
-            true => Language::Turkish,
-        }
+        let number = CURRENT_LANGUAGE.load(Ordering::Relaxed);
+        Language::ALL.get(number).copied().unwrap_or_default()
     }
 
     pub(super) fn set(language: Language) {
-        IS_TURKISH.store(language == Language::Turkish, Ordering::Relaxed);
+        CURRENT_LANGUAGE.store(language as usize, Ordering::Relaxed);
     }
 }
 
@@ -146,6 +142,13 @@ mod tests {
         // `LC_CTYPE` is about characters, not messages; `trv` is a language of Taiwan.
         assert_eq!(of(&[("LC_CTYPE", "tr_TR.UTF-8")]), Language::English);
         assert_eq!(of(&[("LANG", "trv_TW.UTF-8")]), Language::English);
+    }
+
+    #[test]
+    fn next_visits_all_languages_in_turn() {
+        assert_eq!(Language::ALL.map(|language| language as usize), [0, 1]);
+        assert_eq!(Language::English.next(), Language::Turkish);
+        assert_eq!(Language::Turkish.next(), Language::English);
     }
 
     #[test]

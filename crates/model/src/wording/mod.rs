@@ -1,71 +1,32 @@
-//! All messages of krank, in a catalogue with an implementation for each language.
+//! All messages of krank, in a catalogue with a file for each language.
 //!
 //! A message is a function whose arguments are the variable names and values. Arguments are passed
 //! in their final form: values are formatted by `report::number`, and units are separate words.
 //! Grammar (plural forms, word order) is handled by each language. Names of configurable actions,
 //! of columns and of keys are part of the interface and are never translated.
 //!
-//! A second language is a folder next to `english` with `catalogue! { impl .. }` for each of its
-//! parts, and a variant of [`Language`]. A missing message is a compile error.
+//! `english.txt` and `turkish.txt` have the texts. The build script writes the trait [`Words`] and its
+//! implementations from them. A second language is a copy of `turkish.txt`, a line in `build.rs`, and
+//! a variant of [`Language`]. A missing message is a compile error.
 
-#[macro_use]
+#[cfg(test)]
 mod catalogue;
 mod english;
 mod language;
 mod turkish;
 
 pub use language::Language;
+pub use messages::Words;
 
-use english::*;
-use turkish::Turkish;
+use english::English;
 
-/// All messages in one language.
-pub trait Words:
-    ActingWords
-    + ActionsWords
-    + CheckingWords
-    + CommandsWords
-    + ConfigurationWords
-    + CoursesWords
-    + CyclesWords
-    + DesignsWords
-    + EditingWords
-    + ErrorsWords
-    + ExamplesWords
-    + ExercisesWords
-    + ExportsWords
-    + FaultsWords
-    + FiguresWords
-    + FilesWords
-    + ForcesWords
-    + FormulasWords
-    + HelpingWords
-    + HintsWords
-    + ImportsWords
-    + ManualWords
-    + MethodsWords
-    + MotionWords
-    + MotorsWords
-    + OfferingWords
-    + OptionsWords
-    + PartsWords
-    + PickingWords
-    + PlotsWords
-    + ReactionsWords
-    + ReadingWords
-    + ReportingWords
-    + SceneKeysWords
-    + TasksWords
-    + TerminalsWords
-    + TolerancesWords
-    + TourWords
-    + ViewsWords
-    + WorkingWords
-{
+mod messages {
+    use super::english::English;
+    use super::turkish::Turkish;
+    use std::fmt::{Display, LowerExp};
+
+    include!(concat!(env!("OUT_DIR"), "/words.rs"));
 }
-
-impl Words for English {}
-impl Words for Turkish {}
 
 /// A reference to a message, for tables such as that of the actions.
 pub type Wording = fn(&'static dyn Words) -> &'static str;

@@ -1,56 +1,113 @@
+use super::catalogue::{Message, messages, translations};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
 
-/// A message in one language: the names of its arguments, and its text.
-struct Sentence {
-    given: Vec<String>,
-    text: String,
+/// Returns the messages of a language, and for a message that needs grammar the body of its function.
+fn sentences(texts: &str, grammar: &str) -> BTreeMap<String, (Vec<String>, String)> {
+    let sentence = |Message {
+                        name,
+                        arguments,
+                        text,
+                    }: Message| {
+        let text = text.unwrap_or_else(|| {
+            let (_, function) = grammar.split_once(&format!(") fn {name}(")).unwrap();
+            let (function, _) = function.split_once("\n}\n").unwrap();
+            function.split_once(" {\n").unwrap().1.to_owned()
+        });
+        let given = arguments.into_iter().flatten().map(|(name, _)| name);
+        (name, (given.collect(), text))
+    };
+    messages(texts).unwrap().into_iter().map(sentence).collect()
 }
 
-/// Parses the messages from the sources of a language, keyed by part and name.
-fn sentences(language: &str) -> BTreeMap<String, Sentence> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/wording");
-    let files = std::fs::read_dir(folder.join(language)).unwrap();
-    let mut all = BTreeMap::new();
-    for file in files.map(|file| file.unwrap().path()) {
-        let part = PathBuf::from(file.file_name().unwrap());
-        let source = std::fs::read_to_string(&file).unwrap();
-        let Some((_, catalogue)) = source.split_once("catalogue! {") else {
-            continue;
-        };
-        let catalogue = catalogue.split("\n}\n").next().unwrap();
-        let mut lines = catalogue.lines().peekable();
-        while let Some(line) = lines.next() {
-            let starts = |line: &str| {
-                let inner = line.strip_prefix("        ")?;
-                (inner.starts_with(|c: char| c.is_ascii_lowercase()) && line.contains(" ="))
-                    .then(|| inner.to_owned())
-            };
-            let Some(head) = starts(line) else { continue };
-            let mut text = head;
-            let end = match text.ends_with('{') {
-                true => "\n        };",
-                false => "\";",
-            };
-            let is_block_in_line = |text: &str| text.contains("= { ") && text.ends_with(" };");
-            while !text.ends_with(end)
-                && !is_block_in_line(&text)
-                && let Some(more) = lines.next()
-            {
-                text = text + "\n" + more;
-            }
-            let (head, text) = text.split_once(" =").unwrap();
-            let (name, given) = head.split_once('(').unwrap_or((head, ")"));
-            let given = given.trim_end_matches(')').split(", ");
-            let given = given.filter_map(|one| one.split_once(": "));
-            let sentence = Sentence {
-                given: given.map(|(name, _)| name.to_owned()).collect(),
-                text: text.to_owned(),
-            };
-            all.insert(format!("{}: {name}", part.display()), sentence);
-        }
+fn english() -> BTreeMap<String, (Vec<String>, String)> {
+    sentences(include_str!("english.txt"), include_str!("english.rs"))
+}
+
+fn turkish() -> BTreeMap<String, (Vec<String>, String)> {
+    sentences(
+        include_str!("turkish.txt"),
+        include_str!("turkish/grammar.rs"),
+    )
+}
+
+/// Returns the first message of a text.
+fn first(text: &str) -> Result<Message, String> {
+    messages(text).map(|all| all.into_iter().next().unwrap())
+}
+
+#[test]
+fn message_has_name_arguments_and_text() {
+    let message = |name: &str, arguments: Option<&[(&str, &str)]>, text: Option<&str>| Message {
+        name: name.to_owned(),
+        arguments: arguments.map(|all| {
+            let argument = |&(name, kind): &(&str, &str)| (name.to_owned(), kind.to_owned());
+            all.iter().map(argument).collect()
+        }),
+        text: text.map(str::to_owned),
+    };
+    let cases = [
+        (
+            "# a comment\n\npaused = paused",
+            message("paused", None, Some("paused")),
+        ),
+        (
+            "ends_at(at, unit) = ends at {at} {unit}",
+            message(
+                "ends_at",
+                Some(&[("at", "&str"), ("unit", "&str")]),
+                Some("ends at {at} {unit}"),
+            ),
+        ),
+        (
+            "of(ends: [&str; 2], all: &[(u64, &str)])",
+            message(
+                "of",
+                Some(&[("ends", "[&str; 2]"), ("all", "&[(u64, &str)]")]),
+                None,
+            ),
+        ),
+        (
+            "long = one\n    two\\n\n      three",
+            message("long", None, Some("one two\n  three")),
+        ),
+        ("blank = \"name: \"", message("blank", None, Some("name: "))),
+        (
+            "formula = a = b \\\\n",
+            message("formula", None, Some("a = b \\n")),
+        ),
+    ];
+    for (text, expected) in cases {
+        assert_eq!(first(text), Ok(expected), "{text}");
     }
-    all
+}
+
+#[test]
+fn wrong_catalogue_is_rejected_with_its_line() {
+    for (text, fault) in [
+        ("a = b\nNo name = c", "line 2: not a name: No name = c"),
+        (
+            "a = b\na = c",
+            "line 2: a second message of this name: a = c",
+        ),
+        ("a(b = c", "line 1: no `)`: a(b = c"),
+        ("a\n    more", "line 1: no `=` before the text: a"),
+    ] {
+        assert_eq!(first(text), Err(fault.to_owned()));
+    }
+}
+
+#[test]
+fn translations_are_pairs_in_named_tables() {
+    let pair = |a: &str, b: &str| (a.to_owned(), b.to_owned());
+    let tables = translations("# note\n\n## A\n\none\n    bir\n\"two: \"\n    \"iki: \"\n## B\n");
+    let expected = vec![pair("one", "bir"), pair("two: ", "iki: ")];
+    assert_eq!(tables, Ok(vec![("A", expected), ("B", Vec::new())]));
+    for wrong in ["## A\none\ntwo", "one\n    bir", "## A\none"] {
+        assert_eq!(
+            translations(wrong),
+            Err("no translation in a table: one".to_owned())
+        );
+    }
 }
 
 /// Returns `true` if a text contains a word as a whole.
@@ -64,21 +121,16 @@ fn names(text: &str, word: &str) -> bool {
 fn turkish_messages_match_english_keys_and_arguments() {
     // Arguments that only English grammar needs.
     const GRAMMAR: [&str; 1] = ["is_one"];
-    let (english, turkish) = (sentences("english"), sentences("turkish"));
+    let (english, turkish) = (english(), turkish());
     assert!(english.len() > 1000, "{} are not all", english.len());
-    let keys = |all: &BTreeMap<String, Sentence>| all.keys().cloned().collect::<Vec<_>>();
-    assert_eq!(keys(&english), keys(&turkish));
+    assert!(english.keys().eq(turkish.keys()));
     let mut missing = Vec::new();
-    for (name, text) in &english {
-        let other = &turkish[name];
-        assert_eq!(text.given, other.given, "{name}");
-        let given = text
-            .given
-            .iter()
-            .filter(|it| !GRAMMAR.contains(&it.as_str()));
+    for (name, (given, text)) in &english {
+        let (_, other) = &turkish[name];
+        let given = given.iter().filter(|it| !GRAMMAR.contains(&it.as_str()));
         missing.extend(
             given
-                .filter(|it| names(&text.text, it) && !names(&other.text, it))
+                .filter(|it| names(text, it) && !names(other, it))
                 .map(|it| format!("{name}: {it}")),
         );
     }
@@ -88,9 +140,9 @@ fn turkish_messages_match_english_keys_and_arguments() {
 /// Typed text is equal in every language: options, variables, sections and keys.
 #[test]
 fn options_variables_sections_and_keys_are_not_translated() {
-    let (english, turkish) = (sentences("english"), sentences("turkish"));
+    let (english, turkish) = (english(), turkish());
     let mut missing = Vec::new();
-    for (name, message) in &english {
+    for (name, (_, message)) in &english {
         let typed = |text: &str| -> Vec<String> {
             let parts = text.split([' ', '\n', '`', '"', ';', ',', ')', '(', ':', '\\']);
             let is_typed = |part: &&str| {
@@ -102,10 +154,8 @@ fn options_variables_sections_and_keys_are_not_translated() {
             };
             parts.filter(is_typed).map(str::to_owned).collect()
         };
-        let there = typed(&turkish[name].text);
-        let gone = typed(&message.text)
-            .into_iter()
-            .filter(|it| !there.contains(it));
+        let there = typed(&turkish[name].1);
+        let gone = typed(message).into_iter().filter(|it| !there.contains(it));
         missing.extend(gone.map(|it| format!("{name}: {it}")));
     }
     assert!(missing.is_empty(), "{missing:#?}");
@@ -115,9 +165,8 @@ fn options_variables_sections_and_keys_are_not_translated() {
 /// where needed.
 #[test]
 fn turkish_messages_use_only_supported_characters() {
-    for (name, sentence) in sentences("turkish") {
-        let strange = sentence
-            .text
+    for (name, (_, text)) in turkish() {
+        let strange = text
             .chars()
             .find(|&c| !c.is_ascii() && !"âçğıîöşüûÂÇĞİÎÖŞÜÛ→θμνωβγ".contains(c));
         assert_eq!(strange, None, "{name}");

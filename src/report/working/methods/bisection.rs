@@ -1,8 +1,8 @@
 //! Writes the table of a bisection.
 
 use super::super::context::{Context, Draft};
-use super::super::group_unknowns::{ProblemForm, Stage};
-use super::super::solution::Solution;
+use super::super::loops::group_unknowns::{ProblemForm, Stage};
+use super::super::loops::solution::Solution;
 use super::initial_values::Guesses;
 use super::problem::longest;
 use super::reduced::{ReducedLoop, figure};

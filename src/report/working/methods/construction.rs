@@ -1,9 +1,9 @@
 //! Writes the construction with compass and ruler, step by step, and the values read from it.
 
 use super::super::context::{Context, Draft};
-use super::super::group_unknowns::{ProblemForm, Stage};
-use super::super::polygon::{Loop, Term};
-use super::super::solution::Solution;
+use super::super::loops::group_unknowns::{ProblemForm, Stage};
+use super::super::loops::polygon::{Loop, Term};
+use super::super::loops::solution::Solution;
 use super::drawing_scale::{DrawingSheet, read_off};
 use super::{groups_with_unknowns, heading};
 use crate::wording::words;

@@ -2,8 +2,8 @@
 //! rough start positions.
 
 use super::super::context::Context;
-use super::super::group_unknowns::LoopUnknown;
-use super::super::sides::{Side, SideShape, Turns};
+use super::super::loops::group_unknowns::LoopUnknown;
+use super::super::loops::sides::{Side, SideShape, Turns};
 use super::PositionMethod;
 use super::problem::{kind, longest, name};
 use crate::expression::plain_unit;

@@ -12,7 +12,7 @@ pub use initial_values::{Guess, GuessError};
 pub(super) use problem::kind;
 
 use super::context::{Context, Draft};
-use super::group_unknowns::{ProblemForm, Stage};
+use super::loops::group_unknowns::{ProblemForm, Stage};
 use super::{Working, WorkingNotation, introduction};
 use crate::page::Page;
 use crate::scene::Scene;

@@ -2,7 +2,7 @@
 
 use super::super::context::{Context, Draft};
 use super::super::equations::{Multiplier, in_figures, in_symbols};
-use super::super::group_unknowns::Stage;
+use super::super::loops::group_unknowns::Stage;
 use super::super::positions::pieces;
 use super::initial_values::{Guesses, format_unknowns};
 use super::problem::{LoopProblem, kind};

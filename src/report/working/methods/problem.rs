@@ -1,8 +1,8 @@
 //! The numeric equations of a group, with the symbols of its unknowns.
 
 use super::super::context::Context;
-use super::super::group_unknowns::{LoopUnknown, Stage};
-use super::super::sides::{Side, SideShape, Turns};
+use super::super::loops::group_unknowns::{LoopUnknown, Stage};
+use super::super::loops::sides::{Side, SideShape, Turns};
 use super::super::symbols;
 use crate::angle;
 use crate::study::{LoopSum, LoopSystem, UnknownKind, UnknownVector, VectorPart};

@@ -4,10 +4,10 @@
 use super::super::context::{Context, Draft};
 use super::super::expression::Expression;
 use super::super::figures::Figures;
-use super::super::group_unknowns::{LoopUnknown, ProblemForm, Stage};
-use super::super::polygon::Term;
-use super::super::sides::{SideShape, Turns};
-use super::super::solution::{DyadArm, Solution};
+use super::super::loops::group_unknowns::{LoopUnknown, ProblemForm, Stage};
+use super::super::loops::polygon::Term;
+use super::super::loops::sides::{SideShape, Turns};
+use super::super::loops::solution::{DyadArm, Solution};
 use crate::page::UNIT;
 use crate::study::{UnknownKind, half_turn};
 use crate::wording::words;

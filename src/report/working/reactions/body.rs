@@ -2,7 +2,7 @@
 
 use super::super::context::{Context, Draft};
 use super::super::figures::WrittenSum;
-use super::super::free_body::BodyForce;
+use super::super::free_bodies::free_body::BodyForce;
 use crate::page::UNIT;
 use crate::wording::words;
 use crate::{LinkId, Vec2};

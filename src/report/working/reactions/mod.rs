@@ -8,9 +8,9 @@ mod reduced;
 mod system;
 
 use super::context::{Context, Draft};
-use super::forces::point_name;
-use super::free_body::BodyJoint::{Driver, Guide, Pin};
-use super::free_body::{BodyForce, guided, on_link};
+use super::free_bodies::forces::point_name;
+use super::free_bodies::free_body::BodyJoint::{Driver, Guide, Pin};
+use super::free_bodies::free_body::{BodyForce, guided, on_link};
 use crate::solver::LoadAction;
 use crate::wording::words;
 use crate::{Body, LinkId, PointId, SlideId, Slider, Vec2};

@@ -4,8 +4,8 @@
 use super::super::context::{Context, Draft};
 use super::super::expression::Expression;
 use super::super::figures::{Figures, WrittenSum};
-use super::super::forces::point_name;
-use super::super::free_body::{BodyForce, BodyJoint};
+use super::super::free_bodies::forces::point_name;
+use super::super::free_bodies::free_body::{BodyForce, BodyJoint};
 use super::body::{BalanceKind, GroupBody, KnownSum, write_known};
 use crate::page::UNIT;
 use crate::wording::words;

@@ -2,8 +2,8 @@
 
 use super::super::context::{Context, Draft};
 use super::super::figures::{WrittenSum, factor};
-use super::super::forces::point_name;
-use super::super::free_body::{BodyForce, BodyJoint};
+use super::super::free_bodies::forces::point_name;
+use super::super::free_bodies::free_body::{BodyForce, BodyJoint};
 use super::body::{BalanceKind, GroupBody, known};
 use crate::page::UNIT;
 use crate::wording::words;

@@ -1,0 +1,445 @@
+//! Places names next to their points, clear of everything else.
+
+mod plan;
+
+use super::raster::{CharCell, Raster};
+use super::symbol::cell_of;
+use crate::Vec2;
+use crate::drawing::figure::{Figure, Role, Shape};
+use crate::drawing::view::WorldView;
+use plan::LabelPlan;
+#[cfg(test)]
+pub(in crate::drawing) use plan::Side;
+
+/// The places of a figure's labels in the last frame; keep it from frame to frame.
+///
+/// Without a plan, a label moves when its place becomes clearly worse than another one. With a plan
+/// for the whole motion, see [`Labels::plan`], it changes sides at most twice per cycle.
+#[derive(Clone, Debug, Default)]
+pub struct Labels {
+    places: Vec<LabelPlace>,
+    plan: Option<LabelPlan>,
+}
+
+/// The result of placing a label.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum LabelPlace {
+    /// Not placed yet.
+    New,
+    /// Left out for lack of space.
+    Hidden,
+    /// Placed on the seat with this index in `SEATS`.
+    Seat(usize),
+}
+
+/// A place for a label, relative to its point.
+struct LabelSeat {
+    /// Offset from the point's cell to the label's near end, or its middle for `Align::Middle`.
+    col: i32,
+    row: i32,
+    align: Align,
+    /// The seat's own cost, without the cost of the cells that a label hides.
+    cost: i32,
+}
+
+enum Align {
+    /// The label begins here.
+    Start,
+    /// The label is centred here.
+    Middle,
+    /// The label ends here.
+    End,
+}
+
+const fn seat(col: i32, row: i32, align: Align, cost: i32) -> LabelSeat {
+    LabelSeat {
+        col,
+        row,
+        align,
+        cost,
+    }
+}
+
+/// Number of seats next to a point or one column farther. The seats after them are for names only:
+/// a name is recognized by its point, and must not cover a bar.
+const NEAR: usize = 14;
+
+/// The seats: above right first, as readers look there first; then the sides, then below; the outer
+/// ring if the inner one is full.
+const SEATS: [LabelSeat; 40] = [
+    seat(1, -1, Align::Start, 0),
+    seat(-1, -1, Align::End, 1),
+    seat(2, 0, Align::Start, 1),
+    seat(-2, 0, Align::End, 2),
+    seat(0, -1, Align::Middle, 2),
+    seat(1, 1, Align::Start, 2),
+    seat(-1, 1, Align::End, 2),
+    seat(0, 1, Align::Middle, 3),
+    seat(3, -1, Align::Start, 5),
+    seat(-3, -1, Align::End, 5),
+    seat(3, 1, Align::Start, 6),
+    seat(-3, 1, Align::End, 6),
+    seat(3, 0, Align::Start, 5),
+    seat(-3, 0, Align::End, 5),
+    seat(1, -2, Align::Start, 6),
+    seat(-1, -2, Align::End, 7),
+    seat(0, -2, Align::Middle, 6),
+    seat(1, 2, Align::Start, 7),
+    seat(-1, 2, Align::End, 7),
+    seat(0, 2, Align::Middle, 7),
+    seat(5, 0, Align::Start, 8),
+    seat(-5, 0, Align::End, 8),
+    // Only for plans.
+    seat(2, -1, Align::Start, 2),
+    seat(-2, -1, Align::End, 3),
+    seat(2, 1, Align::Start, 4),
+    seat(-2, 1, Align::End, 4),
+    seat(2, -2, Align::Start, 7),
+    seat(-2, -2, Align::End, 8),
+    seat(2, 2, Align::Start, 8),
+    seat(-2, 2, Align::End, 8),
+    seat(4, 0, Align::Start, 7),
+    seat(-4, 0, Align::End, 7),
+    seat(4, -1, Align::Start, 7),
+    seat(-4, -1, Align::End, 7),
+    seat(4, 1, Align::Start, 8),
+    seat(-4, 1, Align::End, 8),
+    seat(3, -2, Align::Start, 9),
+    seat(-3, -2, Align::End, 9),
+    seat(3, 2, Align::Start, 9),
+    seat(-3, 2, Align::End, 9),
+];
+
+/// Number of seats that are tried without a plan.
+const UNPLANNED: usize = 22;
+
+/// Cost per character that hides part of an arrow: more than any free seat.
+const OVER_ARROW: i32 = 9;
+/// Cost per character that hides part of the ground or of a guide.
+const OVER_GROUND: i32 = 3;
+/// Cost of a mark directly before or after the label.
+const MARK_COST: i32 = 5;
+/// Cost of a line directly before or after the label.
+const LINE_COST: i32 = 3;
+/// Maximum cost of a label. A more expensive one is left out, because it would hide more than it
+/// shows.
+const MAX_COST: i32 = 20;
+/// Maximum cost if the names together are longer than the lines: only names in free space help
+/// then.
+const MAX_COST_CROWDED: i32 = 3;
+/// Minimum gain in cost for which a label moves.
+const INERTIA: i32 = 6;
+
+impl Labels {
+    /// Draws the labels of a figure over a raster that holds everything else.
+    pub(in crate::drawing) fn place(
+        &mut self,
+        figure: &Figure,
+        view: &WorldView,
+        raster: &mut Raster,
+    ) {
+        let labels = names(figure);
+        // Sizes of forces are placed last and never displace a name.
+        let own = labels.clone().filter(|(_, _, role)| *role != Role::Force);
+        let length: usize = own.map(|(_, text, _)| text.len()).sum();
+        let is_line = |cell: &&CharCell| cell.role.is_body();
+        let lines = raster.lines().flatten().filter(is_line).count();
+        let limit = if length > lines {
+            MAX_COST_CROWDED
+        } else {
+            MAX_COST
+        };
+        let mut count = 0;
+        for (at, text, role) in labels {
+            let point = cell_of(view.cell(at));
+            if count == self.places.len() {
+                self.places.push(LabelPlace::New);
+            }
+            let place = match self.planned(count, view) {
+                Some(side) => {
+                    let place = side.best_place(raster, point, text, self.places[count]);
+                    if place == LabelPlace::Hidden && raster.cell(point.0, point.1).is_some() {
+                        self.leave_out(count);
+                    }
+                    place
+                }
+                None => best_place(raster, point, text, self.places[count], limit),
+            };
+            self.places[count] = place;
+            count += 1;
+            if let LabelPlace::Seat(seat) = place {
+                let (col, row) = origin(&SEATS[seat], point, text);
+                write(raster, col, row, text, role);
+            }
+        }
+        self.places.truncate(count);
+    }
+}
+
+impl Labels {
+    /// Returns the placed names of a figure, their points, and the column and row offsets of their
+    /// first characters from the point's cell.
+    pub(in crate::drawing) fn placed_names<'f>(
+        &self,
+        figure: &'f Figure,
+        view: &WorldView,
+    ) -> impl Iterator<Item = (&'f str, Vec2, i32, i32)> {
+        let placed = names(figure).zip(&self.places);
+        placed.filter_map(move |((at, text, _), place)| match *place {
+            LabelPlace::Seat(seat) => {
+                let point = cell_of(view.cell(at));
+                let (col, row) = origin(&SEATS[seat], point, text);
+                Some((text, at, col - point.0, row - point.1))
+            }
+            LabelPlace::New | LabelPlace::Hidden => None,
+        })
+    }
+}
+
+/// Returns the labels of a figure: their points, texts and roles.
+fn names(figure: &Figure) -> impl Iterator<Item = (Vec2, &str, Role)> + Clone {
+    figure.shapes().iter().filter_map(|shape| match shape {
+        Shape::Label { at, text, role } => Some((*at, text.as_str(), *role)),
+        _ => None,
+    })
+}
+
+/// Writes a name, with a blank before and after it on hatching.
+fn write(raster: &mut Raster, col: i32, row: i32, text: &str, role: Role) {
+    let mut end = col;
+    for glyph in text.chars() {
+        raster.set_cell(end, row, glyph, role);
+        end += 1;
+    }
+    for nearby in [col - 1, end] {
+        if raster
+            .cell(nearby, row)
+            .is_some_and(|c| c.role == Role::Ground)
+        {
+            raster.set_cell(nearby, row, CharCell::EMPTY.glyph, Role::Empty);
+        }
+    }
+}
+
+fn best_place(
+    raster: &Raster,
+    point: (i32, i32),
+    text: &str,
+    last: LabelPlace,
+    limit: i32,
+) -> LabelPlace {
+    if raster.cell(point.0, point.1).is_none() {
+        return LabelPlace::Hidden;
+    }
+    // A hidden label returns only when there is clearly space for it, so that it does not flicker.
+    let limit = if last == LabelPlace::Hidden {
+        (limit - INERTIA).max(0)
+    } else {
+        limit
+    };
+    let cost = |index: usize| {
+        let seat = &SEATS[index];
+        let (col, row) = origin(seat, point, text);
+        let inertia = i32::from(last == LabelPlace::Seat(index)) * INERTIA;
+        Some(cover(raster, col, row, text)? + seat.cost - inertia).filter(|&cost| cost <= limit)
+    };
+    let priced = (0..UNPLANNED).filter_map(|index| cost(index).map(|cost| (cost, index)));
+    priced
+        .min()
+        .map_or(LabelPlace::Hidden, |(_, index)| LabelPlace::Seat(index))
+}
+
+/// Returns the first cells of all places next to a cell where a text hides nothing, best place
+/// first.
+pub(in crate::drawing) fn free_places(
+    raster: &Raster,
+    point: (i32, i32),
+    text: &str,
+) -> Vec<(i32, i32)> {
+    let free = |seat: &&LabelSeat| {
+        let (col, row) = origin(seat, point, text);
+        cover(raster, col, row, text) == Some(0)
+    };
+    let mut seats: Vec<&LabelSeat> = SEATS[..NEAR].iter().filter(free).collect();
+    seats.sort_by_key(|seat| seat.cost);
+    seats.iter().map(|seat| origin(seat, point, text)).collect()
+}
+
+/// Returns the number of characters, limited to the maximum number of columns of a raster.
+fn width(text: &str) -> i32 {
+    text.chars().count().min(usize::from(u16::MAX)) as i32
+}
+
+/// Returns the cell of the label's first character.
+fn origin(seat: &LabelSeat, point: (i32, i32), text: &str) -> (i32, i32) {
+    let back = match seat.align {
+        Align::Start => 0,
+        Align::Middle => width(text) / 2,
+        Align::End => width(text) - 1,
+    };
+    (point.0 + seat.col - back, point.1 + seat.row)
+}
+
+/// Returns the cost of the cells that a label hides at a place. Returns `None` if it cannot be there:
+/// outside the raster, or on a bar, a mark or another name.
+fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
+    cover_for(raster, col, row, text, None)
+}
+
+/// Returns the cost of the cells that a label hides at a place, with this cost per character on a
+/// bar; without one, a label cannot be there.
+fn cover_for(
+    raster: &Raster,
+    col: i32,
+    row: i32,
+    text: &str,
+    over_bar: Option<i32>,
+) -> Option<i32> {
+    let end = col + width(text);
+    let mut sum = 0;
+    for c in col..end {
+        sum += match raster.cell(c, row)?.role {
+            // Free, so that names do not move when ghosts and traces appear or disappear.
+            Role::Empty | Role::Ghost | Role::Echo | Role::Trace | Role::Trail => 0,
+            Role::Ground | Role::Guide | Role::Plate(_) | Role::DriverPlate => OVER_GROUND,
+            Role::Velocity | Role::Acceleration => OVER_ARROW,
+            role if role.is_body() || role == Role::Spring => over_bar?,
+            // Marks and other names. A size over part of another force would be read as the size
+            // of both.
+            _ => return None,
+        };
+    }
+    for c in [col - 1, end] {
+        let role = raster.cell(c, row).map_or(Role::Empty, |cell| cell.role);
+        sum += match role {
+            Role::Empty => 0,
+            role if role.is_mark() => MARK_COST,
+            role if role.is_behind() && role != Role::Spring => 0,
+            role if role.is_body() => LINE_COST,
+            Role::Spring | Role::Velocity | Role::Acceleration | Role::Force => LINE_COST,
+            // `B` next to `C` would read as one name.
+            _ => return None,
+        };
+    }
+    Some(sum)
+}
+
+#[cfg(test)]
+impl Labels {
+    /// Returns the side of each label.
+    pub(in crate::drawing) fn sides(&self) -> impl Iterator<Item = Side> {
+        self.places.iter().map(|place| Side::of(*place))
+    }
+
+    /// Returns the number of labels left out.
+    pub(in crate::drawing) fn hidden(&self) -> usize {
+        self.places
+            .iter()
+            .filter(|&&p| p == LabelPlace::Hidden)
+            .count()
+    }
+
+    pub(in crate::drawing) fn len(&self) -> usize {
+        self.places.len()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::{Extents, Glyphs, render, render_into};
+    use proptest::prelude::*;
+
+    const MARKS: [Role; 3] = [Role::Joint, Role::GroundPin, Role::Slider];
+
+    fn mark(at: Vec2) -> Shape {
+        let role = Role::Joint;
+        Shape::Mark { at, role }
+    }
+
+    fn label(at: Vec2, text: &str) -> Shape {
+        let (text, role) = (text.to_owned(), Role::Label);
+        Shape::Label { at, text, role }
+    }
+
+    fn view() -> WorldView {
+        let corners = [Vec2::ZERO, Vec2::new(30.0, 10.0)];
+        WorldView::fit(&Extents::of_places(&corners, &[]), 40, 12, 2.0)
+    }
+
+    fn count(raster: &Raster, role: Role) -> usize {
+        let cells = raster.lines().flatten();
+        cells.filter(|cell| cell.role == role).count()
+    }
+
+    proptest! {
+        #[test]
+        fn labels_hide_no_joint_and_no_other_label(
+            points in prop::collection::vec((0.0..30.0, 0.0..10.0), 1..20),
+        ) {
+            let mut figure = Figure::new();
+            let positions: Vec<_> = points.iter().map(|&(x, y)| Vec2::new(x, y)).collect();
+            positions.iter().for_each(|&at| figure.add(mark(at)));
+            let plain = render(&figure, &view(), Glyphs::Ascii);
+            let mut named = 0;
+            for &at in &positions {
+                let before = count(&render(&figure, &view(), Glyphs::Ascii), Role::Label);
+                figure.add(label(at, "Q7"));
+                let raster = render(&figure, &view(), Glyphs::Ascii);
+                let added = count(&raster, Role::Label) - before;
+                prop_assert!(added == 0 || added == 2, "a name is whole or absent");
+                named += added;
+                for role in MARKS {
+                    prop_assert_eq!(count(&raster, role), count(&plain, role));
+                }
+            }
+            prop_assert!(named >= 2, "the first finds a place");
+        }
+    }
+
+    #[test]
+    fn label_is_placed_off_its_line() {
+        let mut figure = Figure::new();
+        let (from, to, role) = (Vec2::new(15.0, 5.0), Vec2::new(30.0, 10.0), Role::Link(0));
+        figure.add(Shape::Line { from, to, role });
+        figure.add(mark(from));
+        let plain = count(&render(&figure, &view(), Glyphs::Ascii), Role::Link(0));
+        figure.add(label(from, "name"));
+        let raster = render(&figure, &view(), Glyphs::Ascii);
+        assert_eq!(count(&raster, Role::Link(0)), plain);
+        assert_eq!(count(&raster, Role::Label), 4);
+    }
+
+    /// Regression: a label changed sides in every frame while a line turned through its place.
+    #[test]
+    fn label_keeps_its_side_without_clear_gain() {
+        let (from, role) = (Vec2::new(15.0, 5.0), Role::Link(0));
+        let seats = |labels: &mut Labels| {
+            let mut seats = Vec::new();
+            let mut raster = Raster::new();
+            for k in 0..200 {
+                let swing = 60.0 + 8.0 * f64::from(k).sin();
+                let to = from + crate::angle::unit(swing) * 9.0;
+                let mut figure = Figure::new();
+                figure.add(Shape::Line { from, to, role });
+                figure.add(mark(from));
+                figure.add(label(from, "P"));
+                render_into(&figure, &view(), Glyphs::Ascii, labels, &mut raster);
+                seats.push(labels.places[0]);
+            }
+            seats
+        };
+        let kept = seats(&mut Labels::default());
+        assert!(kept.windows(2).filter(|w| w[0] != w[1]).count() <= 1);
+    }
+
+    #[test]
+    fn label_that_fits_nowhere_is_left_out() {
+        let mut figure = Figure::new();
+        figure.add(label(Vec2::new(15.0, 5.0), &"n".repeat(100)));
+        assert_eq!(
+            count(&render(&figure, &view(), Glyphs::Ascii), Role::Label),
+            0
+        );
+    }
+}

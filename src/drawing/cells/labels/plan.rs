@@ -1,0 +1,530 @@
+//! Plans the sides of names over a whole motion.
+//!
+//! A name that only avoids what lies in its way would change sides whenever a bar turns past it.
+//! The plan therefore looks ahead: at steps along the motion it draws everything else, and finds
+//! what a name would hide there on each side of its point. A name then has one side for the whole
+//! motion, or a second one over one part of it. So it changes sides at most twice per cycle.
+//! Between two limits the motion runs there and back, and the name changes once each way. On its
+//! side a name may still move by a few cells.
+
+use super::{Align, INERTIA, LabelPlace, Labels, SEATS, cell_of, cover_for, names, origin, width};
+use crate::drawing::cells::raster::Raster;
+use crate::drawing::cells::render::{Glyphs, render_bare};
+use crate::drawing::figure::{Figure, Role};
+use crate::drawing::motion::extents::Extents;
+use crate::drawing::view::WorldView;
+
+/// Number of steps of the plan along the motion: 1.5 degrees of a turn.
+const STEPS: usize = 240;
+/// Maximum number of names that are planned, and of shapes of a figure. Beyond them the plan would
+/// take longer than a frame may.
+const MAX_NAMES: usize = 40;
+const MAX_SHAPES: usize = 600;
+/// Number of names above which they take each other's places.
+const MANY_NAMES: usize = 16;
+
+/// Cost of a step at which the name lies on a bar.
+const BLOCKED: i32 = 400;
+/// Cost of a step without the name.
+const HIDDEN: i32 = 500;
+/// Cost of a change of sides.
+const CHANGE: i32 = 600;
+/// Cost of another side than the one that is shown when the plan begins.
+const EXAMINED_FRACTIONS: i32 = 2000;
+/// Cost per character of a planned name that hides part of a bar.
+const OVER_BAR: i32 = 100;
+/// Number of steps around those without a place for a name, over which it is left out.
+const AROUND: usize = 4;
+/// Number of times that each name is planned, with the other names in place.
+const ROUNDS: usize = 3;
+
+/// A side of a point, or no place at all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::drawing) enum Side {
+    /// On this side: to the left, in the middle or to the right, and above, beside or below.
+    At(i8, i8),
+    Hidden,
+}
+
+/// All sides; the last one is no place.
+const SIDES: [Side; 9] = [
+    Side::At(1, -1),
+    Side::At(-1, -1),
+    Side::At(1, 0),
+    Side::At(-1, 0),
+    Side::At(0, -1),
+    Side::At(1, 1),
+    Side::At(-1, 1),
+    Side::At(0, 1),
+    Side::Hidden,
+];
+
+impl Side {
+    /// Returns the side of a place.
+    pub(super) fn of(place: LabelPlace) -> Side {
+        match place {
+            LabelPlace::Seat(seat) => Side::of_seat(seat),
+            LabelPlace::New | LabelPlace::Hidden => Side::Hidden,
+        }
+    }
+
+    fn of_seat(seat: usize) -> Side {
+        let right = match SEATS[seat].align {
+            Align::Start => 1,
+            Align::Middle => 0,
+            Align::End => -1,
+        };
+        let below = SEATS[seat].row.signum();
+        Side::At(right, i8::try_from(below).unwrap_or(0))
+    }
+
+    /// Returns the best place of a name on this side: a free one, or one on bars. Close to the best
+    /// one, the last place is kept.
+    pub(super) fn best_place(
+        self,
+        raster: &Raster,
+        point: (i32, i32),
+        text: &str,
+        last: LabelPlace,
+    ) -> LabelPlace {
+        if raster.cell(point.0, point.1).is_none() {
+            return LabelPlace::Hidden;
+        }
+        let seats = (0..SEATS.len()).filter(|seat| Side::of_seat(*seat) == self);
+        let priced = seats.filter_map(|seat| {
+            let (col, row) = origin(&SEATS[seat], point, text);
+            let cover = cover_for(raster, col, row, text, Some(OVER_BAR))?;
+            let inertia = i32::from(last == LabelPlace::Seat(seat)) * INERTIA;
+            Some((cover + SEATS[seat].cost - inertia, seat))
+        });
+        let best = priced.min();
+        best.map_or(LabelPlace::Hidden, |(_, seat)| LabelPlace::Seat(seat))
+    }
+}
+
+/// The places of names along the motion.
+#[derive(Clone, Debug)]
+pub(super) struct LabelPlan {
+    view: WorldView,
+    /// The current step of the motion.
+    step: usize,
+    names: Vec<PlannedName>,
+}
+
+/// A side for the whole motion, and another one from a step up to a later one, or beyond the end and
+/// up to an earlier one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct PlannedName {
+    main: Side,
+    other: Side,
+    from: usize,
+    to: usize,
+}
+
+impl PlannedName {
+    fn side(&self, step: usize) -> Side {
+        let is_other = if self.from <= self.to {
+            (self.from..self.to).contains(&step)
+        } else {
+            !(self.to..self.from).contains(&step)
+        };
+        if is_other { self.other } else { self.main }
+    }
+}
+
+impl Labels {
+    /// Plans the sides of the names over the whole motion in a fixed window, beginning at a driver
+    /// coordinate, where names keep their sides if possible. `figure_at` returns the figure at a
+    /// coordinate. Without a motion, or for very many names, there is no plan.
+    pub fn plan(
+        &mut self,
+        extents: &Extents,
+        at: f64,
+        view: &WorldView,
+        glyphs: Glyphs,
+        figure_at: impl FnMut(f64) -> Figure,
+    ) {
+        let mut plan = LabelPlan {
+            view: *view,
+            step: 0,
+            names: Vec::new(),
+        };
+        if let Some(start) = step_of(extents, at) {
+            plan.step = start;
+            plan.names = self.planned_names(extents, (at, start), view, glyphs, figure_at);
+        }
+        self.plan = Some(plan);
+    }
+
+    /// Returns the plan of each name; empty if there are too many.
+    fn planned_names(
+        &self,
+        extents: &Extents,
+        (at, start): (f64, usize),
+        view: &WorldView,
+        glyphs: Glyphs,
+        mut figure_at: impl FnMut(f64) -> Figure,
+    ) -> Vec<PlannedName> {
+        let first = figure_at(at);
+        let count = own_names(&first).count();
+        if count == 0 || count > MAX_NAMES || first.shapes().len() > MAX_SHAPES {
+            return Vec::new();
+        }
+        let mut raster = Raster::new();
+        let mut names = vec![SeatCosts::default(); count];
+        let steps = extents.poses().steps(STEPS);
+        for coordinate in steps {
+            let figure = figure_at(coordinate);
+            render_bare(&figure, view, glyphs, &mut raster);
+            let mut known = own_names(&figure);
+            for name in &mut names {
+                name.add(known.next(), view, &raster);
+            }
+        }
+        let planning = Planning {
+            closed: extents.poses().is_closed(),
+            begin: start,
+        };
+        let mut planned: Vec<Option<PlannedName>> = vec![None; count];
+        for _ in 0..ROUNDS {
+            for (name, costs) in names.iter().enumerate() {
+                let taken = |step: usize| {
+                    let others = planned.iter().zip(&names).enumerate();
+                    let others = others.filter(move |(other, _)| *other != name);
+                    others.filter_map(move |(_, (plan, costs))| costs.span(plan.as_ref()?, step))
+                };
+                let shown = self.places.get(name).map(|place| Side::of(*place));
+                let shown = shown.filter(|shown| *shown != Side::Hidden);
+                planned[name] = Some(planning.best(&costs.with_others(taken), shown));
+            }
+        }
+        let mut planned: Vec<PlannedName> = planned.into_iter().flatten().collect();
+        for _ in 0..ROUNDS {
+            leave_out_crowded(&mut planned, &names);
+        }
+        planned
+    }
+
+    /// Drops the plan. Names then move only if their places become clearly worse.
+    pub fn drop_plan(&mut self) {
+        self.plan = None;
+    }
+
+    /// Returns `true` if the names are planned.
+    #[must_use]
+    pub fn is_planned(&self) -> bool {
+        self.plan.is_some()
+    }
+
+    /// Sets the driver coordinate at which the plan is read.
+    pub fn go(&mut self, extents: &Extents, at: f64) {
+        if let (Some(plan), Some(step)) = (&mut self.plan, step_of(extents, at)) {
+            plan.step = step;
+        }
+    }
+
+    /// Plans to leave out one of many names that has no place between two steps. It would disappear
+    /// again at the same place of every cycle.
+    pub(super) fn leave_out(&mut self, name: usize) {
+        let plan = self.plan.as_mut();
+        let plan = plan.filter(|plan| plan.names.len() > MANY_NAMES);
+        if let Some(name) = plan.and_then(|plan| plan.names.get_mut(name)) {
+            (name.main, name.other) = (Side::Hidden, Side::Hidden);
+        }
+    }
+
+    /// Returns the planned side of a name; `None` without a plan for this window.
+    pub(super) fn planned(&self, name: usize, view: &WorldView) -> Option<Side> {
+        let plan = self.plan.as_ref().filter(|plan| plan.view == *view)?;
+        Some(plan.names.get(name)?.side(plan.step))
+    }
+}
+
+/// Plans to leave out names that would be without a place at some steps, because names before them
+/// take it. They would appear and disappear. A name with a single side is left out over the part of
+/// the motion that contains these steps, and any other one throughout.
+fn leave_out_crowded(planned: &mut [PlannedName], names: &[SeatCosts]) {
+    let mut crowded: Vec<Vec<usize>> = vec![Vec::new(); planned.len()];
+    let mut seats: Vec<Option<usize>> = vec![None; planned.len()];
+    for step in 0..names.first().map_or(0, |name| name.costs.len()) {
+        let mut taken: Vec<Span> = Vec::new();
+        for (index, (plan, costs)) in planned.iter().zip(names).enumerate() {
+            let side = plan.side(step);
+            let Some(name) = costs.names[step].as_ref().filter(|_| side != Side::Hidden) else {
+                continue;
+            };
+            seats[index] = costs.free_seat(side, step, &taken, seats[index]);
+            match seats[index] {
+                Some(seat) => taken.extend(span(name, seat)),
+                None => crowded[index].push(step),
+            }
+        }
+    }
+    for ((plan, name), steps) in planned.iter_mut().zip(names).zip(crowded) {
+        let (Some(&first), Some(&last)) = (steps.first(), steps.last()) else {
+            continue;
+        };
+        let count = name.costs.len();
+        let is_short = last - first < count / 4;
+        *plan = match plan.main == plan.other && is_short {
+            true => PlannedName {
+                other: Side::Hidden,
+                from: first.saturating_sub(AROUND),
+                to: (last + 1 + AROUND).min(count),
+                ..*plan
+            },
+            false => PlannedName {
+                main: Side::Hidden,
+                other: Side::Hidden,
+                ..*plan
+            },
+        };
+    }
+}
+
+/// Returns the names of a figure without the sizes of forces, which are placed last in each frame.
+fn own_names(figure: &Figure) -> impl Iterator<Item = (crate::Vec2, &str)> {
+    let own = names(figure).filter(|(_, _, role)| *role != Role::Force);
+    own.map(|(at, text, _)| (at, text))
+}
+
+fn step_of(extents: &Extents, at: f64) -> Option<usize> {
+    let share = extents.poses().share(at)?;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the share is between 0 and 1"
+    )]
+    let step = (share * STEPS as f64) as usize;
+    Some(step.min(STEPS - 1))
+}
+
+/// The place of a name at a step: its point's cell and its number of characters.
+#[derive(Clone, Debug)]
+struct NameAt {
+    point: (i32, i32),
+    text: String,
+}
+
+/// A part of a row: the row, the first column, and the column after the last one.
+type Span = (i32, i32, i32);
+
+/// The costs of a name's seats at each step.
+#[derive(Clone, Debug, Default)]
+struct SeatCosts {
+    /// The name at each step; `None` if it is outside the window.
+    names: Vec<Option<NameAt>>,
+    /// The cost of each seat at each step; `None` if the name cannot be there.
+    costs: Vec<[Option<i32>; SEATS.len()]>,
+}
+
+/// The cost of each side at a step.
+type SideCosts = [i32; SIDES.len()];
+
+impl SeatCosts {
+    /// Adds a step.
+    fn add(&mut self, name: Option<(crate::Vec2, &str)>, view: &WorldView, raster: &Raster) {
+        let name = name.map(|(at, text)| (cell_of(view.cell(at)), text));
+        let name = name.filter(|(point, _)| raster.cell(point.0, point.1).is_some());
+        let mut costs = [None; SEATS.len()];
+        if let Some((point, text)) = name {
+            for (seat, cost) in SEATS.iter().zip(&mut costs) {
+                let (col, row) = origin(seat, point, text);
+                let cover = cover_for(raster, col, row, text, Some(OVER_BAR));
+                *cost = cover.map(|cover| cover + seat.cost);
+            }
+        }
+        self.costs.push(costs);
+        self.names.push(name.map(|(point, text)| NameAt {
+            point,
+            text: text.to_owned(),
+        }));
+    }
+
+    /// Returns the cells that the name takes at a step of its plan.
+    fn span(&self, plan: &PlannedName, step: usize) -> Option<Span> {
+        let seat = self.free_seat(plan.side(step), step, &[], None)?;
+        span(self.names[step].as_ref()?, seat)
+    }
+
+    /// Returns the seat of the name on a side at a step, clear of other names. Close to the best
+    /// one, the last seat is kept.
+    fn free_seat(
+        &self,
+        side: Side,
+        step: usize,
+        taken: &[Span],
+        last: Option<usize>,
+    ) -> Option<usize> {
+        let name = self.names[step].as_ref()?;
+        let costs = self.costs[step].iter().enumerate();
+        let own = costs.filter(|(seat, _)| Side::of_seat(*seat) == side);
+        let free = own.filter_map(|(seat, cost)| {
+            let own = span(name, seat)?;
+            let is_free = !taken.iter().any(|other| touch(own, *other));
+            let inertia = i32::from(last == Some(seat)) * INERTIA;
+            Some(((*cost).filter(|_| is_free)? - inertia, seat))
+        });
+        free.min().map(|(_, seat)| seat)
+    }
+
+    /// Returns the costs of each side over the motion, with these names at each step in place. A
+    /// side is blocked already at the steps next to those at which it is, because frames lie between
+    /// steps.
+    fn with_others<S: Iterator<Item = Span>>(&self, taken: impl Fn(usize) -> S) -> Vec<SideCosts> {
+        let sides = (0..self.costs.len()).map(|step| {
+            let mut sides = [HIDDEN; SIDES.len()];
+            let Some(name) = &self.names[step] else {
+                sides[SIDES.len() - 1] = 0;
+                return sides;
+            };
+            let others: Vec<Span> = taken(step).collect();
+            for (seat, cost) in self.costs[step].iter().enumerate() {
+                let touches = |own: Span| others.iter().any(|other| touch(own, *other));
+                let is_taken = span(name, seat).is_some_and(touches);
+                let side = SIDES.iter().position(|side| *side == Side::of_seat(seat));
+                if let (Some(cost), Some(side), false) = (cost, side, is_taken) {
+                    let is_on_bar = *cost >= OVER_BAR;
+                    let cost = 2 * cost + i32::from(is_on_bar) * BLOCKED;
+                    sides[side] = sides[side].min(cost);
+                }
+            }
+            sides
+        });
+        let sides: Vec<SideCosts> = sides.collect();
+        let count = sides.len();
+        let wide = (0..count).map(|step| {
+            let near = [(step + count - 1) % count, (step + 1) % count];
+            let mut wide = sides[step];
+            for (side, cost) in wide[..SIDES.len() - 1].iter_mut().enumerate() {
+                for near in near.iter().map(|at| sides[*at][side]) {
+                    if near >= BLOCKED {
+                        *cost = (*cost).max(near);
+                    }
+                }
+            }
+            wide
+        });
+        wide.collect()
+    }
+}
+
+/// Returns `true` if two names overlap or follow each other without a blank: `B` next to `C` would
+/// read as one name.
+fn touch(one: Span, other: Span) -> bool {
+    one.0 == other.0 && one.1 <= other.2 && other.1 <= one.2
+}
+
+/// Returns the cells that a name takes on a seat.
+fn span(name: &NameAt, seat: usize) -> Option<Span> {
+    let (col, row) = origin(SEATS.get(seat)?, name.point, &name.text);
+    Some((row, col, col + width(&name.text)))
+}
+
+/// The search for the best places of a name.
+struct Planning {
+    closed: bool,
+    /// The step at which the plan begins.
+    begin: usize,
+}
+
+impl Planning {
+    /// Returns the best sides of a name that is shown on a side when the plan begins.
+    fn best(&self, costs: &[SideCosts], shown: Option<Side>) -> PlannedName {
+        let mut costs = costs.to_vec();
+        if let (Some(start), Some(shown)) = (costs.get_mut(self.begin), shown) {
+            let others = start
+                .iter_mut()
+                .zip(&SIDES)
+                .filter(|(_, side)| **side != shown);
+            others.for_each(|(cost, _)| *cost += EXAMINED_FRACTIONS);
+        }
+        let hidden = PlannedName {
+            main: Side::Hidden,
+            other: Side::Hidden,
+            from: 0,
+            to: 0,
+        };
+        let mut best = (i32::MAX, hidden);
+        let mut offer = |cost: i32, name: PlannedName| {
+            if cost < best.0 {
+                best = (cost, name);
+            }
+        };
+        for (main, &side) in SIDES.iter().enumerate() {
+            let total = costs.iter().map(|costs| costs[main]).sum::<i32>();
+            offer(
+                total,
+                PlannedName {
+                    main: side,
+                    other: side,
+                    ..hidden
+                },
+            );
+            for (other, &second) in SIDES.iter().enumerate().filter(|(other, _)| *other != main) {
+                let gain = |step: usize| costs[step][other] - costs[step][main];
+                let (gained, from, to) = self.best_part(costs.len(), gain);
+                let changes = if self.closed { 2 } else { 1 };
+                let name = PlannedName {
+                    main: side,
+                    other: second,
+                    from,
+                    to,
+                };
+                offer(total + gained + changes * CHANGE, name);
+            }
+        }
+        best.1
+    }
+
+    /// Returns the part of the motion with the smallest sum of `gain`, and the sum: from a step up
+    /// to another one. In a closed motion the part may go on beyond the end; in another one it lies
+    /// at the beginning or at the end.
+    fn best_part(&self, count: usize, gain: impl Fn(usize) -> i32) -> (i32, usize, usize) {
+        // The part with the smallest sum that ends here, and the one with the largest sum.
+        let (mut low, mut high) = ((0, 0), (0, 0));
+        let (mut minimum, mut maximum) = ((0, 0, 0), (0, 0, 0));
+        let mut sum = 0;
+        for step in 0..count {
+            let gain = gain(step);
+            sum += gain;
+            if !self.closed {
+                if sum < minimum.0 {
+                    minimum = (sum, 0, step + 1);
+                }
+                if sum > maximum.0 {
+                    maximum = (sum, 0, step + 1);
+                }
+                continue;
+            }
+            low = if low.0 < 0 {
+                (low.0 + gain, low.1)
+            } else {
+                (gain, step)
+            };
+            high = if high.0 > 0 {
+                (high.0 + gain, high.1)
+            } else {
+                (gain, step)
+            };
+            if low.0 < minimum.0 {
+                minimum = (low.0, low.1, step + 1);
+            }
+            if high.0 > maximum.0 {
+                maximum = (high.0, high.1, step + 1);
+            }
+        }
+        // All but the part with the largest sum.
+        let rest = (sum - maximum.0, maximum.2, maximum.1);
+        if rest.0 < minimum.0 {
+            let (sum, from, to) = rest;
+            if self.closed {
+                (sum, from % count, to)
+            } else {
+                (sum, from, count)
+            }
+        } else {
+            minimum
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! Writes the forces: loads, every link and pin in turn, and the driver.
+
+use super::free_body::{free_body, largest};
+use crate::page::UNIT;
+use crate::report::working::context::{Context, Draft};
+use crate::report::working::expression::Expression;
+use crate::report::working::figures::WrittenSum;
+use crate::report::working::reactions;
+use crate::solver::{Condition, LoadAction};
+use crate::wording::words;
+use crate::{Input, Load, PointId, Vec2};
+
+/// Writes all parts on forces; nothing for a mechanism without loads.
+pub(in crate::report::working) fn forces(context: &Context<'_>, draft: &mut Draft) {
+    if !context.solver.has_forces() {
+        return;
+    }
+    draft.page.part(words().forces_part());
+    let Some(torque) = context.state.drive() else {
+        let withheld = crate::report::forces::withheld(context.scene, &context.state);
+        let absent = || absent(context.state.condition()).to_owned();
+        draft.page.text(withheld.unwrap_or_else(absent));
+        return;
+    };
+    if !context.scene.mechanism.timed().is_empty() {
+        draft.page.text(words().forces_of_inputs_in_tables());
+        return;
+    }
+    let acted = context.solver.acted(&context.state);
+    loads(context, draft, &acted);
+    super::loads::laws(context, draft, &acted);
+    if context.state.residual().is_none() {
+        draft.page.text(words().reactions_need_not_exist());
+    } else {
+        reactions::reactions(context, draft, &acted);
+        let links = context.scene.mechanism.link_ids();
+        let open: Vec<&str> = links
+            .filter(|&link| !free_body(context, draft, link, &acted))
+            .map(|link| context.scene.link_name(link))
+            .collect();
+        if !open.is_empty() {
+            draft.page.text(words().reactions_open(&open.join(", ")));
+        }
+        super::pins::pins(context, draft, &acted);
+    }
+    driver(context, draft, torque, &acted);
+}
+
+/// Returns the reason why there are no forces.
+fn absent(condition: Condition) -> &'static str {
+    match condition {
+        Condition::DeadPoint => words().no_balance_at_dead_point(),
+        Condition::NoAssembly => words().no_forces_without_assembly(),
+        Condition::Ok | Condition::ChangePoint => words().no_forces_here(),
+    }
+}
+
+/// Writes the loads in this state.
+fn loads(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
+    let mechanism = &context.scene.mechanism;
+    let mut rows = Vec::new();
+    for (load, acted) in mechanism.loads().iter().zip(acted) {
+        let what = kind(load);
+        for (point, force) in &acted.forces {
+            let [x, y] = components(context, *force);
+            rows.push([
+                words().acts_at(what, point_name(context, *point)),
+                x,
+                y,
+                "-".into(),
+            ]);
+        }
+        for &(link, couple) in &acted.couples {
+            let name = words().acts_on(what, context.scene.link_name(link));
+            rows.push([name, "-".into(), "-".into(), context.figures.number(couple)]);
+        }
+    }
+    if !rows.is_empty() {
+        draft.page.text(words().loads_here());
+        let torque = format!("{} [N m]", words().torque());
+        draft.table([words().column_load(), "fx [N]", "fy [N]", &torque], rows);
+    }
+}
+
+/// Returns the name of a kind of load.
+pub(in crate::report::working) fn kind(load: &Load) -> &'static str {
+    match load {
+        Load::Force { .. } => words().force(),
+        Load::Torque { .. } => words().torque(),
+        Load::Press { .. } => words().kind_press(),
+        Load::Spring { .. } | Load::GasSpring { .. } | Load::TorsionSpring { .. } => {
+            words().kind_spring()
+        }
+    }
+}
+
+pub(in crate::report::working) fn components(context: &Context<'_>, force: Vec2) -> [String; 2] {
+    let size = force.norm();
+    [force.x, force.y].map(|v| context.figures.format_or_zero(v, size))
+}
+
+pub(in crate::report::working) fn point_name<'a>(
+    context: &'a Context<'_>,
+    point: PointId,
+) -> &'a str {
+    context.scene.point_name(point).unwrap_or(words().a_point())
+}
+
+/// Writes the driver's effort, and its parts.
+fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[LoadAction]) {
+    let (f, state) = (context.figures, context.state);
+    let (is_rotary, what, unit) = match context.scene.mechanism.driver().input {
+        Input::Turn(_) => (true, "torque", "N m"),
+        Input::Push(_) => (false, "force", "N"),
+    };
+    draft.page.section(match is_rotary {
+        true => words().torque_of_driver(),
+        false => words().force_of_driver(),
+    });
+    if let Some(parts) = state.drive_parts() {
+        let size = parts
+            .iter()
+            .fold(0.0_f64, |maximum, v| maximum.max(v.abs()));
+        let mut sum = WrittenSum::default();
+        parts
+            .iter()
+            .for_each(|v| sum.push_figure(&f.format_or_zero(*v, size)));
+        let size_on_the_way = size.max(largest(context, acted));
+        let computed = parts.iter().sum();
+        draft.agree(&format!("driver.{what}"), computed, drive, size_on_the_way);
+        let effort = format!("{} {UNIT}{unit}", f.format_or_zero(drive, size));
+        draft.page.text(match (state.residual(), is_rotary) {
+            (Some(_), true) => words().torque_checked_by_work(&effort),
+            (Some(_), false) => words().force_checked_by_work(&effort),
+            (None, _) => words().effort_by_work().to_owned(),
+        });
+        super::loads::shares(context, draft, acted, parts);
+        draft.page.equation([
+            format!("driver.{what}"),
+            super::loads::share_names().join(" + "),
+            sum.text(),
+            format!("{} {UNIT}{unit}", f.format_or_zero(drive, size)),
+        ]);
+    }
+    if let Some(power) = state.power() {
+        let speed = match context.scene.mechanism.driver().input {
+            Input::Turn(_) => state.driver_speed(),
+            Input::Push(_) => state.driver_speed() * context.scene.mechanism.metres(),
+        };
+        let [drive, speed] = [(f.number(drive), drive), (f.given(speed), speed)]
+            .map(|(figure, value)| Expression::figure(figure, value));
+        let computed = draft.write_numbers("driver.power", &(drive * speed), |power| {
+            format!("{} {UNIT}W", f.number(power))
+        });
+        draft.agree("driver.power", computed, power, power.abs());
+    }
+}
+
+/// Writes the two independent checks: power, and the equilibrium of the whole mechanism.
+pub(in crate::report::working) fn check(context: &Context<'_>, draft: &mut Draft) {
+    let state = context.state;
+    let (Some(left), Some(force), Some(moment)) =
+        (state.residual(), state.frame_force(), state.frame_moment())
+    else {
+        return;
+    };
+    let f = context.figures;
+    let [x, y] = components(context, force);
+    draft
+        .page
+        .text(words().frame_feels(&x, &y, &f.number(moment)));
+    let unit = match context.scene.mechanism.driver().input {
+        Input::Turn(_) => "N m",
+        Input::Push(_) => "N",
+    };
+    let small = |v: f64| {
+        if v == 0.0 {
+            "0".to_owned()
+        } else {
+            format!("{v:.1e}")
+        }
+    };
+    for (name, value, unit) in [
+        (words().virtual_work().to_owned(), left.drive, unit),
+        (words().forces_in("x"), left.force.x, "N"),
+        (words().forces_in("y"), left.force.y, "N"),
+        (words().moments().to_owned(), left.moment, "N m"),
+    ] {
+        draft
+            .page
+            .equation([name, format!("{} {UNIT}{unit}", small(value))]);
+    }
+}

@@ -1,0 +1,203 @@
+//! Writes the laws of springs with numbers.
+
+use super::forces::point_name;
+use super::knots::{line_at, on_line};
+use crate::angle::{TURN, radians};
+use crate::page::UNIT;
+use crate::report::working::context::{Context, Draft};
+use crate::report::working::expression::Expression;
+use crate::report::working::symbols;
+use crate::solver::LoadAction;
+use crate::wording::words;
+use crate::{Body, LinkId, Load, PointId, Profile};
+
+/// Writes the law of a spring; does nothing for other loads.
+pub(in crate::report::working) fn law(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    load: &Load,
+    acted: &LoadAction,
+) {
+    match *load {
+        Load::Spring {
+            from,
+            to,
+            stiffness,
+            length,
+            preload,
+            damping,
+        } => {
+            let numbers = [stiffness, length, preload, damping];
+            pull(context, draft, [from, to], numbers);
+        }
+        Load::GasSpring {
+            from,
+            to,
+            ref force,
+            damping,
+        } => push(context, draft, [from, to], (force, damping)),
+        Load::TorsionSpring {
+            link,
+            to,
+            stiffness,
+            angle,
+            preload,
+            damping,
+        } => {
+            let numbers = [stiffness, angle, preload, damping];
+            let found = acted.couples.first().map_or(0.0, |couple| couple.1);
+            turn_back(context, draft, (link, to, numbers), found);
+        }
+        Load::Force { .. } | Load::Torque { .. } | Load::Press { .. } => {}
+    }
+}
+
+/// Writes the law of [`Load::Spring`] in its symbols.
+fn pull(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    ends: [PointId; 2],
+    [stiffness, length, preload, damping]: [f64; 4],
+) {
+    let f = context.figures;
+    draft.page.text(words().pull_of_spring());
+    let spring = SpringNow::written(context, draft, ends);
+    let metres = context.scene.mechanism.metres();
+    let [l, l0] = [spring.length, length].map(|v| v * metres);
+    let l = Expression::known("L", f.number(l), l);
+    let l0 = Expression::known("L0", f.given(l0), l0);
+    let k = Expression::known("k", f.given(stiffness), stiffness);
+    let straight = k * (l - l0);
+    let stiff = match preload {
+        0.0 => straight,
+        _ => Expression::known("F0", f.given(preload), preload) + straight,
+    };
+    let pull = stiff + spring.damped(context, damping);
+    draft.worked(words().pull(), &pull, |pull| {
+        format!("{} {UNIT}N", f.number(pull))
+    });
+}
+
+/// Writes the law of [`Load::GasSpring`], with the push p from the line between two knots.
+fn push(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    ends: [PointId; 2],
+    (force, damping): (&Profile, f64),
+) {
+    let f = context.figures;
+    draft.page.text(words().pull_of_gas_spring());
+    let spring = SpringNow::written(context, draft, ends);
+    let push = match line_at(force, spring.length) {
+        Some(line) => {
+            draft.page.text(words().push_by_line());
+            on_line(context, draft, "L", (spring.length, spring.length), line).0
+        }
+        None => {
+            draft.page.text(words().push_beyond_knots());
+            let [first, last] = [force.knots().first(), force.knots().last()];
+            let is_short = first.is_some_and(|knot| spring.length < knot[0]);
+            let push = if is_short { first } else { last }.map_or(0.0, |knot| knot[1]);
+            let p = format!("{} {UNIT}N", f.given(push));
+            draft.page.equation(["p".to_owned(), p]);
+            push
+        }
+    };
+    let p = Expression::known("p", f.number(push), push);
+    let pull = -p + spring.damped(context, damping);
+    draft.worked(words().pull(), &pull, |pull| {
+        format!("{} {UNIT}N", f.number(pull))
+    });
+}
+
+/// Writes the law of [`Load::TorsionSpring`]: the torque on its link, with θ measured from the free
+/// angle.
+fn turn_back(
+    context: &Context<'_>,
+    draft: &mut Draft,
+    (link, to, [stiffness, free, preload, damping]): (LinkId, Body, [f64; 4]),
+    found: f64,
+) {
+    let (f, scene, state) = (context.figures, context.scene, context.state);
+    let angle = |name: &str, value: f64| Expression::known(name, f.direction(value), value);
+    let (name, own) = (scene.link_name(link), state.angle(link));
+    let (other, turning) = match to {
+        Body::Ground => (0.0, state.omega(link)),
+        Body::Link(to) => (state.angle(to), state.omega(link) - state.omega(to)),
+    };
+    draft.page.text(words().torque_of_torsion_spring(name));
+    let plain = own - other - free;
+    let turns = TURN * -(plain / TURN).round();
+    let mut phi = angle(&symbols::theta(name), own);
+    if let Body::Link(to) = to {
+        phi = phi - angle(&symbols::theta(scene.link_name(to)), other);
+    }
+    phi = phi - Expression::known("θ0", f.given(free), free);
+    if turns != 0.0 {
+        phi = phi + Expression::figure(f.given(turns), turns);
+    }
+    let phi = draft.worked("θ", &phi, |phi| {
+        format!("{} deg", f.format_or_zero(phi, TURN))
+    });
+    let phi = radians(phi);
+    let written = f.format_or_zero(phi, radians(TURN));
+    draft
+        .page
+        .equation(["θ".to_owned(), format!("{written} rad")]);
+    let size = stiffness * radians(TURN) + preload.abs();
+    let turn = Expression::known("M0", f.given(preload), preload)
+        - Expression::known("k", f.given(stiffness), stiffness)
+            * Expression::known("θ", written, phi)
+        - Expression::known("c", f.given(damping), damping)
+            * Expression::known("ω", f.number(turning), turning);
+    let computed = draft.worked("M", &turn, |turn| format!("{} {UNIT}N m", f.number(turn)));
+    draft.agree("M", computed, found, size.max(found.abs()));
+}
+
+/// The current length of a spring, and the rate of it, in the scene's unit.
+struct SpringNow {
+    length: f64,
+    rate: f64,
+}
+
+impl SpringNow {
+    /// Writes a spring's length and the rate of it.
+    fn written(context: &Context<'_>, draft: &mut Draft, ends: [PointId; 2]) -> SpringNow {
+        let f = context.figures;
+        let spring = SpringNow::of(context, ends);
+        let [from, to] = ends.map(|point| point_name(context, point));
+        let name = words().spring_between(from, to);
+        let length = f.number(spring.length);
+        let rate = f.format_or_zero(spring.rate, context.fastest[0]);
+        draft
+            .page
+            .equation([name, format!("{length} {UNIT}{}", f.unit)]);
+        draft.page.equation([
+            "dL/dt".to_owned(),
+            format!("{rate} {UNIT}{}", f.length_unit(1)),
+        ]);
+        spring
+    }
+
+    /// Returns the damping term `c*dL/dt`, with the rate in m/s.
+    fn damped(&self, context: &Context<'_>, damping: f64) -> Expression {
+        let f = context.figures;
+        let metres = context.scene.mechanism.metres();
+        let rate = self.rate * metres;
+        let figure = f.format_or_zero(rate, context.fastest[0] * metres);
+        Expression::known("c", f.given(damping), damping) * Expression::known("dL/dt", figure, rate)
+    }
+
+    fn of(context: &Context<'_>, [from, to]: [PointId; 2]) -> SpringNow {
+        let state = context.state;
+        let along = state.position(to) - state.position(from);
+        let length = along.norm();
+        let relative = state.velocity(to) - state.velocity(from);
+        let rate = if length > 0.0 {
+            along.dot(relative) / length
+        } else {
+            0.0
+        };
+        SpringNow { length, rate }
+    }
+}

@@ -1,0 +1,67 @@
+//! Vector polygons: the sides and the independent closed loops of a scene.
+
+use super::sides::{Locks, Side};
+
+/// A side of a loop, and whether it is traversed backwards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::report::working) struct Term {
+    pub side: usize,
+    pub reversed: bool,
+}
+
+/// A closed loop.
+#[derive(Clone, Debug)]
+pub(in crate::report::working) struct Loop {
+    pub terms: Vec<Term>,
+    /// The group of the plan that closes it; `None` if the loop only yields a further vector.
+    pub group: Option<usize>,
+}
+
+/// All sides and loops of a scene.
+#[derive(Clone, Debug)]
+pub(in crate::report::working) struct Polygon {
+    pub sides: Vec<Side>,
+    pub loops: Vec<Loop>,
+    pub locks: Locks,
+}
+
+impl Polygon {
+    /// Returns the sides of a loop with their directions.
+    pub(in crate::report::working) fn terms<'a>(
+        &'a self,
+        of: &'a Loop,
+    ) -> impl Iterator<Item = (&'a Side, bool)> + Clone {
+        of.terms
+            .iter()
+            .map(|term| (&self.sides[term.side], term.reversed))
+    }
+
+    /// Returns the names of a term's start and end, as traversed by the loop.
+    pub(in crate::report::working) fn ends(&self, term: Term) -> (&str, &str) {
+        let side = &self.sides[term.side];
+        if term.reversed {
+            (&side.head, &side.tail)
+        } else {
+            (&side.tail, &side.head)
+        }
+    }
+
+    /// Returns the points of a loop in order, the first one repeated at the end.
+    pub(in crate::report::working) fn walk(&self, of: &Loop) -> String {
+        let mut walk: Vec<&str> = of.terms.iter().map(|&term| self.ends(term).0).collect();
+        walk.extend(of.terms.last().map(|&term| self.ends(term).1));
+        walk.join(" → ")
+    }
+
+    /// Returns the sides that are not in any loop.
+    pub(in crate::report::working) fn riders(&self) -> impl Iterator<Item = &Side> {
+        let is_in_loop = |side: usize| {
+            let mut terms = self.loops.iter().flat_map(|l| &l.terms);
+            terms.any(|term| term.side == side)
+        };
+        let sides = self.sides.iter().enumerate();
+        sides
+            .filter(move |(i, _)| !is_in_loop(*i))
+            .map(|(_, side)| side)
+    }
+}
