@@ -74,7 +74,7 @@ impl Raster {
     }
 
     /// Returns the number of a cell, counted row by row; `None` outside.
-    pub(super) fn index(&self, col: i32, row: i32) -> Option<usize> {
+    pub(in crate::drawing) fn index(&self, col: i32, row: i32) -> Option<usize> {
         let (col, row) = (u16::try_from(col).ok()?, u16::try_from(row).ok()?);
         (col < self.cols && row < self.rows)
             .then(|| usize::from(row) * usize::from(self.cols) + usize::from(col))
