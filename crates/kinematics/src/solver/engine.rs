@@ -382,6 +382,18 @@ impl Engine {
         ends.flatten().map(move |end| end * unit)
     }
 
+    /// Returns `true` if a coordinate lies outside an open table. There the table's input rests, and
+    /// the range ends before.
+    pub(super) fn is_beyond_table(&self, at: f64) -> bool {
+        let unit = if self.is_rotary {
+            1.0
+        } else {
+            self.frame.scale
+        };
+        let mut tables = self.tables.iter().filter_map(Following::open_ends);
+        tables.any(|[first, last]| at < first * unit || at > last * unit)
+    }
+
     /// Returns the first end of an open table strictly between two coordinates, counted from
     /// `from`.
     pub(super) fn table_end(&self, from: f64, to: f64) -> Option<f64> {

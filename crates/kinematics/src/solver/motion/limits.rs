@@ -50,6 +50,12 @@ impl Walker<'_> {
     /// Returns the first limit between the last samples. Limits behind the start are left to the
     /// walk in the other direction.
     pub(super) fn limit_passed(&mut self) -> Option<f64> {
+        // The range ends at the end of a table. Behind it, the rates of resting dyads are rounding
+        // errors, which would show an extreme at almost every sample.
+        let last = self.seen.last().map(|sample| sample.at);
+        if last.is_some_and(|at| self.engine.is_beyond_table(at)) {
+            return None;
+        }
         let stretches = self.stretches();
         let dips = self.dips();
         if stretches.is_empty() && dips.is_empty() {
