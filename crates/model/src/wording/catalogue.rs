@@ -98,19 +98,29 @@ fn arguments(list: &str) -> Vec<(String, String)> {
     parts.map(argument).collect()
 }
 
-/// Returns the text without quotes around it, with line breaks and backslashes.
+/// Returns the text without quotes around it, with line breaks, backslashes and other escaped
+/// characters.
 fn unescaped(text: &str) -> String {
     let quoted = text
         .strip_prefix('"')
         .and_then(|text| text.strip_suffix('"'));
-    let mut letters = quoted.unwrap_or(text).chars();
+    let mut rest = quoted.unwrap_or(text);
     let mut plain = String::new();
-    while let Some(letter) = letters.next() {
-        plain.push(match letter {
-            '\\' if letters.as_str().starts_with('n') => letters.next().map_or('n', |_| '\n'),
-            '\\' => letters.next().unwrap_or('\\'),
-            letter => letter,
+    while let Some((before, after)) = rest.split_once('\\') {
+        plain.push_str(before);
+        let numbered = after.strip_prefix("u{").and_then(|digits| {
+            let (digits, rest) = digits.split_once('}')?;
+            let number = u32::from_str_radix(digits, 16).ok()?;
+            Some((char::from_u32(number)?, rest))
         });
+        let mut letters = after.chars();
+        let (letter, behind) = match (numbered, letters.next()) {
+            (Some(numbered), _) => numbered,
+            (None, Some('n')) => ('\n', letters.as_str()),
+            (None, letter) => (letter.unwrap_or('\\'), letters.as_str()),
+        };
+        plain.push(letter);
+        rest = behind;
     }
-    plain
+    plain + rest
 }

@@ -13,20 +13,13 @@
 mod catalogue;
 mod english;
 mod language;
+mod messages;
 mod turkish;
 
 pub use language::Language;
 pub use messages::Words;
 
 use english::English;
-
-mod messages {
-    use super::english::English;
-    use super::turkish::Turkish;
-    use std::fmt::{Display, LowerExp};
-
-    include!(concat!(env!("OUT_DIR"), "/words.rs"));
-}
 
 /// A reference to a message, for tables such as that of the actions.
 pub type Wording = fn(&'static dyn Words) -> &'static str;

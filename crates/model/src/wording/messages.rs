@@ -1,0 +1,7 @@
+//! The trait of all messages and its implementations, as the build script writes them.
+
+use super::english::English;
+use super::turkish::Turkish;
+use std::fmt::{Display, LowerExp};
+
+include!(concat!(env!("OUT_DIR"), "/words.rs"));
