@@ -205,8 +205,20 @@ type Part = (
 
 /// The partial scenes in the manual: the chapter, a piece that only this part contains, and the
 /// lines that complete it, below their headings.
-const PARTS: [Part; 10] = [
+const PARTS: [Part; 11] = [
     ("scene.md", "[copies]", &[GROUND, DRIVER, R2, R3, R4, START]),
+    (
+        "scene.md",
+        "slide    = \"path\"",
+        &[
+            ("[ground]", "A = [-60, 0]\nE = [60, 0]"),
+            R2,
+            ("[links]", "r3 = { from = 'B', to = 'P', length = 140 }"),
+            ("[links]", "r4 = { from = 'D', to = 'P', length = 140 }"),
+            ("[links]", "r5 = { from = 'E', to = 'D', length = 100 }"),
+            ("[start]", "B = [-110, 87]\nD = [110, 87]"),
+        ],
+    ),
     (
         "scene.md",
         "link = \"ram\"",

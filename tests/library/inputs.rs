@@ -71,6 +71,52 @@ fn each_motor_of_five_bar_moves_alone() {
     assert_eq!(first.text(), scene.text());
 }
 
+/// A line leads the five-bar: P moves up the y axis, and both motors follow. The rod BP keeps its
+/// length, so that its ends have equal speeds along it: (P - B) x y' = (P - B) . (B - A) turned by 90
+/// degrees x omega. At the edge of the workspace the arms are straight.
+#[test]
+fn line_leads_both_motors() {
+    let text = presets::find("five-bar").unwrap().text;
+    let [before, rest] = text
+        .split("[driver]")
+        .collect::<Vec<_>>()
+        .try_into()
+        .unwrap();
+    let (_, links) = rest.split_once("[links]").unwrap();
+    let line = "[driver]\nslide = \"path\"\nposition = 173\nspeed = \"50 mm/s\"\n\
+        [slides]\npath = { point = \"P\", on = \"ground\", through = [0, 0], angle = 90 }\n[links]";
+    let text =
+        format!("{before}{line}{links}").replace("P = [0, 173]", "B = [-110, 87]\nD = [110, 87]");
+    let scene = Scene::parse(&text, "line").unwrap();
+    let mut links = scene.mechanism.link_ids();
+    let crank = links.find(|&id| scene.link_name(id) == "r2").unwrap();
+    let base = Vec2::new(-60.0, 0.0);
+    for (y, angle) in [
+        (173.205_080_756_888, 120.0_f64),
+        (226.491_106_406_735, 90.0),
+    ] {
+        let state = solved(&scene, y);
+        let direction = state.direction(crank).unwrap();
+        assert_near(
+            direction,
+            angle.to_radians().cos(),
+            angle.to_radians().sin(),
+        );
+        let [b, p] = ["B", "P"].map(|name| state.position(point(&scene, name)).unwrap());
+        let expected = (p - b).y * 50.0 / (p - b).dot((b - base).perp());
+        let found = state.omega(crank).unwrap();
+        assert!((found - expected).abs() < 1e-12, "{found}, not {expected}");
+    }
+    let Range::Limited { low, high } = solver(&scene).motion().range else {
+        panic!("it turns fully");
+    };
+    let edge = (240.0_f64.powi(2) - 60.0_f64.powi(2)).sqrt();
+    assert!(
+        (high - edge).abs() < 1e-9 && (low + edge).abs() < 1e-9,
+        "{low} to {high}"
+    );
+}
+
 /// The elbow's angle is relative to the upper arm. Turned at 1 rad/s, the tool moves with the
 /// radius from the elbow, and the upper arm rests.
 #[test]

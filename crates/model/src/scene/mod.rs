@@ -326,11 +326,16 @@ impl Scene {
         self.limits[limit.index()].1.clone()
     }
 
-    /// Returns the name of the element that an element of `[copies]` is a copy of; `None` for other
-    /// elements. The original can be a copy itself.
+    /// Returns the name of the element of the file that an element of `[copies]` is a copy of; `None`
+    /// for other elements.
     #[must_use]
     pub fn original_of(&self, name: &str) -> Option<&str> {
-        self.originals.get(name).map(String::as_str)
+        let mut original = self.originals.get(name)?;
+        // A copy of a copy.
+        while let Some(before) = self.originals.get(original) {
+            original = before;
+        }
+        Some(original)
     }
 
     /// Returns the display title; titles of presets are translated.
