@@ -87,10 +87,9 @@ impl Engine {
 
     /// Returns a copy of the engine with the driver speed and acceleration of `mechanism`.
     pub(super) fn at_speed_of(&self, mechanism: &Mechanism) -> Engine {
-        Engine {
-            driver_rates: driver_rates(mechanism, &self.frame),
-            ..self.clone()
-        }
+        let mut engine = self.clone();
+        engine.driver_rates = driver_rates(mechanism, &self.frame);
+        engine
     }
 
     /// Returns the driver's speed and acceleration, in radians or scaled lengths.

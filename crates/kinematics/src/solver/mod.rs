@@ -155,8 +155,8 @@ pub struct Solver {
     /// The same mechanism with typed decimals instead of doubles, for double-double evaluation.
     exact: Option<Arc<Exact>>,
     /// The ordering from which the groups were built, kept to rebuild them for other lengths.
-    ordering: Ordering,
-    plan: Plan,
+    ordering: Arc<Ordering>,
+    plan: Arc<Plan>,
     motion: Motion,
     first_loop: Option<DrivenLoop>,
     slides: usize,
@@ -269,8 +269,8 @@ impl Solver {
             first_loop,
             engine,
             exact: exact.map(Arc::new),
-            ordering: ordering.clone(),
-            plan,
+            ordering: Arc::new(ordering.clone()),
+            plan: Arc::new(plan),
             motion,
             slides,
             opening: started.at,
@@ -310,14 +310,28 @@ impl Solver {
     /// depend.
     #[must_use]
     pub fn only(&self, demand: &Demand) -> Solver {
+        let exact = self.exact.as_ref();
         Solver {
-            engine: self.engine.only(demand, self.slides),
-            exact: self
-                .exact
-                .as_ref()
-                .map(|e| Arc::new(e.only(demand, self.slides))),
+            exact: exact.map(|e| Arc::new(e.only(demand, self.slides))),
             balance: self.balance.clone().filter(|_| demand.forces),
-            ..self.clone()
+            ..self.with_engine(self.engine.only(demand, self.slides))
+        }
+    }
+
+    /// Returns a copy of the solver with another engine, without copying its own.
+    fn with_engine(&self, engine: Engine) -> Solver {
+        Solver {
+            engine,
+            mechanism: self.mechanism.clone(),
+            exact: self.exact.clone(),
+            ordering: Arc::clone(&self.ordering),
+            plan: Arc::clone(&self.plan),
+            motion: self.motion.clone(),
+            first_loop: self.first_loop,
+            slides: self.slides,
+            opening: self.opening,
+            rank: self.rank.clone(),
+            balance: self.balance.clone(),
         }
     }
 

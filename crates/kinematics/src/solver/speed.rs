@@ -16,10 +16,10 @@ impl Solver {
     #[must_use]
     pub fn at_speed(&self, speed: f64, acceleration: f64) -> Solver {
         let mechanism = self.mechanism.at_speed(speed, acceleration);
+        let engine = self.engine.at_speed_of(&mechanism);
         Solver {
-            engine: self.engine.at_speed_of(&mechanism),
             mechanism,
-            ..self.clone()
+            ..self.with_engine(engine)
         }
     }
 

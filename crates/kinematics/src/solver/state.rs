@@ -92,7 +92,7 @@ pub(super) struct Rates {
 ///
 /// `T` is the arithmetic: doubles for plain values, balls for values with an error bound, lanes for
 /// the values of several states at once.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct State<T = f64> {
     pub(super) condition: Condition,
     /// The order to which it is solved.
@@ -121,6 +121,54 @@ pub struct State<T = f64> {
     pub(super) is_turned: bool,
     /// The size of the driver's unit in the coordinate of the derivatives: 1 for radians.
     pub(super) driver_scale: f64,
+}
+
+impl<T: Copy> Clone for State<T> {
+    fn clone(&self) -> State<T> {
+        State {
+            points: self.points.clone(),
+            links: self.links.clone(),
+            travels: self.travels.clone(),
+            measures: self.measures.clone(),
+            signs: self.signs.clone(),
+            forces: self.forces.clone(),
+            left_out: self.left_out.clone(),
+            ..*self
+        }
+    }
+
+    /// Copies a state without allocating memory for the values again.
+    fn clone_from(&mut self, other: &State<T>) {
+        let State {
+            condition,
+            order,
+            at,
+            points,
+            links,
+            travels,
+            measures,
+            signs,
+            forces,
+            frame,
+            left_out,
+            rates,
+            length_rates,
+            driven,
+            is_turned,
+            driver_scale,
+        } = self;
+        (*condition, *order, *at) = (other.condition, other.order, other.at);
+        points.clone_from(&other.points);
+        links.clone_from(&other.links);
+        travels.clone_from(&other.travels);
+        measures.clone_from(&other.measures);
+        signs.clone_from(&other.signs);
+        forces.clone_from(&other.forces);
+        left_out.clone_from(&other.left_out);
+        (*frame, *rates, *length_rates) = (other.frame, other.rates, other.length_rates);
+        (*driven, *is_turned) = (other.driven, other.is_turned);
+        *driver_scale = other.driver_scale;
+    }
 }
 
 impl<T: Number> State<T> {

@@ -9,7 +9,7 @@
 use super::Range;
 use super::chain;
 use super::classify::{DrivenLoop, LoopKind, classify};
-use super::elements::{ACCELERATION, POSITION, VELOCITY};
+use super::elements::{ACCELERATION, POSITION, Step, VELOCITY};
 use super::engine::Engine;
 use super::network::Network;
 use super::plan::Program;
@@ -219,6 +219,11 @@ impl Varied {
         self.changed.len()
     }
 
+    /// Returns the steps of the program.
+    pub(super) fn steps(&self) -> &[Step] {
+        &self.engine.program.steps
+    }
+
     /// Returns the solver with the given lengths.
     #[must_use]
     pub fn nominal(&self) -> &Solver {
@@ -287,12 +292,12 @@ impl Varied {
         if !is_plain || !self.keeps_clear() {
             return None;
         }
+        let engine = self.engine.at_speed_of(mechanism);
         Some(Solver {
             mechanism: mechanism.clone(),
-            engine: self.engine.at_speed_of(mechanism),
             exact: None,
             balance: None,
-            ..self.nominal.clone()
+            ..self.nominal.with_engine(engine)
         })
     }
 

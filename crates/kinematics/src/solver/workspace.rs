@@ -10,7 +10,7 @@ use std::ops::Deref;
 ///
 /// It dereferences to its state. Use [`Workspace::state`] to clone a state that is kept, compared
 /// or sent elsewhere.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Workspace<T = f64> {
     pub(super) state: State<T>,
     /// The scratch memory of the coupled groups.
@@ -19,6 +19,31 @@ pub struct Workspace<T = f64> {
     pub(super) errors: Errors,
     /// The state of steps run in double-double, where doubles do not suffice.
     pub(super) close: Option<Box<State<Double>>>,
+}
+
+impl<T: Copy> Clone for Workspace<T> {
+    fn clone(&self) -> Workspace<T> {
+        Workspace {
+            state: self.state.clone(),
+            scratch: self.scratch.clone(),
+            errors: self.errors.clone(),
+            close: self.close.clone(),
+        }
+    }
+
+    /// Copies a workspace without allocating memory for the state again.
+    fn clone_from(&mut self, other: &Workspace<T>) {
+        let Workspace {
+            state,
+            scratch,
+            errors,
+            close,
+        } = self;
+        state.clone_from(&other.state);
+        scratch.clone_from(&other.scratch);
+        errors.clone_from(&other.errors);
+        close.clone_from(&other.close);
+    }
 }
 
 impl<T> Workspace<T> {

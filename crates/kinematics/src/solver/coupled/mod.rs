@@ -215,7 +215,7 @@ struct SpotMotion<T = f64> {
 }
 
 /// Buffers for all coupled groups, allocated once.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Scratch<T = f64> {
     pub numbers: Vec<T>,
     pub pivots: Vec<usize>,
@@ -223,6 +223,30 @@ pub(super) struct Scratch<T = f64> {
     pub first: Vec<f64>,
     /// Buffer for bounds, and for the matrix in doubles during refinement.
     pub work: Vec<f64>,
+}
+
+impl<T: Copy> Clone for Scratch<T> {
+    fn clone(&self) -> Scratch<T> {
+        Scratch {
+            numbers: self.numbers.clone(),
+            pivots: self.pivots.clone(),
+            first: self.first.clone(),
+            work: self.work.clone(),
+        }
+    }
+
+    fn clone_from(&mut self, other: &Scratch<T>) {
+        let Scratch {
+            numbers,
+            pivots,
+            first,
+            work,
+        } = self;
+        numbers.clone_from(&other.numbers);
+        pivots.clone_from(&other.pivots);
+        first.clone_from(&other.first);
+        work.clone_from(&other.work);
+    }
 }
 
 /// One group's part of the scratch: z with its derivatives z' and z'', the matrix and the right

@@ -266,6 +266,7 @@ pub(super) fn explore<'e>(
         folds: Vec::new(),
         stretched: Vec::new(),
         terms: junction::FIRST,
+        spare: None,
     };
     walker.check_fit()?;
     let up = walker.walk()?;

@@ -61,6 +61,7 @@ const HALF_WIDTH_COUNT: i32 = 6;
 const CLOSURE_TOLERANCE: f64 = 1e-7;
 
 /// A sample of the walk.
+#[derive(Default)]
 pub(super) struct WalkSample {
     /// The driver's coordinate.
     pub(super) at: f64,
@@ -128,6 +129,8 @@ pub(super) struct Walker<'e> {
     pub(super) stretched: Vec<Stretched>,
     /// The number of series terms used at the last junction.
     pub(super) terms: usize,
+    /// Memory for the last good state of a step.
+    pub(super) spare: Option<Box<Workspace>>,
 }
 
 /// The reason why a step ends before its target.
@@ -334,29 +337,30 @@ impl Walker<'_> {
         self.engine.measure_coupled(at, &mut self.state);
         self.anchors.push(self.engine, at, &mut self.state);
         self.samples.push(at);
+        let mut sample = WalkSample::default();
         if self.seen.len() == SAMPLES {
+            // The memory of the oldest sample is used again.
             self.seen.rotate_left(1);
-            self.seen.pop();
+            sample = self.seen.pop().unwrap_or_default();
         }
-        let sample = WalkSample {
-            at,
-            measures: self.state.measures.clone(),
-            stretchings: self.stretchings(at),
-        };
+        sample.at = at;
+        sample.measures.clone_from(&self.state.measures);
+        self.write_stretchings(at, &mut sample.stretchings);
         self.seen.push(sample);
         for (peak, measure) in self.peaks.iter_mut().zip(&self.state.measures) {
             *peak = peak.max(*measure).min(1.0);
         }
     }
 
-    /// Returns the stretching of every dyad in the current state, with its step.
-    fn stretchings(&self, at: f64) -> Vec<(usize, Option<Stretching>)> {
+    /// Writes the stretching of every dyad in the current state, with its step.
+    fn write_stretchings(&self, at: f64, to: &mut Vec<(usize, Option<Stretching>)>) {
         let (q, _) = self.engine.coordinate(at);
         let steps = self.engine.program.steps.iter().enumerate();
         let dyads = steps.filter_map(|(i, step)| Some((i, step.dyad()?)));
-        dyads
-            .map(|(i, dyad)| (i, dyad.stretching(q, &self.engine.carriers, &self.state)))
-            .collect()
+        to.clear();
+        to.extend(
+            dyads.map(|(i, dyad)| (i, dyad.stretching(q, &self.engine.carriers, &self.state))),
+        );
     }
 
     /// Returns `true` if every group is back at its start.
@@ -420,8 +424,17 @@ impl Walker<'_> {
     /// Advances from `from`, the coordinate of the state, to `to` by as many steps as the motion
     /// needs. Records each as a sample. On an error, the state is the last good one.
     fn advance(&mut self, from: f64, to: f64) -> Result<(), Stop> {
+        let spare = self.spare.take();
+        let mut saved = spare.unwrap_or_else(|| Box::new(self.state.clone()));
+        let end = self.advance_with(from, to, &mut saved);
+        self.spare = Some(saved);
+        end
+    }
+
+    /// Advances as [`Walker::advance`] does; `saved` is the memory for the last good state.
+    fn advance_with(&mut self, from: f64, to: f64, saved: &mut Workspace) -> Result<(), Stop> {
         let (mut good, mut bad, mut step) = (from, to, to - from);
-        let mut saved = self.state.clone();
+        saved.clone_from(&self.state);
         for _ in 0..MAX_STEPS {
             if good == to {
                 return Ok(());
@@ -434,7 +447,7 @@ impl Walker<'_> {
             if next == good {
                 break;
             }
-            if self.try_step(good, next, &saved) {
+            if self.try_step(good, next, saved) {
                 self.note(next);
                 if let Some(limit) = self.limit_passed() {
                     return Err(Stop::Limit(limit));
@@ -446,7 +459,7 @@ impl Walker<'_> {
             }
             bad = next;
             let ends = !self.has_path() && self.fails_at(next);
-            self.state.clone_from(&saved);
+            self.state.clone_from(saved);
             if ends {
                 break;
             }

@@ -10,7 +10,7 @@ use super::engine::Engine;
 use super::motion::positive_remainder;
 use super::plan::GroupId;
 use super::state::{Condition, State};
-use super::{Order, Range, Solver, Workspace};
+use super::{Order, Range, Solver, Varied, Workspace};
 use crate::{LinkId, PointId, Vec2};
 use interval_extrema::{Bracket, ExtremeFunction};
 
@@ -194,6 +194,19 @@ impl Solver {
         at.sort_by(f64::total_cmp);
         at.dedup();
         at
+    }
+}
+
+impl Varied {
+    /// Returns the transmission angle of a dyad in the last state of [`Varied::solve`], in degrees.
+    /// Returns `None` without an assembly, and for a group without a transmission angle.
+    #[must_use]
+    pub fn transmission_angle(&self, group: GroupId) -> Option<f64> {
+        let mut joints = self.steps().iter().filter_map(Joint::of);
+        let joint = joints.find(|joint| GroupId::new(joint.of.group) == group)?;
+        let lines = joint.lines_at(self.state().condition(), self.state())?;
+        let mu = lines.sine.abs().atan2(joint.folded(lines.cosine));
+        Some(mu.to_degrees())
     }
 }
 

@@ -11,6 +11,8 @@ const MAX_FORMULAS: usize = 64;
 #[derive(Clone, Debug)]
 pub(crate) struct DependentValues {
     varied: Vec<Value>,
+    /// `true` for each varied value that a formula needs.
+    is_read: Vec<bool>,
     /// The computed values, each after all those that it is computed from.
     computed: Vec<ComputedValue>,
     named: NamedNumbers,
@@ -23,6 +25,8 @@ struct ComputedValue {
     tree: ExpressionTree,
     /// The parameters in its formula.
     parts: Vec<String>,
+    /// The index of the varied value that the formula consists of.
+    copied: Option<usize>,
 }
 
 impl DependentValues {
@@ -51,11 +55,50 @@ impl DependentValues {
                 return None;
             }
         }
-        Some(DependentValues {
+        let mut computed = in_order(computed);
+        for one in &mut computed {
+            one.copied = varied.iter().position(|value| one.is_copy_of(value));
+        }
+        let mut found = DependentValues {
             varied: varied.to_vec(),
-            computed: in_order(computed),
+            is_read: Vec::new(),
+            computed,
             named: (*scene.named).clone(),
-        })
+        };
+        found.mark_read_values();
+        Some(found)
+    }
+
+    /// Leaves out computed values that are not needed; `is_needed` has one entry for each. Those that
+    /// others are computed from stay.
+    pub(crate) fn keep(&mut self, is_needed: &[bool]) -> Vec<usize> {
+        let mut kept: Vec<usize> = Vec::new();
+        let mut parts: Vec<String> = Vec::new();
+        for (i, one) in self.computed.iter().enumerate().rev() {
+            let is_part = parameter(&one.value).is_some_and(|name| parts.iter().any(|p| p == name));
+            if is_part || is_needed.get(i) == Some(&true) {
+                parts.extend(one.parts.iter().cloned());
+                kept.push(i);
+            }
+        }
+        kept.reverse();
+        let all = std::mem::take(&mut self.computed);
+        let all = all.into_iter().enumerate();
+        self.computed = all
+            .filter(|(i, _)| kept.contains(i))
+            .map(|(_, one)| one)
+            .collect();
+        self.mark_read_values();
+        kept
+    }
+
+    fn mark_read_values(&mut self) {
+        let evaluated = || self.computed.iter().filter(|one| one.copied.is_none());
+        let is_read = |value: &Value| {
+            let name = parameter(value);
+            name.is_some_and(|name| evaluated().any(|one| one.parts.iter().any(|p| p == name)))
+        };
+        self.is_read = self.varied.iter().map(is_read).collect();
     }
 
     /// Returns the computed values.
@@ -66,8 +109,8 @@ impl DependentValues {
     /// Returns the numbers of the computed values for other numbers of the varied ones. Returns
     /// `None` if a formula has no value, or another dimension than in the scene.
     pub(crate) fn numbers(&mut self, varied: &[f64]) -> Option<Vec<f64>> {
-        for (value, number) in self.varied.iter().zip(varied) {
-            if let Some(name) = parameter(value) {
+        for ((value, number), is_read) in self.varied.iter().zip(varied).zip(&self.is_read) {
+            if let Some(name) = parameter(value).filter(|_| *is_read) {
                 let text = value.with_number(*number);
                 let result = self.named.evaluate_text(text.trim_matches('"')).ok()?;
                 self.named.worth.insert(name.to_owned(), Some(result));
@@ -75,6 +118,10 @@ impl DependentValues {
         }
         let mut numbers = Vec::with_capacity(self.computed.len());
         for one in &self.computed {
+            if let Some(copied) = one.copied {
+                numbers.push(varied[copied]);
+                continue;
+            }
             let result: MeasuredNumber = self.named.evaluate_tree(&one.formula, &one.tree).ok()?;
             if result.dimension != one.value.dimension {
                 return None;
@@ -97,7 +144,19 @@ impl ComputedValue {
             parts: value.follows_from(),
             formula,
             value,
+            copied: None,
         })
+    }
+
+    /// Returns `true` if the formula is the name of a parameter that is a plain number. Its number is
+    /// then that of the parameter, without any rounding.
+    fn is_copy_of(&self, value: &Value) -> bool {
+        let is_plain = value.literal.trim_matches('"').parse::<f64>().is_ok();
+        let is_name = parameter(value) == Some(self.formula.trim());
+        // Other values are computed from the number that a parameter's name stands for.
+        let is_parameter = parameter(&self.value).is_some();
+        let is_same = value.number == self.value.number && value.number != 0.0;
+        is_plain && is_name && is_same && !is_parameter
     }
 }
 

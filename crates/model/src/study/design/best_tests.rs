@@ -98,6 +98,33 @@ fn search_begins_with_given_design() {
     assert_eq!(best.unwrap().numbers, [rod / 2.0]);
 }
 
+/// A resumed search begins with the known design; one outside the bounds is ignored.
+#[test]
+fn search_begins_with_known_designs_within_bounds() {
+    let space = space("slider-crank", &["r2 length"]);
+    let figures = figures(&space, &["r4.length.stroke"]);
+    let order = OptimiseOrder {
+        greatest: true,
+        generations: 0,
+        seed: 4,
+        threads: 1,
+    };
+    let axes = axes(&["r2=2..19"]);
+    // The first generation has 24 designs; stopped then, the best one is not polished.
+    let found = |known: f64| {
+        let mut calls = 0;
+        let known = [vec![known]];
+        let best = BestDesign::find_from(&known, &figures, &[], &axes, order, &mut |_| {
+            calls += 1;
+            calls <= 24
+        });
+        best.unwrap().numbers[0]
+    };
+    // The slider-crank turns fully with any crank up to its rod, 20.
+    assert_eq!(found(19.0), 19.0);
+    assert!(found(19.5) < 19.0);
+}
+
 /// Returns the swing of a crank-rocker, and its transmission angle furthest from 90 deg, by the law
 /// of cosines. At the dead centres crank and coupler are in line; the angle is furthest when crank
 /// and frame are in line.

@@ -3,18 +3,19 @@
 use super::lengths::DesignLengths;
 use super::{Design, DesignSpace, NoDesign};
 use crate::quantity::Catalogue;
-use crate::scene::Scene;
-use crate::solver::{Demand, Solver, Varied};
-use crate::study::excursion::FigureSeams;
+use crate::scene::{Diagnostics, Scene};
+use crate::solver::{Demand, Fault, Solver, Varied};
+use crate::study::excursion::{EvaluatedFigures, FigureSeams};
 use crate::study::{CycleFigure, CycleFigures, NoFigure};
 use crate::{Length, Mechanism};
+use std::sync::Arc;
 
 /// Computes cycle figures of one design after another. A design whose numbers change lengths alone
 /// is computed without parsing its text. Its solver is changed in place if its driver turns fully
 /// and far from any limit. Any other design is opened like any scene.
 #[derive(Clone, Debug)]
 pub struct DesignFigures {
-    space: DesignSpace,
+    space: Arc<DesignSpace>,
     figures: FigureSet,
     seams: FigureSeams,
     quick: Option<QuickDesigns>,
@@ -35,6 +36,16 @@ pub(super) struct OpenedDesign {
     /// The scene; `None` if it was not parsed, because no figure needs it.
     scene: Option<Box<Scene>>,
     solver: Solver,
+    /// `true` if the solver was changed in place.
+    is_in_place: bool,
+}
+
+/// The reason why a design was not opened.
+#[derive(Clone, Debug)]
+pub(super) enum Unopened {
+    Unread(Box<Diagnostics>),
+    /// The scene is `None` if it was not parsed.
+    Unsolved(Option<Box<Scene>>, Box<Fault>),
 }
 
 /// Designs with other lengths.
@@ -55,9 +66,15 @@ impl FigureSet {
         }
     }
 
-    /// Computes the figures; each is a value, or the reason for its absence.
-    pub(super) fn of(&self, design: &OpenedDesign) -> Vec<Result<f64, NoFigure>> {
-        self.of_solver(design.scene.as_deref(), &design.solver)
+    /// Computes the figures, and their places for a design that was changed in place.
+    pub(super) fn evaluate(&self, design: &OpenedDesign) -> EvaluatedFigures {
+        match &design.scene {
+            None if design.is_in_place => self.figures.evaluate(&design.solver),
+            scene => EvaluatedFigures {
+                values: self.of_solver(scene.as_deref(), &design.solver),
+                places: None,
+            },
+        }
     }
 
     fn of_solver(&self, scene: Option<&Scene>, solver: &Solver) -> Vec<Result<f64, NoFigure>> {
@@ -102,7 +119,7 @@ impl DesignFigures {
             seams: FigureSeams::of(&figures.figures, space.solver()),
             quick: quick.flatten(),
             figures,
-            space: space.clone(),
+            space: Arc::new(space.clone()),
         }
     }
 
@@ -129,8 +146,28 @@ impl DesignFigures {
     /// # Errors
     /// Returns an error if there is no such design.
     pub fn of(&mut self, numbers: &[f64]) -> Result<Vec<Result<f64, NoFigure>>, NoDesign> {
-        let design = self.open(numbers)?;
-        Ok(self.figures.of(&design))
+        match self.open(numbers) {
+            Ok(design) => Ok(self.figures.evaluate(&design).values),
+            Err(why) => Err(self.explain(numbers, why)),
+        }
+    }
+
+    /// Computes the figures of a design and their places; `None` if there is no such design.
+    pub(super) fn evaluate(&mut self, numbers: &[f64]) -> Option<EvaluatedFigures> {
+        let design = self.open(numbers).ok()?;
+        Some(self.figures.evaluate(&design))
+    }
+
+    /// Returns the reason with the scene that explains it.
+    fn explain(&self, numbers: &[f64], why: Unopened) -> NoDesign {
+        match why {
+            Unopened::Unread(faults) => NoDesign::Unread(faults),
+            Unopened::Unsolved(Some(scene), fault) => NoDesign::Unsolved(scene, fault),
+            Unopened::Unsolved(None, fault) => match self.space.parse(numbers) {
+                Ok(scene) => NoDesign::Unsolved(Box::new(scene), fault),
+                Err(none) => none,
+            },
+        }
     }
 
     /// Computes the figures of a design for a comparison with other designs. Directions, and places
@@ -152,11 +189,13 @@ impl DesignFigures {
     }
 
     /// Opens a design for its figures.
-    pub(super) fn open(&mut self, numbers: &[f64]) -> Result<OpenedDesign, NoDesign> {
+    pub(super) fn open(&mut self, numbers: &[f64]) -> Result<OpenedDesign, Unopened> {
         let made = self.mechanism(numbers);
         let scene = match made {
             Some(_) => None,
-            None => Some(Box::new(self.space.parse(numbers)?)),
+            None => Some(Box::new(
+                self.space.read(numbers).map_err(Unopened::Unread)?,
+            )),
         };
         let parsed = || scene.as_ref().map(|scene| scene.mechanism.clone());
         // One of the two exists.
@@ -164,14 +203,19 @@ impl DesignFigures {
         let mechanism = made.or_else(parsed).unwrap_or_else(|| given.clone());
         let quick = self.quick.as_mut();
         if let Some(solver) = quick.and_then(|quick| quick.solver(given, &mechanism)) {
-            return Ok(OpenedDesign { scene, solver });
+            return Ok(OpenedDesign {
+                scene,
+                solver,
+                is_in_place: true,
+            });
         }
         match self.space.solver_for(&mechanism) {
-            Ok((solver, _)) => Ok(OpenedDesign { scene, solver }),
-            Err(fault) => {
-                let scene = scene.map_or_else(|| self.space.parse(numbers).map(Box::new), Ok)?;
-                Err(NoDesign::Unsolved(scene, Box::new(fault)))
-            }
+            Ok((solver, _)) => Ok(OpenedDesign {
+                scene,
+                solver,
+                is_in_place: false,
+            }),
+            Err(fault) => Err(Unopened::Unsolved(scene, Box::new(fault))),
         }
     }
 
@@ -179,6 +223,23 @@ impl DesignFigures {
     pub(super) fn mechanism(&mut self, numbers: &[f64]) -> Option<Mechanism> {
         let plain = self.quick.as_mut()?.plain.as_mut()?;
         plain.mechanism(&self.space, numbers)
+    }
+
+    /// Returns `true` if a design is changed in place: its driver turns fully, far from any limit.
+    pub(super) fn is_in_place(&mut self, numbers: &[f64]) -> bool {
+        let given = self.space.solver().mechanism().clone();
+        let varied = self.varied_to(numbers);
+        varied.is_some_and(|varied| varied.plain(&given).is_some())
+    }
+
+    /// Returns the mechanism with the lengths of a design. Returns `None` if other values than
+    /// lengths follow from its numbers.
+    pub(super) fn varied_to(&mut self, numbers: &[f64]) -> Option<&mut Varied> {
+        let quick = self.quick.as_mut()?;
+        let mut by = vec![0.0; quick.lengths.len()];
+        quick.plain.as_mut()?.write_changes(numbers, &mut by)?;
+        quick.varied.change(&by);
+        Some(&mut quick.varied)
     }
 
     /// Returns the solver of a design changed in place and the length of each number. Returns

@@ -213,9 +213,66 @@ fn derivatives_match_closed_formula() {
     let axes = super::tests::axes(&["r2=90..110", "r3=290..320", "x=390..410"]);
     let mut search = GoalSearch::new(figures(&space, &names), requested.clone(), &axes);
     let place = search.place(vec![101.0, 303.0, 398.0]).unwrap();
-    let set = search.figures.set().clone();
-    let exact = search.figures.exact_slopes(&set, &place.numbers);
+    let places = search.figures.evaluate(&place.numbers).unwrap().places;
+    let exact = search
+        .figures
+        .exact_slopes(&places.unwrap(), &place.numbers);
     assert!(exact.is_some());
     let distance = search.slopes(&place).unwrap() - search.differences(&place).unwrap();
     assert!(distance.amax() < 1e-7, "{distance}");
+}
+
+/// Numbers in formulas and transmission angles have derivatives at fixed places of the motion. They
+/// are compared with differences of whole designs, where the worst angle is below and above 90 deg.
+#[test]
+fn derivatives_at_fixed_places_match_differences_of_designs() {
+    let text = r#"
+unit = "mm"
+[parameters]
+r = 100
+c = 300
+[ground]
+A = [0, 0]
+D = ["4 * r", 0]
+[driver]
+link = "r2"
+angle = 60
+speed = "15 rad/s"
+[links]
+r2 = { from = "A", to = "B", length = "r" }
+r3 = { from = "B", to = "C", length = "c + r / 10" }
+r4 = { from = "C", to = "D", length = 250 }
+[start]
+C = [310, 230]
+"#;
+    let space = super::tests::space_of(text, &["r", "c"]);
+    let requests = [
+        "transmission >= 80",
+        "r4.angle.swing = 40",
+        "C.y.greatest = 90",
+    ];
+    let requested = goals(&space, &requests);
+    let names: Vec<&str> = requested.iter().map(|goal| goal.figure.name()).collect();
+    let axes = axes(&["r=60..120", "c=250..400"]);
+    let mut search = GoalSearch::new(figures(&space, &names), requested.clone(), &axes);
+    let mut worst_at = Vec::new();
+    for numbers in [[80.0, 280.0], [101.0, 303.0], [95.0, 390.0]] {
+        let place = search.place(numbers.to_vec()).unwrap();
+        let places = search.figures.evaluate(&numbers).unwrap().places.unwrap();
+        assert!(search.figures.exact_slopes(&places, &numbers).is_none());
+        worst_at.push(places[0].places[0].1);
+        let ends = numbers.map(|number| [number - 1e-3, number + 1e-3]);
+        assert!(
+            search
+                .figures
+                .placed_slopes(&places, &numbers, &ends)
+                .is_some()
+        );
+        let distance = search.slopes(&place).unwrap() - search.differences(&place).unwrap();
+        assert!(distance.amax() < 1e-7, "{numbers:?}: {distance}");
+    }
+    assert!(
+        worst_at.contains(&1.0) && worst_at.contains(&-1.0),
+        "{worst_at:?}"
+    );
 }

@@ -5,6 +5,7 @@
 
 use super::active_constraints::{ActiveConstraints, multipliers};
 use super::projection::{DesignEvaluator, EvaluatedDesign};
+use crate::parallel;
 use nalgebra::{DMatrix, DVector};
 
 /// Step of differences, relative to the distance at which slopes are sampled, so that none crosses
@@ -33,11 +34,12 @@ pub(super) enum KinkSampling {
 
 impl KinkSampling {
     /// Samples slopes around a design that satisfies the constraints, at a given distance relative
-    /// to the ranges.
+    /// to the ranges. The result does not depend on the number of threads.
     pub(super) fn at(
         judge: &mut DesignEvaluator,
         here: &EvaluatedDesign,
         nearby: f64,
+        threads: usize,
     ) -> KinkSampling {
         let part = DIFFERENCE * nearby;
         let Some(own) = judge.slopes(here, part, true) else {
@@ -46,12 +48,17 @@ impl KinkSampling {
         let holds = ActiveConstraints::at(judge, here, &own);
         let normals = holds.normals();
         let count = here.numbers.len();
-        let (mut free, mut held, mut maximum) = (Vec::new(), Vec::new(), 0.0_f64);
-        for (i, sense) in (0..count).flat_map(|i| [(i, -1.0), (i, 1.0)]) {
+        let slopes_at = |judge: &mut DesignEvaluator, k: usize| {
             let mut travel = DVector::zeros(count);
-            travel[i] = sense * nearby;
-            let there = judge.evaluate(judge.moved(&here.numbers, &travel));
-            let Some(slopes) = there.and_then(|there| judge.slopes(&there, part, true)) else {
+            travel[k / 2] = if k % 2 == 0 { -nearby } else { nearby };
+            let there = judge.evaluate(judge.moved(&here.numbers, &travel))?;
+            judge.slopes(&there, part, true)
+        };
+        let copy = || judge.clone();
+        let sampled = parallel::each(2 * count, threads, copy, slopes_at, &mut |_| true);
+        let (mut free, mut held, mut maximum) = (Vec::new(), Vec::new(), 0.0_f64);
+        for slopes in sampled {
+            let Some(slopes) = slopes else {
                 return KinkSampling::Open;
             };
             let by = multipliers(&normals, &slopes.value);

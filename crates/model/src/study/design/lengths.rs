@@ -14,6 +14,10 @@ const EQUALITY_TOLERANCE: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub(super) struct DesignLengths {
     values: DependentValues,
+    /// The values that set lengths, and those that they are computed from; and the index of the
+    /// number of each set length among them.
+    needed: DependentValues,
+    needed_numbers: Vec<usize>,
     lengths: Vec<SetLength>,
 }
 
@@ -23,9 +27,24 @@ struct SetLength {
     /// The index of the number: first those of the design, then the computed ones.
     number: usize,
     length: Length,
+    /// The index of the length among all lengths of the mechanism.
+    index: usize,
     /// The given number.
     given: f64,
     measure: Measure,
+}
+
+impl SetLength {
+    /// Returns the change of the length; `number` is the index of its number. Returns `None` if the
+    /// parser would reject it.
+    fn change(&self, numbers: &[f64], computed: &[f64], number: usize) -> Option<f64> {
+        let number = match number.checked_sub(numbers.len()) {
+            None => numbers[number],
+            Some(i) => *computed.get(i)?,
+        };
+        let is_read = number.is_finite() && (number > 0.0 || self.measure == Measure::Coordinate);
+        is_read.then_some(number - self.given)
+    }
 }
 
 impl DesignLengths {
@@ -36,15 +55,32 @@ impl DesignLengths {
         let values = DependentValues::of(scene, space.values())?;
         let each = space.values().iter().chain(values.computed()).enumerate();
         let set = each.filter_map(|(number, value)| {
+            let index = length_of(value, scene, all)?;
             Some(SetLength {
                 number,
-                length: length_of(value, scene, all)?,
+                length: all[index],
+                index,
                 given: value.number,
                 measure: value.measure,
             })
         });
         let lengths: Vec<SetLength> = set.collect();
-        let mut found = DesignLengths { values, lengths };
+        let count = space.values().len();
+        let sets_length = |i: usize| lengths.iter().any(|set| set.number == count + i);
+        let is_needed: Vec<bool> = (0..values.computed().count()).map(sets_length).collect();
+        let mut needed = values.clone();
+        let kept = needed.keep(&is_needed);
+        let place = |set: &SetLength| match set.number.checked_sub(count) {
+            None => Some(set.number),
+            Some(i) => Some(count + kept.iter().position(|&kept| kept == i)?),
+        };
+        let needed_numbers = lengths.iter().map(place).collect::<Option<_>>()?;
+        let mut found = DesignLengths {
+            values,
+            needed,
+            needed_numbers,
+            lengths,
+        };
         found.is_complete(space, all).then_some(found)
     }
 
@@ -52,18 +88,23 @@ impl DesignLengths {
     /// a formula has no value.
     pub(super) fn mechanism(&mut self, space: &DesignSpace, numbers: &[f64]) -> Option<Mechanism> {
         let computed = self.values.numbers(numbers)?;
-        let number = |i: usize| match i.checked_sub(numbers.len()) {
-            None => numbers[i],
-            Some(i) => computed[i],
-        };
-        let is_read = |set: &SetLength| {
-            let number = number(set.number);
-            number.is_finite() && (number > 0.0 || set.measure == Measure::Coordinate)
-        };
-        let changes = self.lengths.iter();
-        let changes = changes.map(|set| (set.length, number(set.number) - set.given));
-        let given = space.solver().mechanism();
-        (self.lengths.iter().all(is_read)).then(|| given.all_changed(changes))
+        let changes = self.lengths.iter().map(|set| {
+            let change = set.change(numbers, &computed, set.number)?;
+            Some((set.length, change))
+        });
+        let changes: Option<Vec<(Length, f64)>> = changes.collect();
+        Some(space.solver().mechanism().all_changed(changes?))
+    }
+
+    /// Writes by how much each length of the mechanism is longer in a design. Returns `None` if the
+    /// parser would reject a length, or if a formula of one has no value.
+    pub(super) fn write_changes(&mut self, numbers: &[f64], to: &mut [f64]) -> Option<()> {
+        let computed = self.needed.numbers(numbers)?;
+        to.fill(0.0);
+        for (set, &number) in self.lengths.iter().zip(&self.needed_numbers) {
+            to[set.index] = set.change(numbers, &computed, number)?;
+        }
+        Some(())
     }
 
     /// Returns the length that each number sets; `None` if a number sets none or several.
@@ -98,8 +139,8 @@ fn probe(value: &Value) -> f64 {
     PROBE * value.number.abs().max(1.0)
 }
 
-/// Returns the length that a value sets; `None` if it sets none or more than that.
-fn length_of(value: &Value, scene: &Scene, lengths: &[Length]) -> Option<Length> {
+/// Returns the index of the length that a value sets; `None` if it sets none or more than that.
+fn length_of(value: &Value, scene: &Scene, lengths: &[Length]) -> Option<usize> {
     if !matches!(value.measure, Measure::Length | Measure::Coordinate) {
         return None;
     }
@@ -107,8 +148,8 @@ fn length_of(value: &Value, scene: &Scene, lengths: &[Length]) -> Option<Length>
     let text = scene.with_value(value, &value.with_number(value.number + by));
     let other = scene.reparse(&text)?;
     let changes = scene.mechanism.longer(&other.mechanism, lengths)?;
-    let mut changed = lengths.iter().zip(changes).filter(|(_, by)| *by != 0.0);
-    let (&length, found) = changed.next()?;
+    let mut changed = changes.into_iter().enumerate().filter(|(_, by)| *by != 0.0);
+    let (index, found) = changed.next()?;
     let is_all = changed.next().is_none() && (found - by).abs() <= EQUALITY_TOLERANCE * by;
-    is_all.then_some(length)
+    is_all.then_some(index)
 }

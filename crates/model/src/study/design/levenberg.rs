@@ -1,14 +1,15 @@
 //! The Levenberg-Marquardt method: from one start to numbers with minimum misses.
 //!
 //! Residuals are the goals' misses relative to their sizes; those of met inequalities are zero.
-//! Derivatives are the solver's own if figures are columns at some places. The others are
-//! differences of figures that are accurate to their last digits. Steps of 1e-5 leave eight digits,
+//! Derivatives are the solver's own if figures are columns at some places and each number sets one
+//! length. The others are differences of values that are accurate to their last digits. Steps of 1e-5 leave eight digits,
 //! enough for Newton's convergence in the last steps. Damping keeps each step short, so that the
 //! search finds a solution near its start.
 
 use super::projection::is_finite;
 use super::{GoalSearch, GoalSense};
 use crate::study::NoFigure;
+use crate::study::excursion::EvaluatedFigures;
 use nalgebra::{DMatrix, DVector};
 
 /// Maximum number of steps of a search.
@@ -107,23 +108,34 @@ impl GoalSearch {
         }
     }
 
-    /// Returns the derivatives of the misses by the numbers relative to their sizes: the solver's
-    /// own if every figure has them, or else differences.
+    /// Returns the derivatives of the misses by the numbers relative to their sizes: those at fixed
+    /// places if every figure has them, or else differences of whole designs.
     pub(super) fn slopes(&mut self, place: &Place) -> Option<DMatrix<f64>> {
-        self.exact_ones(place).or_else(|| self.differences(place))
+        self.at_fixed_places(place)
+            .or_else(|| self.differences(place))
     }
 
-    fn exact_ones(&mut self, place: &Place) -> Option<DMatrix<f64>> {
-        let set = self.figures.set().clone();
-        let slopes = self.figures.exact_slopes(&set, &place.numbers)?;
-        let values = self.figures.of(&place.numbers).ok()?;
+    /// Returns the derivatives at fixed places of the motion, if all figures have them.
+    fn at_fixed_places(&mut self, place: &Place) -> Option<DMatrix<f64>> {
+        let numbers = &place.numbers;
+        let EvaluatedFigures { values, places } = self.figures.evaluate(numbers)?;
+        let places = places?;
         let values: Option<Vec<f64>> = values.into_iter().map(Result::ok).collect();
         let values = values?;
+        let slopes = self.figures.exact_slopes(&places, numbers).or_else(|| {
+            let each = numbers.iter().zip(&self.sizes);
+            let ends = each.map(|(number, size)| {
+                let by = DIFFERENCE * size;
+                [number - by, number + by]
+            });
+            let ends: Vec<[f64; 2]> = ends.collect();
+            self.figures.placed_slopes(&places, numbers, &ends)
+        })?;
         let slope = |goal: usize, i: usize| {
             let slope = slopes[goal][i] * self.sizes[i];
             self.goals[goal].slope_of_part(values[goal], slope)
         };
-        let count = place.numbers.len();
+        let count = numbers.len();
         Some(DMatrix::from_fn(self.goals.len(), count, slope))
     }
 

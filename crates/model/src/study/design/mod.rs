@@ -138,6 +138,36 @@ impl DesignSpace {
         self.values.iter().map(|value| value.number).collect()
     }
 
+    /// Returns the numbers of the variable values in another scene. All its other values must be the
+    /// same, except its start positions, which a design may need for its assembly.
+    ///
+    /// # Errors
+    /// Returns the name of the first value that is missing or differs.
+    pub fn numbers_in(&self, other: &Scene) -> Result<Vec<f64>, String> {
+        let all = other.values();
+        let named = |name: &str| all.iter().find(|value| value.name == name);
+        let is_varied = |own: &Value| self.values.iter().any(|value| value.name == own.name);
+        let is_same = |own: &Value| {
+            named(&own.name).is_some_and(|found| {
+                let is_equal = own.formula.is_some() || own.number == found.number;
+                is_equal && own.formula == found.formula && own.unit == found.unit
+            })
+        };
+        let others = self.scene.values();
+        let is_start = |own: &Value| own.name.contains(" start ");
+        let mut others = others
+            .iter()
+            .filter(|own| !is_varied(own) && !is_start(own));
+        if let Some(other) = others.find(|own| !is_same(own)) {
+            return Err(other.dotted());
+        }
+        let numbers = self.values.iter().map(|own| match named(&own.name) {
+            Some(found) if found.unit == own.unit => Ok(found.number),
+            _ => Err(own.dotted()),
+        });
+        numbers.collect()
+    }
+
     /// Returns the scene's text with other numbers.
     #[must_use]
     pub fn text(&self, numbers: &[f64]) -> String {
@@ -167,8 +197,12 @@ impl DesignSpace {
 
     /// Parses the scene of the design with these numbers.
     fn parse(&self, numbers: &[f64]) -> Result<Scene, NoDesign> {
+        self.read(numbers).map_err(NoDesign::Unread)
+    }
+
+    fn read(&self, numbers: &[f64]) -> Result<Scene, Box<Diagnostics>> {
         let scene = Scene::parse(&self.text(numbers), self.scene.origin());
-        scene.map_err(|faults| NoDesign::Unread(Box::new(faults)))
+        scene.map_err(Box::new)
     }
 
     /// Returns the solver of a design's mechanism in the assembly of the given scene, and whether

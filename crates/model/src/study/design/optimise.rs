@@ -4,17 +4,20 @@
 //! The better of two designs is, in this order, the valid one, the one with smaller misses of the
 //! constraints, and the one with the better figure (Deb, 2000). Equality constraints define a set
 //! without interior, which random designs do not hit, so every design is projected onto them before
-//! its evaluation. The first generation contains the given design, so that a search can be resumed
-//! from its result. A wide generation is projected with a loose tolerance, because its designs differ
-//! by much more than that. The best design is polished. Equal seeds give equal designs, for any
-//! number of cores.
+//! its evaluation. The places of extrema in the design that it was made from are followed on the way,
+//! and often prove that it is worse. The first generation contains the given design and other known
+//! ones. A wide generation is projected with a loose tolerance, because its designs differ by much
+//! more than that. The best design is polished. Equal seeds give equal designs, for any number of
+//! cores.
 
 use super::polish::{Polished, polished};
 use super::projection::{DesignEvaluator, DesignProjection, DesignScore, NONE};
 use super::{DesignFigures, DesignPlan, Goal, PlanAxis};
 use crate::numeric::{SeededRng, mutate};
 use crate::parallel;
+use crate::study::excursion::PlacedFigure;
 use nalgebra::DMatrix;
+use std::sync::Arc;
 
 /// Designs per generation for each variable value, and their minimum.
 const FOR_EACH: usize = 12;
@@ -25,6 +28,11 @@ const CONVERGED_SPREAD: f64 = 1e-8;
 /// the smallest one.
 const LOOSE: f64 = 1e-3;
 const TIGHT: f64 = 1e-11;
+/// Part of the tolerance that remains at followed places.
+const LOCAL_PART: f64 = 0.1;
+/// The change of the best value, relative to its size, that counts as no improvement; the last steps
+/// towards an optimum are those of the polish.
+const SAME: f64 = 1e-9;
 /// The tolerance is multiplied by `TIGHTER` once the spread is below `WIDE` times the tolerance.
 const TIGHTER: f64 = 1e-3;
 const WIDE: f64 = 100.0;
@@ -79,6 +87,8 @@ struct TrialDesign {
     score: DesignScore,
     /// Approximate derivatives of the slacks of the equality constraints.
     slopes: Option<DMatrix<f64>>,
+    /// The places of all figures in this design, or in the one that it was made from.
+    places: Option<Arc<[PlacedFigure]>>,
 }
 
 impl AsRef<[f64]> for TrialDesign {
@@ -102,6 +112,19 @@ impl BestDesign {
         order: OptimiseOrder,
         watch: &mut dyn FnMut(OptimiseState) -> bool,
     ) -> Option<BestDesign> {
+        BestDesign::find_from(&[], figures, constraints, axes, order, watch)
+    }
+
+    /// Finds the best design as [`BestDesign::find`] does. The search starts from `known` designs
+    /// too; those outside the bounds are ignored.
+    pub fn find_from(
+        known: &[Vec<f64>],
+        figures: &DesignFigures,
+        constraints: &[Goal],
+        axes: &[PlanAxis],
+        order: OptimiseOrder,
+        watch: &mut dyn FnMut(OptimiseState) -> bool,
+    ) -> Option<BestDesign> {
         let judge = DesignEvaluator::new(figures, constraints, axes, order.greatest);
         let mut is_stopped = false;
         let mut go_on = |generations, best: DesignScore| {
@@ -115,7 +138,7 @@ impl BestDesign {
             !is_stopped
         };
         let mut search = DesignEvolution::new(judge, order);
-        search.first_generation(axes, &mut |_| go_on(0, NONE))?;
+        search.first_generation(axes, known, &mut |_| go_on(0, NONE))?;
         let mut made = 0;
         let mut is_together = false;
         let (mut last, mut stays) = (NONE, 0);
@@ -126,8 +149,13 @@ impl BestDesign {
             }
             made += 1;
             let now = search.best_score();
-            stays = if now == last { stays + 1 } else { 0 };
-            last = now;
+            // The best value of a generation at a loose tolerance may be worse at the next one.
+            let is_same = now.0 == last.0 && (now.1 - last.1).abs() <= SAME * last.1.abs();
+            if is_same {
+                stays += 1;
+            } else {
+                (last, stays) = (now, 0);
+            }
             let spread = search.spread();
             is_together = spread <= CONVERGED_SPREAD;
             if !search.tighten(spread, &mut |_| go_on(made, now)) {
@@ -140,7 +168,9 @@ impl BestDesign {
         let Polished {
             design,
             is_stationary,
-        } = polished(&mut judge, design, &mut || go_on(made, best.score));
+        } = polished(&mut judge, design, order.threads, &mut || {
+            go_on(made, best.score)
+        });
         let (missed, value) = design.score;
         Some(BestDesign {
             numbers: design.numbers,
@@ -181,17 +211,26 @@ impl DesignEvolution {
         }
     }
 
-    /// Evaluates the first generation: a Latin hypercube, and the given design if it is within the
-    /// bounds.
-    fn first_generation(&mut self, axes: &[PlanAxis], watch: PartWatch<'_>) -> Option<()> {
+    /// Evaluates the first generation: a Latin hypercube, and the given design and the known ones if
+    /// they are within the bounds.
+    fn first_generation(
+        &mut self,
+        axes: &[PlanAxis],
+        known: &[Vec<f64>],
+        watch: PartWatch<'_>,
+    ) -> Option<()> {
         let given = self.judge.figures.space().given();
         let count = (FOR_EACH * axes.len()).max(MIN_COUNT);
         let plan = DesignPlan::latin(axes, &given, u32::try_from(count).ok()?, self.seed);
         let started = (0..plan.count()).map(|k| TrialDesign::new(plan.numbers(k)));
         let mut started: Vec<TrialDesign> = started.collect();
-        let mut ends = given.iter().zip(&self.judge.ends);
-        if ends.all(|(v, [low, high])| low <= v && v <= high) {
-            started[0] = TrialDesign::new(given);
+        let is_within = |numbers: &&Vec<f64>| {
+            let mut ends = numbers.iter().zip(&self.judge.ends);
+            ends.all(|(v, [low, high])| low <= v && v <= high)
+        };
+        let all = std::iter::once(&given).chain(known);
+        for (start, numbers) in started.iter_mut().zip(all.filter(is_within)) {
+            *start = TrialDesign::new(numbers.clone());
         }
         self.generation = self.settled(&started, watch);
         Some(())
@@ -212,6 +251,7 @@ impl DesignEvolution {
                 &mut self.rng,
             );
             trial.slopes.clone_from(&self.generation[base].slopes);
+            trial.places.clone_from(&self.generation[base].places);
             trials.push(trial);
         }
         let found = self.settled(&trials, watch);
@@ -294,31 +334,61 @@ impl TrialDesign {
             numbers,
             score: NONE,
             slopes: None,
+            places: None,
         }
     }
 
-    /// Projects the candidate onto the equality constraints, and evaluates it. If the equality
-    /// constraints alone make it worse than its present score, nothing else is evaluated.
+    /// Projects the candidate onto the equality constraints, and evaluates it. First it follows the
+    /// places of the design that it was made from, which takes a few states per step. If these places
+    /// or the equality constraints alone make it worse than its present score, nothing else is
+    /// evaluated.
     fn settled(self, judge: &mut DesignEvaluator, tolerance: f64) -> TrialDesign {
         let TrialDesign {
             mut numbers,
-            score: (maximum, _),
+            score,
             mut slopes,
+            places,
         } = self;
+        let worse = |numbers: Vec<f64>, missed: f64, slopes, places| TrialDesign {
+            numbers,
+            score: (missed, f64::INFINITY),
+            slopes,
+            places,
+        };
+        if let Some(places) = &places {
+            let mut is_near = !judge.has_equalities();
+            if let Some(start) = judge.evaluate_locally(numbers.clone(), places) {
+                let onto = DesignProjection::locally(LOCAL_PART * tolerance);
+                let near = judge.onto(start, &mut None, onto);
+                is_near = judge.score(&near, tolerance).0 == 0.0;
+                numbers = near.numbers;
+            }
+            if judge.is_worse_at(places, &numbers, score) {
+                return worse(numbers, f64::INFINITY, slopes, Some(Arc::clone(places)));
+            }
+            // A design that satisfies the equality constraints at all places needs no other steps.
+            if is_near && let Some(design) = judge.evaluate(numbers.clone()) {
+                let found = judge.score(&design, tolerance);
+                if found.0 == 0.0 || !judge.has_equalities() {
+                    return TrialDesign {
+                        numbers,
+                        score: found,
+                        slopes,
+                        places: design.places.map(Arc::from),
+                    };
+                }
+            }
+        }
         if judge.has_equalities() {
             let Some(start) = judge.evaluate_equalities(numbers.clone()) else {
                 return TrialDesign::new(numbers);
             };
             let onto = DesignProjection::onto_equalities(tolerance);
             let near = judge.onto(start, &mut slopes, onto);
-            numbers = near.numbers.clone();
+            numbers.clone_from(&near.numbers);
             let missed = judge.score(&near, tolerance).0;
-            if missed > maximum {
-                return TrialDesign {
-                    numbers,
-                    score: (missed, f64::INFINITY),
-                    slopes,
-                };
+            if missed > score.0 {
+                return worse(numbers, missed, slopes, places);
             }
         }
         match judge.evaluate(numbers.clone()) {
@@ -326,6 +396,7 @@ impl TrialDesign {
                 numbers,
                 score: judge.score(&design, tolerance),
                 slopes,
+                places: design.places.map(Arc::from),
             },
             None => TrialDesign::new(numbers),
         }

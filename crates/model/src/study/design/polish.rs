@@ -35,6 +35,7 @@ pub(super) struct Polished {
 pub(super) fn polished(
     judge: &mut DesignEvaluator,
     design: EvaluatedDesign,
+    threads: usize,
     watch: &mut dyn FnMut() -> bool,
 ) -> Polished {
     let mut here = judge.onto(design, &mut None, DesignProjection::onto_all(&[]));
@@ -82,7 +83,7 @@ pub(super) fn polished(
         (here, slopes) = (better, after);
     }
     if !is_stationary && here.score.0 == 0.0 {
-        return at_kink(judge, here, watch);
+        return at_kink(judge, here, threads, watch);
     }
     Polished {
         design: here,
@@ -94,12 +95,13 @@ pub(super) fn polished(
 fn at_kink(
     judge: &mut DesignEvaluator,
     mut here: EvaluatedDesign,
+    threads: usize,
     watch: &mut dyn FnMut() -> bool,
 ) -> Polished {
     let mut is_stationary = false;
     for nearby in KINK_DISTANCES {
         for _ in 0..KINKS {
-            let look = KinkSampling::at(judge, &here, nearby);
+            let look = KinkSampling::at(judge, &here, nearby, threads);
             is_stationary = matches!(look, KinkSampling::Lowest);
             if !watch() {
                 break;

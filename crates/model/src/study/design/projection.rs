@@ -3,6 +3,7 @@
 use super::evaluation::FigureSet;
 use super::goal::MET;
 use super::{DesignFigures, Goal, GoalSense, PlanAxis};
+use crate::study::excursion::{EvaluatedFigures, PlacedBound, PlacedFigure};
 use nalgebra::{DMatrix, DVector};
 
 /// Step of differences for derivatives, relative to the range between the bounds.
@@ -43,6 +44,9 @@ pub(super) struct DesignEvaluator {
 enum EvaluatedPart {
     /// Only equality constraints. The design's value and all other slacks are 0.
     Equalities,
+    /// Only equality constraints, at places that are followed from a nearby design. Whether there
+    /// are other extrema is not known.
+    Locally,
     /// All figures.
     Whole,
 }
@@ -56,6 +60,9 @@ pub(super) struct EvaluatedDesign {
     /// The slack of each constraint; see [`Goal::slack`].
     pub(super) slacks: DVector<f64>,
     pub(super) score: DesignScore,
+    /// The places of the evaluated figures; `None` if there are none, or if the design was not
+    /// changed in place.
+    pub(super) places: Option<Vec<PlacedFigure>>,
 }
 
 /// The derivatives of a design's evaluation by its numbers, each relative to the range between its
@@ -84,6 +91,14 @@ impl DesignProjection<'_> {
             part: EvaluatedPart::Equalities,
             held: None,
             tolerance,
+        }
+    }
+
+    /// Creates a projection onto the equality constraints at followed places.
+    pub(super) fn locally(tolerance: f64) -> DesignProjection<'static> {
+        DesignProjection {
+            part: EvaluatedPart::Locally,
+            ..DesignProjection::onto_equalities(tolerance)
         }
     }
 
@@ -145,21 +160,109 @@ impl DesignEvaluator {
         self.evaluate_part(numbers, EvaluatedPart::Equalities)
     }
 
+    /// Evaluates the equality constraints of a design at places followed from a nearby one, whose
+    /// places of all figures are given. Returns `None` without equality constraints.
+    pub(super) fn evaluate_locally(
+        &mut self,
+        numbers: Vec<f64>,
+        places: &[PlacedFigure],
+    ) -> Option<EvaluatedDesign> {
+        if !self.has_equalities() {
+            return None;
+        }
+        let of = self.equal.0.iter().map(|i| places.get(i + 1).cloned());
+        self.evaluate_followed(numbers, of.collect::<Option<_>>()?)
+    }
+
+    /// Evaluates the equality constraints at followed places.
+    fn evaluate_followed(
+        &mut self,
+        numbers: Vec<f64>,
+        mut places: Vec<PlacedFigure>,
+    ) -> Option<EvaluatedDesign> {
+        let values = self.figures.follow_places(&mut places, &numbers)?;
+        let mut slacks = DVector::zeros(self.constraints.len());
+        for (&i, value) in self.equal.0.iter().zip(values) {
+            slacks[i] = self.constraints[i].slack(value);
+        }
+        let mut design = EvaluatedDesign {
+            numbers,
+            value: 0.0,
+            slacks,
+            score: NONE,
+            places: Some(places),
+        };
+        design.score = self.score(&design, 0.0);
+        Some(design)
+    }
+
+    /// Returns `true` if values at some places prove that a design is worse than a score.
+    pub(super) fn is_worse_at(
+        &mut self,
+        places: &[PlacedFigure],
+        numbers: &[f64],
+        (missed, value): DesignScore,
+    ) -> bool {
+        let Some(found) = self.figures.placed_values(places, numbers) else {
+            return false;
+        };
+        let proves = |bound: PlacedBound, is_greater_better: bool| match bound {
+            PlacedBound::Exact => true,
+            PlacedBound::Unknown => false,
+            PlacedBound::AtMost => is_greater_better,
+            PlacedBound::AtLeast => !is_greater_better,
+        };
+        let mut known = found.iter().zip(places);
+        let best = known
+            .next()
+            .filter(|(_, placed)| proves(placed.bound, self.greatest));
+        let best = best.map_or(f64::NEG_INFINITY, |(best, _)| match self.greatest {
+            true => -best,
+            false => *best,
+        });
+        let misses = self.constraints.iter().zip(known);
+        let misses = misses.map(|(goal, (value, placed))| match goal.sense {
+            GoalSense::Equal => 0.0,
+            sense if proves(placed.bound, sense == GoalSense::AtLeast) => {
+                (-goal.slack(*value) - MET).max(0.0)
+            }
+            GoalSense::AtLeast | GoalSense::AtMost => 0.0,
+        });
+        let misses: f64 = misses.sum();
+        let is_worse = misses > missed || (misses == missed && best > value);
+        is_worse && self.figures.is_in_place(numbers)
+    }
+
+    /// Evaluates the part of a design that a projection needs; `from` is the design that a step
+    /// starts from.
+    fn evaluate_from(
+        &mut self,
+        from: &EvaluatedDesign,
+        numbers: Vec<f64>,
+        part: EvaluatedPart,
+    ) -> Option<EvaluatedDesign> {
+        match part {
+            EvaluatedPart::Locally => self.evaluate_followed(numbers, from.places.clone()?),
+            EvaluatedPart::Equalities | EvaluatedPart::Whole => self.evaluate_part(numbers, part),
+        }
+    }
+
     /// Evaluates some figures of a design.
     fn evaluate_part(&mut self, numbers: Vec<f64>, part: EvaluatedPart) -> Option<EvaluatedDesign> {
         let design = self.figures.open(&numbers).ok()?;
         let known = |value: Result<f64, _>| value.ok().filter(|value: &f64| value.is_finite());
         let mut slacks = DVector::zeros(self.constraints.len());
         let mut value = 0.0;
-        let (of, found) = match part {
-            EvaluatedPart::Equalities => (&self.equal.0, self.equal.1.of(&design).into_iter()),
-            EvaluatedPart::Whole => {
-                let mut found = self.figures.set().of(&design).into_iter();
-                let first = known(found.next()?)?;
-                value = if self.greatest { -first } else { first };
-                (&self.all, found)
-            }
+        let (of, set) = match part {
+            EvaluatedPart::Equalities | EvaluatedPart::Locally => (&self.equal.0, &self.equal.1),
+            EvaluatedPart::Whole => (&self.all, self.figures.set()),
         };
+        let EvaluatedFigures { values, places } = set.evaluate(&design);
+        let mut found = values.into_iter();
+        if matches!(part, EvaluatedPart::Whole) {
+            let first = known(found.next()?)?;
+            value = if self.greatest { -first } else { first };
+        }
         for (&i, found) in of.iter().zip(found) {
             slacks[i] = self.constraints[i].slack(known(found)?);
         }
@@ -168,6 +271,7 @@ impl DesignEvaluator {
             value,
             slacks,
             score: NONE,
+            places,
         };
         design.score = self.score(&design, 0.0);
         Some(design)
@@ -189,8 +293,9 @@ impl DesignEvaluator {
     /// bounds.
     ///
     /// `slopes` are approximate derivatives of the slacks, if there are any. They are updated by
-    /// Broyden's method, and computed again after a step that gains too little. With new derivatives
-    /// a step that does not improve is halved; the projection ends if this is in vain.
+    /// Broyden's method, and computed again after a step that gains too little. Derivatives at fixed
+    /// places are cheap and computed before each step. With new derivatives a step that does not
+    /// improve is halved; the projection ends if this is in vain.
     pub(super) fn onto(
         &mut self,
         mut design: EvaluatedDesign,
@@ -204,7 +309,7 @@ impl DesignEvaluator {
             if rows.is_empty() || missed <= onto.tolerance {
                 break;
             }
-            if slopes.is_none() {
+            if slopes.is_none() || design.places.is_some() {
                 let new = self.slopes_of_part(&design, DIFFERENCE, false, onto.part);
                 *slopes = new.map(|new| new.slacks);
                 is_new = true;
@@ -218,7 +323,7 @@ impl DesignEvaluator {
                 (0..=halvings).find_map(|k| {
                     let part = 0.5_f64.powi(i32::try_from(k).unwrap_or(0));
                     let numbers = self.moved(&design.numbers, &(&travel * part));
-                    let there = self.evaluate_part(numbers, onto.part)?;
+                    let there = self.evaluate_from(&design, numbers, onto.part)?;
                     (norm(&there, &rows) < missed).then_some(there)
                 })
             });
@@ -319,17 +424,29 @@ impl DesignEvaluator {
         moved.collect()
     }
 
-    /// Returns the solver's own derivatives, if all figures have them.
-    fn exact_ones(
+    /// Returns the derivatives at fixed places of the motion, if all figures have them: the solver's
+    /// own, or differences with steps of `step` of the range.
+    fn at_fixed_places(
         &mut self,
         design: &EvaluatedDesign,
+        step: f64,
         part: EvaluatedPart,
     ) -> Option<DesignSlopes> {
-        let set = match part {
-            EvaluatedPart::Equalities => self.equal.1.clone(),
-            EvaluatedPart::Whole => self.figures.set().clone(),
+        let places = design.places.as_ref()?;
+        let own = match part {
+            // The projection needs no more digits than differences have.
+            EvaluatedPart::Equalities | EvaluatedPart::Locally => None,
+            EvaluatedPart::Whole => self.figures.exact_slopes(places, &design.numbers),
         };
-        let found = self.figures.exact_slopes(&set, &design.numbers)?;
+        let found = own.or_else(|| {
+            let ends = design.numbers.iter().zip(&self.ends);
+            let ends = ends.map(|(number, [low, high])| {
+                let by = step * (high - low);
+                [number - by, number + by].map(|number| number.clamp(*low, *high))
+            });
+            let ends: Vec<[f64; 2]> = ends.collect();
+            self.figures.placed_slopes(places, &design.numbers, &ends)
+        })?;
         let size = |i: usize| self.ends[i][1] - self.ends[i][0];
         let count = self.ends.len();
         let mut slopes = DesignSlopes {
@@ -338,7 +455,7 @@ impl DesignEvaluator {
         };
         let mut found = found.iter();
         let rows = match part {
-            EvaluatedPart::Equalities => &self.equal.0,
+            EvaluatedPart::Equalities | EvaluatedPart::Locally => &self.equal.0,
             EvaluatedPart::Whole => {
                 let sense = if self.greatest { -1.0 } else { 1.0 };
                 let value = found.next()?;
@@ -354,9 +471,9 @@ impl DesignEvaluator {
         Some(slopes)
     }
 
-    /// Returns the derivatives at a design: the solver's own if every figure has them, or else
-    /// differences with steps of `part` of the range. The differences are two-sided with `to_both`,
-    /// or else one-sided if possible.
+    /// Returns the derivatives at a design: those at fixed places of the motion if every figure has
+    /// them, or else differences of whole designs with steps of `part` of the range. The latter are
+    /// two-sided with `to_both`, or else one-sided if possible.
     pub(super) fn slopes(
         &mut self,
         design: &EvaluatedDesign,
@@ -373,8 +490,11 @@ impl DesignEvaluator {
         to_both: bool,
         part: EvaluatedPart,
     ) -> Option<DesignSlopes> {
-        if let Some(slopes) = self.exact_ones(design, part) {
+        if let Some(slopes) = self.at_fixed_places(design, step, part) {
             return Some(slopes);
+        }
+        if matches!(part, EvaluatedPart::Locally) {
+            return None;
         }
         let count = self.ends.len();
         let mut slopes = DesignSlopes {

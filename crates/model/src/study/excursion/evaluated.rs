@@ -2,9 +2,9 @@
 
 use super::cycle_figure::{CycleFigureSource, FigureProperty, RangeEnd};
 use super::{CycleFigure, Excursion, ExcursionOptions, NoFigure};
+use crate::expression::DirectionCut;
 use crate::quantity::{Quantity, Subject, demand};
-use crate::solver::{Condition, GroupId, Range, Solver};
-use std::cell::OnceCell;
+use crate::solver::{Condition, GroupId, Range, Solver, Transmission};
 
 /// The best transmission angle, in degrees.
 const BEST: f64 = 90.0;
@@ -21,13 +21,46 @@ pub struct CycleFigures {
     condition: bool,
 }
 
-/// A figure that is a column at one place, or the difference of two.
+/// Figures of a mechanism.
+#[derive(Clone, Debug)]
+pub(crate) struct EvaluatedFigures {
+    /// Each figure, or the reason for its absence.
+    pub(crate) values: Vec<Result<f64, NoFigure>>,
+    /// The places of all figures; `None` if one has none.
+    pub(crate) places: Option<Vec<PlacedFigure>>,
+}
+
+/// A figure that is a value at one place, or the difference of two.
 #[derive(Clone, Debug)]
 pub(crate) struct PlacedFigure {
-    /// The column.
-    pub(crate) column: Quantity,
-    /// The driver's coordinates at which the column is taken, with signs.
+    /// The value.
+    pub(crate) value: PlacedValue,
+    /// The driver's coordinates at which the value is taken, with signs.
     pub(crate) places: Vec<(f64, f64)>,
+    /// What a value at any other place tells about the figure.
+    pub(crate) bound: PlacedBound,
+}
+
+/// The relation between a figure and the value at any place of the motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PlacedBound {
+    /// The figure is at most the value, as a minimum is.
+    AtMost,
+    /// The figure is at least the value, as a maximum or a stroke is.
+    AtLeast,
+    /// The figure is the value at its own place.
+    Exact,
+    /// Nothing: a direction may differ from its figure by a turn.
+    Unknown,
+}
+
+/// A value of a state from which a figure is computed.
+#[derive(Clone, Debug)]
+pub(crate) enum PlacedValue {
+    /// A column.
+    Column(Quantity),
+    /// The transmission angle of a dyad.
+    Transmission(GroupId),
 }
 
 impl CycleFigures {
@@ -84,66 +117,23 @@ impl CycleFigures {
         &self.figures
     }
 
-    /// Returns for each figure its column and the signed places that it is computed from: a stroke
-    /// is the maximum minus the minimum. To first order these places stay fixed while lengths
-    /// change. Returns `None` if a figure has another form, or if the driver turns back, because an
-    /// end of its range moves.
-    pub(crate) fn places(&self, solver: &Solver) -> Option<Vec<PlacedFigure>> {
-        let Range::Full { .. } = solver.motion().range else {
-            return None;
-        };
-        // Most sets without places have none for their first figure.
-        let excursions = OnceCell::new();
-        let excursions = || {
-            let options = ExcursionOptions::default();
-            excursions.get_or_init(|| Excursion::of_all(solver, &self.columns, options))
-        };
-        let places = |figure: &CycleFigure| {
-            let CycleFigureSource::Of(column, property) = &figure.source else {
-                return None;
-            };
-            let excursion = || {
-                let index = self.columns.iter().position(|other| other == column)?;
-                let found = excursions().get(index)?.as_ref().ok()?;
-                (found.revolutions == 0.0 && !found.is_level()).then_some(found)
-            };
-            let places = match property {
-                FigureProperty::At(at) => vec![(*at, 1.0)],
-                FigureProperty::Minimum => vec![(excursion()?.least.at, 1.0)],
-                FigureProperty::Maximum => vec![(excursion()?.greatest.at, 1.0)],
-                FigureProperty::Stroke => {
-                    let found = excursion()?;
-                    vec![(found.greatest.at, 1.0), (found.least.at, -1.0)]
-                }
-                FigureProperty::MinimumAt
-                | FigureProperty::MaximumAt
-                | FigureProperty::Turns
-                | FigureProperty::Ratio
-                | FigureProperty::Dwell
-                | FigureProperty::Fastest
-                | FigureProperty::FastestAt
-                | FigureProperty::Hardest
-                | FigureProperty::HardestAt => return None,
-            };
-            Some(PlacedFigure {
-                column: column.clone(),
-                places,
-            })
-        };
-        self.figures.iter().map(places).collect()
-    }
-
     /// Computes the figures for a mechanism; each is a value, or the reason for its absence.
     #[must_use]
     pub fn of(&self, solver: &Solver) -> Vec<Result<f64, NoFigure>> {
+        self.evaluate(solver).values
+    }
+
+    /// Computes the figures for a mechanism, and the places of the motion that they depend on.
+    pub(crate) fn evaluate(&self, solver: &Solver) -> EvaluatedFigures {
         let excursions = Excursion::of_all(solver, &self.columns, self.options);
         let transmission = match self.transmission {
             true => solver.transmission(),
             false => Vec::new(),
         };
+        let places = self.places(solver, &excursions, &transmission);
         let transmission: Vec<(GroupId, f64)> = transmission
             .iter()
-            .map(|found| (found.group, BEST - found.deviation()))
+            .map(|found| (found.group, transmission_figure(found)))
             .collect();
         let condition = match self.condition {
             true => solver.conditioning(),
@@ -170,7 +160,69 @@ impl CycleFigures {
                 worst(solver, &condition, *group).ok_or(NoFigure::NoCoupledGroup)
             }
         };
-        self.figures.iter().map(value).collect()
+        EvaluatedFigures {
+            values: self.figures.iter().map(value).collect(),
+            places,
+        }
+    }
+
+    /// Returns for each figure its value and the signed places that it is computed from: a stroke is
+    /// the maximum minus the minimum. To first order these places stay fixed while lengths change.
+    /// Returns `None` if a figure has another form, or if the driver turns back, because an end of
+    /// its range moves.
+    fn places(
+        &self,
+        solver: &Solver,
+        excursions: &[Result<Excursion, NoFigure>],
+        transmission: &[Transmission],
+    ) -> Option<Vec<PlacedFigure>> {
+        let Range::Full { .. } = solver.motion().range else {
+            return None;
+        };
+        let places = |figure: &CycleFigure| {
+            let (column, property) = match &figure.source {
+                CycleFigureSource::Of(column, property) => (column, property),
+                CycleFigureSource::Transmission(group) => {
+                    return placed_transmission(solver, transmission, *group);
+                }
+                CycleFigureSource::Range(_) | CycleFigureSource::Condition(_) => return None,
+            };
+            let excursion = || {
+                let index = self.columns.iter().position(|other| other == column)?;
+                let found = excursions.get(index)?.as_ref().ok()?;
+                (found.revolutions == 0.0 && !found.is_level()).then_some(found)
+            };
+            let places = match property {
+                FigureProperty::At(at) => vec![(*at, 1.0)],
+                FigureProperty::Minimum => vec![(excursion()?.least.at, 1.0)],
+                FigureProperty::Maximum => vec![(excursion()?.greatest.at, 1.0)],
+                FigureProperty::Stroke => {
+                    let found = excursion()?;
+                    vec![(found.greatest.at, 1.0), (found.least.at, -1.0)]
+                }
+                FigureProperty::MinimumAt
+                | FigureProperty::MaximumAt
+                | FigureProperty::Turns
+                | FigureProperty::Ratio
+                | FigureProperty::Dwell
+                | FigureProperty::Fastest
+                | FigureProperty::FastestAt
+                | FigureProperty::Hardest
+                | FigureProperty::HardestAt => return None,
+            };
+            let bound = match property {
+                FigureProperty::At(_) => PlacedBound::Exact,
+                _ if column.cut() != DirectionCut::Nowhere => PlacedBound::Unknown,
+                FigureProperty::Minimum => PlacedBound::AtMost,
+                _ => PlacedBound::AtLeast,
+            };
+            Some(PlacedFigure {
+                value: PlacedValue::Column(column.clone()),
+                places,
+                bound,
+            })
+        };
+        self.figures.iter().map(places).collect()
     }
 }
 
@@ -229,19 +281,52 @@ fn at_place(solver: &Solver, column: &Quantity, at: f64) -> Result<f64, NoFigure
     }
 }
 
+/// Returns the transmission angle of a dyad that is furthest from the best one, below or above it,
+/// counted from below.
+fn transmission_figure(found: &Transmission) -> f64 {
+    BEST - found.deviation()
+}
+
+/// Returns the place of the worst transmission angle, of all dyads or of those that place the named
+/// part. An angle above the best one counts from the other side, so it has a negative sign.
+fn placed_transmission(
+    solver: &Solver,
+    found: &[Transmission],
+    named: Option<Subject>,
+) -> Option<PlacedFigure> {
+    let is_meant = |found: &&Transmission| places_subject(solver, found.group, named);
+    let by_figure = |a: &&Transmission, b: &&Transmission| {
+        transmission_figure(a).total_cmp(&transmission_figure(b))
+    };
+    let worst = found.iter().filter(is_meant).min_by(by_figure)?;
+    let is_small = BEST - worst.smallest.angle >= worst.largest.angle - BEST;
+    let place = match is_small {
+        true => (worst.smallest.at, 1.0),
+        false => (worst.largest.at, -1.0),
+    };
+    Some(PlacedFigure {
+        value: PlacedValue::Transmission(worst.group),
+        places: vec![place],
+        bound: PlacedBound::AtMost,
+    })
+}
+
 /// Returns the minimum over all groups, or over those that place the named part.
 fn worst(solver: &Solver, found: &[(GroupId, f64)], named: Option<Subject>) -> Option<f64> {
-    let is_meant = |id: GroupId| {
-        let Some(group) = solver.plan().group(id) else {
-            return false;
-        };
-        match named {
-            None => true,
-            Some(Subject::Point(point)) => group.point == Some(point),
-            Some(Subject::Link(link)) => group.links.contains(&link),
-            Some(_) => false,
-        }
-    };
-    let values = found.iter().filter(|(group, _)| is_meant(*group));
+    let values = found.iter();
+    let values = values.filter(|(group, _)| places_subject(solver, *group, named));
     values.map(|(_, value)| *value).min_by(f64::total_cmp)
+}
+
+/// Returns `true` if a group places the named part, or if no part is named.
+fn places_subject(solver: &Solver, id: GroupId, named: Option<Subject>) -> bool {
+    let Some(group) = solver.plan().group(id) else {
+        return false;
+    };
+    match named {
+        None => true,
+        Some(Subject::Point(point)) => group.point == Some(point),
+        Some(Subject::Link(link)) => group.links.contains(&link),
+        Some(_) => false,
+    }
 }

@@ -34,6 +34,7 @@ mod tests;
 
 pub use cycle_figure::{CycleFigure, UnknownCycleFigure};
 pub use evaluated::CycleFigures;
+pub(crate) use evaluated::{EvaluatedFigures, PlacedBound, PlacedFigure, PlacedValue};
 pub(crate) use periodic_reference::FigureSeams;
 pub use strokes::{DwellStretch, TimeRatio};
 
