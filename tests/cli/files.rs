@@ -74,7 +74,15 @@ fn output_does_not_overwrite_the_input_scene() {
         "../files-input-is-output/scene.toml",
     ] {
         for command in [
-            "sweep", "table", "check", "explain", "report", "draw", "motor", "cycle", "accuracy",
+            "sweep",
+            "table",
+            "check",
+            "explain",
+            "report",
+            "draw --format text",
+            "motor",
+            "cycle",
+            "accuracy",
         ] {
             let run_output = shell(&folder, &format!("$KRANK {command} scene.toml -o {name}"));
             assert_eq!(run_output.code, 2, "{command} {name}: {}", run_output.err);

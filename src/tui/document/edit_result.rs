@@ -206,8 +206,8 @@ mod nudges {
         };
         match value.measure {
             Measure::Angle => 1.0,
-            // A decimal of one digit always parses as a number.
-            _ => format!("{:.0e}", own * 1e-3).parse().unwrap(),
+            // A decimal of one digit always parses as a number. Ten copies of a stage add up.
+            _ => format!("{:.0e}", own * 5e-4).parse().unwrap(),
         }
     }
 
