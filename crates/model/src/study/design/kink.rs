@@ -50,7 +50,7 @@ impl KinkSampling {
         let count = here.numbers.len();
         let slopes_at = |judge: &mut DesignEvaluator, k: usize| {
             let mut travel = DVector::zeros(count);
-            travel[k / 2] = if k % 2 == 0 { -nearby } else { nearby };
+            travel[k / 2] = if k.is_multiple_of(2) { -nearby } else { nearby };
             let there = judge.evaluate(judge.moved(&here.numbers, &travel))?;
             judge.slopes(&there, part, true)
         };
