@@ -64,13 +64,15 @@ fn long_sweep_uses_constant_memory() {
 
 #[test]
 fn output_option_writes_results_to_a_file() {
-    let file = folder("to-a-file").join("out.txt");
-    let path = file.to_str().unwrap();
-    for args in [
-        &["sweep", "four-bar"][..],
-        &["table", "four-bar"],
-        &["check", "four-bar"],
+    let folder = folder("to-a-file");
+    // The extensions of the formats that a pipe gets.
+    for (args, name) in [
+        (&["sweep", "four-bar"][..], "out.csv"),
+        (&["table", "four-bar"], "out.txt"),
+        (&["check", "four-bar"], "out.txt"),
     ] {
+        let file = folder.join(name);
+        let path = file.to_str().unwrap();
         let on_stdout = run_ok(args);
         assert_eq!(run_ok(&[args, &["-o", path]].concat()), "");
         assert_eq!(std::fs::read_to_string(&file).unwrap(), on_stdout);
