@@ -335,9 +335,13 @@ fn designs(copy: &str, value: &str, numbers: &[f64], figures: &[&str]) -> Vec<De
     let values = vec![scene.value_named(value).unwrap()];
     let space = DesignSpace::new(&scene, &solver, values);
     let catalogue = Catalogue::new(&scene);
-    let figures = figures.iter().map(|name| CycleFigure::parse(name, &catalogue).unwrap());
+    let figures = figures
+        .iter()
+        .map(|name| CycleFigure::parse(name, &catalogue).unwrap());
     let mut figures = DesignFigures::new(&space, figures.collect(), None);
-    let rows = numbers.iter().map(|&number| DesignRow::of(vec![number], &mut figures));
+    let rows = numbers
+        .iter()
+        .map(|&number| DesignRow::of(vec![number], &mut figures));
     rows.collect()
 }
 
@@ -361,7 +365,10 @@ fn designs_with_other_elements_have_no_figures() {
         assert_eq!(row.state, DesignState::Ok, "{row:?}");
         for i in 0..strokes.len() {
             let (found, expected) = (row.figure(i).unwrap(), typed.figure(i).unwrap());
-            assert!((found - expected).abs() < 1e-9 * expected.abs(), "{found} {expected}");
+            assert!(
+                (found - expected).abs() < 1e-9 * expected.abs(),
+                "{found} {expected}"
+            );
         }
     }
     let copies = "of = [\"r3\", \"r4\"], phase = 72, count = 3";
@@ -381,4 +388,34 @@ fn elements_differ_if_a_point_is_on_another_link() {
     };
     assert!(with("30").has_elements_of(&with("40")));
     assert!(!with("30").has_elements_of(&with("0")));
+}
+
+/// A key that is no part of a name is reported once, not for each copied element.
+#[test]
+fn invalid_key_is_reported_once() {
+    let copies = "[copies]\n\"a b\" = { of = [\"r3\", \"r4\"], phase = 90 }\n";
+    let faults = Scene::parse(&format!("{FOUR_BAR}{copies}"), "test").unwrap_err();
+    assert_eq!(
+        faults.to_string().matches("contains ` `").count(),
+        1,
+        "{faults}"
+    );
+}
+
+/// Copies by `phase` around a full turn are accepted up to the original.
+#[test]
+fn copies_around_a_turn_end_before_the_original() {
+    let copies = |count: usize| {
+        let of = "of = [\"r3\", \"r4\"], phase = 72";
+        Scene::parse(
+            &format!("{FOUR_BAR}[copies]\nb = {{ {of}, count = {count} }}\n"),
+            "test",
+        )
+    };
+    assert!(copies(4).is_ok());
+    let refused = copies(5).unwrap_err().to_string();
+    assert!(
+        refused.contains("copy number 5 lies on the original"),
+        "{refused}"
+    );
 }
