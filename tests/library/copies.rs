@@ -1,7 +1,9 @@
 //! Tests copies and mirror images of groups of links.
 
+use krank::quantity::Catalogue;
 use krank::scene::{Precision, Scene, presets};
 use krank::solver::{Condition, Order, Solver, State};
+use krank::study::{CycleFigure, DesignFigures, DesignRow, DesignSpace, DesignState};
 use krank::{LinkId, PointId, Vec2};
 
 fn parsed(text: &str) -> Scene {
@@ -324,4 +326,96 @@ P_b = [2, 2]
     };
     assert_eq!(shape("r3", "P"), Vec2::new(1.62, -1.16));
     assert_eq!(shape("r3_b", "P_b"), Vec2::new(1.62, -1.16));
+}
+
+/// Returns the rows of the designs of a four-bar's copy in which one value has these numbers.
+fn designs(copy: &str, value: &str, numbers: &[f64], figures: &[&str]) -> Vec<DesignRow> {
+    let scene = parsed(&format!("{FOUR_BAR}[copies]\nb = {{ {copy} }}\n"));
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let values = vec![scene.value_named(value).unwrap()];
+    let space = DesignSpace::new(&scene, &solver, values);
+    let catalogue = Catalogue::new(&scene);
+    let figures = figures
+        .iter()
+        .map(|name| CycleFigure::parse(name, &catalogue).unwrap());
+    let mut figures = DesignFigures::new(&space, figures.collect(), None);
+    let rows = numbers
+        .iter()
+        .map(|&number| DesignRow::of(vec![number], &mut figures));
+    rows.collect()
+}
+
+/// A design whose number changes the elements of the copies has no figures: without `turn` the copy
+/// shares D, with it the copy has D_b. The figures of other designs are those of a typed scene.
+#[test]
+fn designs_with_other_elements_have_no_figures() {
+    let of = "of = [\"r3\", \"r4\"], about = \"A\", phase = 30";
+    let strokes = ["C_b.x.stroke", "C_b.x@60"];
+    let turned = |turn: &str| format!("{of}, turn = {turn}");
+    for (given, numbers) in [("0", [5.0, 10.0]), ("10", [0.0, 360.0])] {
+        for row in designs(&turned(given), "b.turn", &numbers, &strokes) {
+            assert_eq!(row.state, DesignState::NoAssembly, "{given}: {row:?}");
+            assert!(row.reason.contains("[copies]"), "{row:?}");
+            assert!(row.figures.is_empty(), "{row:?}");
+        }
+    }
+    let rows = designs(&turned("10"), "b.turn", &[5.0, 20.0], &strokes);
+    for (row, turn) in rows.iter().zip(["5", "20"]) {
+        let typed = &designs(&turned(turn), "b.turn", &[turn.parse().unwrap()], &strokes)[0];
+        assert_eq!(row.state, DesignState::Ok, "{row:?}");
+        for i in 0..strokes.len() {
+            let (found, expected) = (row.figure(i).unwrap(), typed.figure(i).unwrap());
+            assert!(
+                (found - expected).abs() < 1e-9 * expected.abs(),
+                "{found} {expected}"
+            );
+        }
+    }
+    let copies = "of = [\"r3\", \"r4\"], phase = 72, count = 3";
+    let rows = designs(copies, "b.count", &[1.0, 2.0, 3.0], &["C_b.x.stroke"]);
+    let states: Vec<DesignState> = rows.iter().map(|row| row.state).collect();
+    let other = DesignState::NoAssembly;
+    assert_eq!(states, [other, other, DesignState::Ok]);
+}
+
+/// A point named in `of` keeps its name, but with `phase` it is on the crank.
+#[test]
+fn elements_differ_if_a_point_is_on_another_link() {
+    let with = |phase: &str| {
+        let of = "of = [\"r3\", \"r4\", \"B\"], move = [9, 0]";
+        let copies = format!("[copies]\nb = {{ {of}, phase = {phase} }}\n");
+        parsed(&format!("{FOUR_BAR}{copies}"))
+    };
+    assert!(with("30").has_elements_of(&with("40")));
+    assert!(!with("30").has_elements_of(&with("0")));
+}
+
+/// A key that is no part of a name is reported once, not for each copied element.
+#[test]
+fn invalid_key_is_reported_once() {
+    let copies = "[copies]\n\"a b\" = { of = [\"r3\", \"r4\"], phase = 90 }\n";
+    let faults = Scene::parse(&format!("{FOUR_BAR}{copies}"), "test").unwrap_err();
+    assert_eq!(
+        faults.to_string().matches("contains ` `").count(),
+        1,
+        "{faults}"
+    );
+}
+
+/// Copies by `phase` around a full turn are accepted up to the original.
+#[test]
+fn copies_around_a_turn_end_before_the_original() {
+    let copies = |count: usize| {
+        let of = "of = [\"r3\", \"r4\"], phase = 72";
+        Scene::parse(
+            &format!("{FOUR_BAR}[copies]\nb = {{ {of}, count = {count} }}\n"),
+            "test",
+        )
+    };
+    assert!(copies(4).is_ok());
+    let refused = copies(5).unwrap_err().to_string();
+    assert!(
+        refused.contains("copy number 5 lies on the original"),
+        "{refused}"
+    );
 }

@@ -198,13 +198,16 @@ impl InputPath {
             cells.resize(columns.quantities.len(), None);
             let mut condition = Condition::NoAssembly;
             if let Some(next) = self.next(&scene.mechanism, &pose, row) {
-                pose = next;
-                let at = pose.inputs.first().copied().unwrap_or(opening);
-                let mut state = pose.solver.state();
-                condition = pose.solver.solve(at, order, &mut state);
+                let at = next.inputs.first().copied().unwrap_or(opening);
+                let mut state = next.solver.state();
+                condition = next.solver.solve(at, order, &mut state);
                 cells = columns.quantities.iter().map(|q| q.value(&state)).collect();
                 outcome.valued += u64::from(condition != Condition::NoAssembly);
-                outcome.singular += u64::from(pose.is_singular);
+                outcome.singular += u64::from(next.is_singular);
+                // From a singular position, two assemblies would continue.
+                if !next.is_singular {
+                    pose = next;
+                }
             }
             rows.state_row(&cells, condition)?;
             outcome.rows += 1;
@@ -213,8 +216,8 @@ impl InputPath {
         Ok(outcome)
     }
 
-    /// Returns the position of a row, in the assembly of the one before; `None` if it cannot be
-    /// reached.
+    /// Returns the position of a row, in the assembly of the last one that is not singular; `None` if
+    /// it cannot be reached.
     fn next(&self, mechanism: &Mechanism, from: &LedPose, row: &PathRow) -> Option<LedPose> {
         if let Some(lead) = &self.lead {
             return lead.moved(mechanism, from, &row.inputs, &row.targets);

@@ -22,6 +22,13 @@ pub(crate) struct EditedScene {
 pub(crate) fn keeping(open_scene: &OpenScene, text: &str) -> Result<EditedScene, String> {
     let scene = parsed(open_scene, text)?;
     let plain = Solver::new(&scene.mechanism);
+    // The shown assembly says nothing about other elements, such as more copies.
+    if !scene.has_elements_of(open_scene.scene()) {
+        return match plain {
+            Ok(solver) => Ok(edited(open_scene, scene, solver, false)),
+            Err(fault) => Err(fault_line(&scene, &fault)),
+        };
+    }
     let shown = open_scene.solver();
     let at = comparison_coordinate(open_scene, &scene);
     if let Ok(solver) = &plain

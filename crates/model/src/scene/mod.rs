@@ -59,6 +59,7 @@ pub mod presets;
 mod raw_elements;
 mod resolve;
 mod rewrite;
+mod same_elements;
 mod syntax;
 mod table;
 mod values;
@@ -336,6 +337,11 @@ impl Scene {
             original = before;
         }
         Some(original)
+    }
+
+    /// Returns `true` if the scene has copies.
+    pub(crate) fn has_copies(&self) -> bool {
+        !self.originals.is_empty()
     }
 
     /// Returns the display title; titles of presets are translated.

@@ -260,7 +260,6 @@ fn reserved(text: &str, sort: NameKind) -> Option<String> {
 /// Returns the diagnostic of an invalid name; `None` for a valid one.
 fn bad(name: &Name<'_>, sort: NameKind) -> Option<Diagnostic> {
     let text = name.text;
-    let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '\'');
     let fault =
         |message: String, label: &str| Diagnostic::new(message).at(name.span.clone(), label);
     if let Some(list) = reserved(text, sort) {
@@ -288,6 +287,19 @@ fn bad(name: &Name<'_>, sort: NameKind) -> Option<Diagnostic> {
         let message = words().name_is_reserved(&name.to_string());
         return Some(fault(message, words().is_reserved()).help(help));
     }
+    if sort == NameKind::Parameter && text.starts_with(|c: char| c.is_ascii_digit()) {
+        let message = words().parameter_reads_as_number(&name.to_string());
+        return Some(fault(message, words().is_no_name()).help(words().begin_it_with_a_letter()));
+    }
+    invalid_part(name)
+}
+
+/// Returns the diagnostic of a text that is no valid part of any name; `None` for a valid one.
+pub(super) fn invalid_part(name: &Name<'_>) -> Option<Diagnostic> {
+    let text = name.text;
+    let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '\'');
+    let fault =
+        |message: String, label: &str| Diagnostic::new(message).at(name.span.clone(), label);
     if text.is_empty() {
         return Some(fault(words().name_is_empty().into(), words().is_empty()));
     }
@@ -297,10 +309,6 @@ fn bad(name: &Name<'_>, sort: NameKind) -> Option<Diagnostic> {
             words().name_is_too_long(&name.to_string(), count, MAX_LEN),
             words().is_too_long(),
         ));
-    }
-    if sort == NameKind::Parameter && text.starts_with(|c: char| c.is_ascii_digit()) {
-        let message = words().parameter_reads_as_number(&name.to_string());
-        return Some(fault(message, words().is_no_name()).help(words().begin_it_with_a_letter()));
     }
     let odd = text.chars().find(|&c| !fits(c))?;
     Some(

@@ -27,10 +27,10 @@ const CENTRE: &str = ".com";
 /// The names of the elements of one copy. They outlive the draft that refers to them.
 pub(in crate::scene) type NameSlot = OnceCell<Vec<String>>;
 
-/// Returns an empty slot for the names of each copy.
+/// Returns an empty slot for the names of each copy. More copies than allowed have none.
 pub(in crate::scene) fn name_slots(draft: &SceneDraft<'_>) -> Vec<NameSlot> {
-    let count = draft.copies.iter().map(|copy| copy.count).sum();
-    (0..count).map(|_| NameSlot::new()).collect()
+    let count: usize = draft.copies.iter().map(|copy| copy.count).sum();
+    (0..count.min(MAX_COUNT)).map(|_| NameSlot::new()).collect()
 }
 
 /// Adds all copies to the draft, in the order of the file. `slots` receive their names. Returns the
@@ -47,6 +47,19 @@ pub(in crate::scene) fn expand<'t>(
     if draft.unreadable {
         return HashMap::new();
     }
+    // The counts are added before any name is made, since names need memory.
+    let mut count = 0;
+    let excess = copies.iter().find(|copy| {
+        count += copy.count;
+        count > MAX_COUNT
+    });
+    if let Some(copy) = excess {
+        let of = words().copy_called(&copy.name.to_string());
+        let fault = Diagnostic::new(words().too_many_copies(&of, MAX_COUNT));
+        reader.report(fault.at(copy.name.span.clone(), ""));
+        draft.unreadable = true;
+        return HashMap::new();
+    }
     let mut copier = Copier {
         reader,
         draft,
@@ -54,16 +67,7 @@ pub(in crate::scene) fn expand<'t>(
         originals: HashMap::new(),
     };
     let mut slots = slots.iter();
-    let mut count = 0;
     for copy in &copies {
-        count += copy.count;
-        if count > MAX_COUNT {
-            let of = words().copy_called(&copy.name.to_string());
-            let fault = Diagnostic::new(words().too_many_copies(&of, MAX_COUNT));
-            copier.reader.report(fault.at(copy.name.span.clone(), ""));
-            copier.draft.unreadable = true;
-            break;
-        }
         let slots = slots.by_ref().take(copy.count);
         if !copier.copies(copy, slots) {
             // Further faults would follow from this one.
@@ -137,6 +141,9 @@ impl<'t> Copier<'_, '_, 't> {
             return false;
         };
         self.check_joined(copy, &group);
+        if copy.phase != 0.0 && !self.check_turned(copy, &group) {
+            return false;
+        }
         let size = group.links.len() * copy.count;
         if self.draft.links.len() + size > MAX_LINKS {
             let message = words().links_above_most(self.draft.links.len() + size, MAX_LINKS);
@@ -148,6 +155,14 @@ impl<'t> Copier<'_, '_, 't> {
         let mut placement = Placement::IDENTITY;
         let mut last = HashMap::new();
         let mut turns_something = false;
+        // `phase` does not turn points on links that are copies themselves.
+        let on_a_copy = group.points.iter().find_map(|point| {
+            let (index, link) = self.other_links(&group, point).next()?;
+            let is_fixed = self.draft.ground.iter().any(|p| p.name.text == *point);
+            let is_joined = copy.join.iter().any(|(from, _)| from.text == *point);
+            let is_own = !is_fixed && !is_joined && index >= self.typed_links;
+            is_own.then(|| (quoted(point), link.to_string()))
+        });
         for (number, slot) in (1..).zip(slots) {
             placement = placement.then(copy.step);
             let mut instance = Instance {
@@ -170,11 +185,15 @@ impl<'t> Copier<'_, '_, 't> {
         }
         if let (false, true, Some(phase)) = (turns_something, copy.phase != 0.0, &copy.phase_key) {
             let of = words().copy_called(&copy.name.to_string());
-            self.reader.report(
-                Diagnostic::new(words().phase_turns_nothing(&of))
+            let fault = match on_a_copy {
+                Some((point, link)) => Diagnostic::new(words().phase_on_a_copy(&of, &point, &link))
+                    .at(phase.clone(), "")
+                    .help(words().copy_the_original()),
+                None => Diagnostic::new(words().phase_turns_nothing(&of))
                     .at(phase.clone(), words().no_point_on_another_link())
                     .help(words().phase_is_for_cranks()),
-            );
+            };
+            self.reader.report(fault);
         }
         self.reader.found.len() == before
     }
@@ -246,14 +265,72 @@ impl<'t> Copier<'_, '_, 't> {
         }
     }
 
+    /// Reports the first point of the group that `phase` cannot turn, since it is on several links
+    /// outside the group and none of them is driven. Returns `false` then.
+    fn check_turned(&mut self, copy: &DraftCopy<'t>, group: &Group<'t>) -> bool {
+        let draft = &*self.draft;
+        let driven = self.driven_link();
+        let unturned = group.points.iter().find_map(|point| {
+            let is_fixed = draft.ground.iter().any(|fixed| fixed.name.text == *point);
+            if is_fixed || copy.join.iter().any(|(from, _)| from.text == *point) {
+                return None;
+            }
+            let links = self.other_links(group, point);
+            let links: Vec<_> = links
+                .filter(|(index, _)| *index < self.typed_links)
+                .collect();
+            let is_driven = links.iter().any(|(_, name)| driven == Some(name.text));
+            match links[..] {
+                [(_, first), (_, second), ..] if !is_driven => Some((point, first, second)),
+                _ => None,
+            }
+        });
+        let Some((point, first, second)) = unturned else {
+            return true;
+        };
+        let (of, point) = (words().copy_called(&copy.name.to_string()), quoted(point));
+        let [first, second] = [first, second].map(Name::to_string);
+        let fault = Diagnostic::new(words().phase_on_two_links(&of, &point, &first, &second));
+        let place = copy.phase_key.clone();
+        let fault = fault.at(place.unwrap_or_else(|| copy.name.span.clone()), "");
+        self.reader.report(fault.help(words().copy_one_link_too()));
+        false
+    }
+
+    /// Returns the links outside the group that have a point, with their indices.
+    fn other_links<'d>(
+        &'d self,
+        group: &'d Group<'t>,
+        point: &'d str,
+    ) -> impl Iterator<Item = (usize, &'d Name<'t>)> {
+        let links = self.draft.links.iter().enumerate();
+        let links = links.filter(move |(index, link)| {
+            let mut points = link.point_names();
+            group.links.binary_search(index).is_err() && points.any(|own| own.text == point)
+        });
+        links.map(|(index, link)| (index, &link.name))
+    }
+
+    /// Returns the name of the driven link.
+    fn driven_link(&self) -> Option<&'t str> {
+        match &self.draft.driver.as_ref()?.input {
+            DraftInput::Link(link) => Some(link.text),
+            DraftInput::Slide(_) => None,
+        }
+    }
+
     /// Returns the role of each point of the group.
     fn roles(&self, instance: &Instance<'_, 't>, group: &Group<'t>) -> Vec<PointRole> {
-        // The first link outside the group that has the point. Other copies do not count: they may
-        // be joined to the group, like the stages of a lift.
+        // The driven link if it has the point, or else the first link outside the group that does.
+        // Other copies do not count: they may be joined to the group, like the stages of a lift.
+        let driven = self.driven_link();
         let mut carriers: HashMap<&str, usize> = HashMap::new();
         for (index, link) in self.draft.links[..self.typed_links].iter().enumerate() {
             if group.links.binary_search(&index).is_err() {
                 for point in link.point_names() {
+                    if driven == Some(link.name.text) {
+                        carriers.insert(point.text, index);
+                    }
                     carriers.entry(point.text).or_insert(index);
                 }
             }
@@ -360,7 +437,42 @@ impl<'t> Copier<'_, '_, 't> {
             self.draft.slides.push(slide);
             turns_something |= is_turned;
         }
+        self.check_inputs(instance, group);
         turns_something | self.copied_input(instance, group)
+    }
+
+    /// Reports inputs of the group whose copies follow nothing: those of `[inputs]`, and a driver
+    /// with `from`.
+    fn check_inputs(&mut self, instance: &Instance<'_, 't>, group: &Group<'t>) {
+        let draft = &*self.draft;
+        let relative = draft.driver.iter().filter(|driver| driver.from.is_some());
+        let relative = relative.map(|driver| {
+            let (DraftInput::Link(driven) | DraftInput::Slide(driven)) = &driver.input;
+            driven
+        });
+        let inputs = relative.chain(draft.timed.iter().map(|timed| &timed.name));
+        let links = group.links.iter().map(|&link| draft.links[link].name.text);
+        let slides = group.slides.iter().map(|&s| draft.slides[s].name.text);
+        let elements: HashSet<&str> = links.chain(slides).collect();
+        let followed = |name: &Name<'_>| {
+            let copied = instance.name(name);
+            draft
+                .timed
+                .iter()
+                .any(|timed| timed.name.text == copied.text)
+        };
+        let mut inputs = inputs.filter(|name| elements.contains(name.text));
+        let Some(name) = inputs.find(|name| !followed(name)) else {
+            return;
+        };
+        let of = words().copy_called(&instance.copy.name.to_string());
+        let copied = instance.name(name).to_string();
+        let fault = Diagnostic::new(words().copied_input_has_no_motion(&of, &copied));
+        self.reader.report(
+            fault
+                .at(instance.copy.name.span.clone(), "")
+                .help(words().give_the_copy_an_input(&copied)),
+        );
     }
 
     /// Rounds a position in a copy; reports one that is too far away.

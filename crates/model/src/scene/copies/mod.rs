@@ -17,6 +17,7 @@ use crate::document::{Diagnostic, WrittenValue, entries, items};
 use crate::nearest::did_you_mean;
 use crate::scene::elements::points::PlacedPoint;
 use crate::scene::keys;
+use crate::scene::names::invalid_part;
 use crate::scene::numbers::reader::{ByteSpan, Name, Reader};
 use crate::scene::table::KeyTable;
 use crate::wording::words;
@@ -68,6 +69,10 @@ fn copy<'v>(
     let before = reader.found.len();
     let of = words().copy_called(&name.to_string());
     let table = &reader.open([&of, &of], keys::COPY, COPY, value)?;
+    // Otherwise each name of the copy would be reported.
+    if let Some(fault) = invalid_part(&name) {
+        reader.report(fault);
+    }
     reader.only_known(table);
     if !table.has("of") && !table.is_probable_misspelling("of") {
         reader.report(
@@ -95,12 +100,19 @@ fn copy<'v>(
     }
     let turn = times(turn, 1) + mirror.unwrap_or(Double::ZERO);
     let step = Placement::new(mirror.is_some(), turn, centre, shift);
-    if step.is_identity() && phase == 0.0 && join.is_empty() && reader.found.len() == before {
-        reader.report(
+    let is_placed = !join.is_empty() || reader.found.len() != before;
+    match step.first_in_place(phase, count).filter(|_| !is_placed) {
+        None => {}
+        Some(1) => reader.report(
             Diagnostic::new(words().copy_in_place(&of))
                 .at(name.span.clone(), words().is_where_original_is())
                 .help(words().place_the_copy()),
-        );
+        ),
+        Some(number) => reader.report(
+            Diagnostic::new(words().later_copy_in_place(&of, number))
+                .at(name.span.clone(), words().is_where_original_is())
+                .help(words().fewer_copies(number - 1)),
+        ),
     }
     (reader.found.len() == before).then(|| DraftCopy {
         name,

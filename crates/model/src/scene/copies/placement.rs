@@ -101,10 +101,19 @@ impl Placement {
         largest(away) <= AT_REST * largest(typed(point)).max(largest(self.shift))
     }
 
-    /// Returns `true` if every point stays where it is.
-    pub(super) fn is_identity(&self) -> bool {
-        let turn = Number::wrapped(self.turn);
-        !self.is_mirrored && turn == Double::ZERO && largest(self.shift) == 0.0
+    /// Returns the number of the first of `count` copies that lies on the original: the placement is
+    /// applied once for each copy, and the phase, in degrees, is added.
+    pub(super) fn first_in_place(self, phase: f64, count: usize) -> Option<usize> {
+        let mut placement = Placement::IDENTITY;
+        let mut size = 0.0_f64;
+        (1..=count).find(|&number| {
+            placement = placement.then(self);
+            size = size.max(largest(placement.shift));
+            let turns = [placement.turn, times(phase, number)];
+            !placement.is_mirrored
+                && turns.map(Number::wrapped) == [Double::ZERO; 2]
+                && largest(placement.shift) <= AT_REST * size
+        })
     }
 }
 
@@ -145,7 +154,9 @@ mod tests {
         assert_eq!(at(two.then(one), 12.0, 0.0), Vec2::new(10.0, -2.0));
         assert!(two.keeps(Vec2::new(10.0, 0.0)));
         assert!(!two.keeps(Vec2::new(10.0, 1e-9)));
-        assert!(two.then(two).is_identity());
+        assert_eq!(one.first_in_place(0.0, 9), Some(4));
+        assert_eq!(one.first_in_place(0.0, 3), None);
+        assert_eq!(one.first_in_place(120.0, 20), Some(12));
     }
 
     /// The mirror image at the x axis, turned by 180 degrees, is the one at the y axis. A mirror
@@ -157,7 +168,8 @@ mod tests {
         assert_eq!(at(upright, 3.0, 4.0), Vec2::new(-3.0, 9.0));
         assert_eq!(upright.direction(Double::exactly(30.0)).hi, 150.0);
         let tilted = Placement::new(true, Double::exactly(70.0), Vec2::ZERO, Vec2::ZERO);
-        assert!(tilted.then(tilted).is_identity());
+        assert_eq!(tilted.first_in_place(0.0, 2), Some(2));
+        assert_eq!(Placement::IDENTITY.first_in_place(-360.0, 1), Some(1));
     }
 
     #[test]

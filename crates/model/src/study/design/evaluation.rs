@@ -3,7 +3,7 @@
 use super::lengths::DesignLengths;
 use super::{Design, DesignSpace, NoDesign};
 use crate::quantity::Catalogue;
-use crate::scene::{Diagnostics, Scene};
+use crate::scene::Scene;
 use crate::solver::{Demand, Fault, Solver, Varied};
 use crate::study::excursion::{EvaluatedFigures, FigureSeams};
 use crate::study::{CycleFigure, CycleFigures, NoFigure};
@@ -43,7 +43,7 @@ pub(super) struct OpenedDesign {
 /// The reason why a design was not opened.
 #[derive(Clone, Debug)]
 pub(super) enum Unopened {
-    Unread(Box<Diagnostics>),
+    Unread(NoDesign),
     /// The scene is `None` if it was not parsed.
     Unsolved(Option<Box<Scene>>, Box<Fault>),
 }
@@ -161,7 +161,7 @@ impl DesignFigures {
     /// Returns the reason with the scene that explains it.
     fn explain(&self, numbers: &[f64], why: Unopened) -> NoDesign {
         match why {
-            Unopened::Unread(faults) => NoDesign::Unread(faults),
+            Unopened::Unread(why) => why,
             Unopened::Unsolved(Some(scene), fault) => NoDesign::Unsolved(scene, fault),
             Unopened::Unsolved(None, fault) => match self.space.parse(numbers) {
                 Ok(scene) => NoDesign::Unsolved(Box::new(scene), fault),
@@ -194,7 +194,7 @@ impl DesignFigures {
         let scene = match made {
             Some(_) => None,
             None => Some(Box::new(
-                self.space.read(numbers).map_err(Unopened::Unread)?,
+                self.space.parse(numbers).map_err(Unopened::Unread)?,
             )),
         };
         let parsed = || scene.as_ref().map(|scene| scene.mechanism.clone());

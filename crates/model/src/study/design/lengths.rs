@@ -65,6 +65,11 @@ impl DesignLengths {
             })
         });
         let lengths: Vec<SetLength> = set.collect();
+        // A ground point that moves can change whether a copy shares it.
+        let is_on_ground = |set: &SetLength| matches!(set.length, Length::Ground(..));
+        if scene.has_copies() && lengths.iter().any(is_on_ground) {
+            return None;
+        }
         let count = space.values().len();
         let sets_length = |i: usize| lengths.iter().any(|set| set.number == count + i);
         let is_needed: Vec<bool> = (0..values.computed().count()).map(sets_length).collect();
@@ -119,7 +124,7 @@ impl DesignLengths {
     fn is_complete(&mut self, space: &DesignSpace, all: &[Length]) -> bool {
         let values = space.values().iter();
         let numbers: Vec<f64> = values.map(|value| value.number + probe(value)).collect();
-        let parsed = space.scene().reparse(&space.text(&numbers));
+        let parsed = space.parse(&numbers).ok();
         let made = self.mechanism(space, &numbers);
         parsed.zip(made).is_some_and(|(parsed, made)| {
             let other = &parsed.mechanism;
@@ -147,6 +152,9 @@ fn length_of(value: &Value, scene: &Scene, lengths: &[Length]) -> Option<usize> 
     let by = probe(value);
     let text = scene.with_value(value, &value.with_number(value.number + by));
     let other = scene.reparse(&text)?;
+    if !other.has_elements_of(scene) {
+        return None;
+    }
     let changes = scene.mechanism.longer(&other.mechanism, lengths)?;
     let mut changed = changes.into_iter().enumerate().filter(|(_, by)| *by != 0.0);
     let (index, found) = changed.next()?;

@@ -78,6 +78,8 @@ pub struct Design {
 pub enum NoDesign {
     /// The numbers do not give a valid scene.
     Unread(Box<Diagnostics>),
+    /// The numbers give a scene with other elements, such as more copies.
+    OtherElements,
     /// The design does not assemble as the original scene does; the scene explains the fault in
     /// words.
     Unsolved(Box<Scene>, Box<Fault>),
@@ -181,8 +183,8 @@ impl DesignSpace {
     /// Opens the design with these numbers.
     ///
     /// # Errors
-    /// Returns an error if the numbers do not give a valid scene, or if the new scene does not
-    /// assemble as the given one does.
+    /// Returns an error if the numbers do not give a valid scene, or if the new scene has other
+    /// elements or does not assemble as the given one does.
     pub fn open(&self, numbers: &[f64]) -> Result<Design, NoDesign> {
         let scene = self.parse(numbers)?;
         match self.solver_for(&scene.mechanism) {
@@ -195,14 +197,15 @@ impl DesignSpace {
         }
     }
 
-    /// Parses the scene of the design with these numbers.
+    /// Parses the scene of the design with these numbers. Its elements are those of the given scene,
+    /// whose ids and quantities therefore apply to it.
     fn parse(&self, numbers: &[f64]) -> Result<Scene, NoDesign> {
-        self.read(numbers).map_err(NoDesign::Unread)
-    }
-
-    fn read(&self, numbers: &[f64]) -> Result<Scene, Box<Diagnostics>> {
         let scene = Scene::parse(&self.text(numbers), self.scene.origin());
-        scene.map_err(Box::new)
+        let scene = scene.map_err(|faults| NoDesign::Unread(Box::new(faults)))?;
+        match scene.has_elements_of(&self.scene) {
+            true => Ok(scene),
+            false => Err(NoDesign::OtherElements),
+        }
     }
 
     /// Returns the solver of a design's mechanism in the assembly of the given scene, and whether
@@ -250,6 +253,7 @@ impl NoDesign {
     pub fn reason(&self) -> String {
         match self {
             NoDesign::Unread(faults) => faults.first_words().to_owned(),
+            NoDesign::OtherElements => words().design_has_other_elements().to_owned(),
             NoDesign::Unsolved(scene, fault) => scene.explain(fault).first_words().to_owned(),
         }
     }

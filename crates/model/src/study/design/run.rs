@@ -16,7 +16,7 @@ const MAX_CHUNKS_AHEAD: usize = 64;
 pub enum DesignState {
     /// The design assembles as the given scene does.
     Ok,
-    /// The design does not assemble.
+    /// The design does not assemble, or has other elements than the given scene.
     NoAssembly,
     /// The numbers do not give a valid scene.
     Unreadable,
@@ -71,7 +71,7 @@ impl DesignRow {
             Err(none) => {
                 let state = match &none {
                     NoDesign::Unread(_) => DesignState::Unreadable,
-                    NoDesign::Unsolved(..) => DesignState::NoAssembly,
+                    NoDesign::OtherElements | NoDesign::Unsolved(..) => DesignState::NoAssembly,
                 };
                 (state, none.reason(), Vec::new())
             }

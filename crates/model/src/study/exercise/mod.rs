@@ -158,6 +158,10 @@ impl<'a> ExerciseMaker<'a> {
         rng: &mut SeededRng,
     ) -> Option<Exercise> {
         let scene = template.reparse(&template.with_values(changes))?;
+        // Other elements would be another exercise.
+        if !scene.has_elements_of(template) {
+            return None;
+        }
         let at = self.scene.mechanism.driver().start;
         let solver = self
             .solver

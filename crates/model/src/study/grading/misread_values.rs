@@ -254,6 +254,10 @@ impl SheetScene<'_> {
         }
         let changed = self.scene.with_value(value, &value.with_number(number));
         let scene = self.scene.reparse(&changed)?;
+        // `read` has ids of the given scene.
+        if !scene.has_elements_of(self.scene) {
+            return None;
+        }
         let solver = self
             .solver
             .with_dimensions_in_assembly(self.at, &scene.mechanism)
