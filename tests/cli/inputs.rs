@@ -191,6 +191,14 @@ fn edge_of_the_workspace_is_reported() {
     let note = "note: 1 of 2 rows are singular: the inputs cannot move the point in every direction there\n";
     assert_eq!((output.code, &*output.err), (0, note));
     let edge = row(output.out.lines().nth(2).unwrap()).0;
+    // The next row continues from the last one before the edge.
+    fs::write(file, "P.x,P.y\n0,200\n0,232.379000772445\n0,200\n").unwrap();
+    let again = krank(&sweep).out;
+    let lines: Vec<&str> = again.lines().skip(1).collect();
+    let pairs = row(lines[0]).0.into_iter().zip(row(lines[2]).0);
+    for (first, third) in pairs {
+        assert!((first - third).abs() < 1e-9, "{again}");
+    }
     let height = (240.0_f64.powi(2) - 60.0_f64.powi(2)).sqrt();
     assert!((edge[2] - height).abs() < 1e-9, "{edge:?}");
     let angle = (height / 60.0).atan().to_degrees();

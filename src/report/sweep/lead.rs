@@ -22,9 +22,9 @@ const MAX_TURN: f64 = 30.0;
 const MAX_PUSH: f64 = 0.5;
 /// Maximum distance from the requested position, relative to the size of the linkage.
 const MISS: f64 = 1e-12;
-/// Largest ratio of the point's motions in its worst and best direction at a singular position, for
-/// turns by one radian and pushes by the size of the linkage. It falls with the square root of the
-/// distance from the edge of the workspace.
+/// Largest motion of the point in its worst direction at a singular position: for a turn of one
+/// radian, or a push by the size of the linkage, relative to that size. It falls with the square root
+/// of the distance from the edge of the workspace.
 const SINGULAR: f64 = 1e-3;
 
 /// Coordinates of points that lead, and the inputs that follow them.
@@ -153,8 +153,7 @@ impl PointLead {
                 Some(Input::Turn(_)) | None => 1.0_f64.to_degrees(),
             };
         }
-        let motions = slopes.singular_values();
-        motions.min() <= SINGULAR * motions.max()
+        slopes.singular_values().min() <= SINGULAR * size
     }
 
     /// Returns the derivatives of the leading coordinates by the inputs that follow, each in its own
@@ -201,11 +200,10 @@ fn solved(solver: &Solver, at: f64, order: Order) -> Option<State> {
     }
 }
 
-/// Returns the largest distance of two points along an axis.
+/// Returns the largest distance of two points of links along an axis.
 fn size_of(mechanism: &Mechanism, state: &State) -> f64 {
-    let positions = mechanism
-        .point_ids()
-        .filter_map(|point| state.position(point));
+    let members = mechanism.links().iter().flat_map(|link| &link.members);
+    let positions = members.filter_map(|member| state.position(member.point));
     let mut ends: Option<(Vec2, Vec2)> = None;
     for at in positions {
         let (low, high) = ends.unwrap_or((at, at));
