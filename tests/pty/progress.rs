@@ -211,9 +211,10 @@ fn ctrl_c_stops_synthesis_and_prints_results_so_far() {
     assert!(output.contains("long-path"), "{output}");
 }
 
-/// A search that takes hours.
-const LONG_SOLVE: &str = "$KRANK solve jansen-leg --minimize T.x.stroke --generations 100000 \
-    --vary m.length=14..16,j.length=49..51,k.length=61..62";
+/// A search that takes much longer than until its first progress line.
+const LONG_SOLVE: &str = "$KRANK solve jansen-leg --minimize T.x.stroke --keep 'T.y.stroke>=20' \
+    --generations 100000 --vary m.length=10..16,j.length=40..55,bde.length=35..50,\
+    k.length=55..70,c.length=35..45,f.length=35..45,ghi.length=30..45";
 
 /// Regression test: the best design so far was lost.
 #[test]
