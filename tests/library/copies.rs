@@ -155,9 +155,17 @@ M3 = [0.85, 2.63]
     assert!((top - Vec2::new(0.0, 16.0)).norm() < 1e-12, "{top:?}");
 }
 
-/// Jansen's leg with a second one on the same crank.
-fn two_legs(placement: &str) -> Scene {
+/// Jansen's leg with a second one on the same crank. It opens near the reflection of the leg at
+/// `crank` minus the driver's angle of 60 degrees.
+fn two_legs(placement: &str, crank: f64) -> Scene {
     let leg = presets::find("jansen-leg").unwrap().text;
+    let (scene, mut start) = (parsed(leg), String::from("[start]\n"));
+    let reflected = solved(&scene, crank - 60.0);
+    for name in ["X", "Y", "V"] {
+        let at = position(&scene, &reflected, name);
+        start += &format!("{name}_left = [{:.0}, {:.0}]\n", -at.x, at.y);
+    }
+    let leg = leg.replace("[start]\n", &start);
     parsed(&format!(
         "{leg}\n[copies]\nleft = {{ of = [\"j\", \"bde\", \"k\", \"c\", \"f\", \"ghi\"], {placement} }}\n"
     ))
@@ -168,7 +176,7 @@ fn two_legs(placement: &str) -> Scene {
 #[test]
 fn mirror_image_of_a_leg_moves_as_its_reflection() {
     for (phase, crank) in [(0.0, 180.0), (180.0, 0.0), (90.0, 90.0)] {
-        let scene = two_legs(&format!("mirror = \"y\", phase = {phase:?}"));
+        let scene = two_legs(&format!("mirror = \"y\", phase = {phase:?}"), crank);
         assert_eq!(scene.original_of("j_left"), Some("j"));
         assert_eq!(scene.original_of("j"), None);
         for at in [0.0, 60.0, 200.0] {
@@ -185,7 +193,7 @@ fn mirror_image_of_a_leg_moves_as_its_reflection() {
         }
     }
     // The pivot is mirrored, the centre of the crank stays, and without a phase so does its pin.
-    let scene = two_legs("mirror = \"y\"");
+    let scene = two_legs("mirror = \"y\"", 180.0);
     let names: Vec<&str> = scene.listed_points().map(|(_, name)| name).collect();
     assert!(names.contains(&"P_left"), "{names:?}");
     assert!(
@@ -224,14 +232,24 @@ E = [80, 190]
 #[test]
 fn copy_of_the_driven_link_follows_the_driver() {
     let all = "of = [\"r2\", \"r3\", \"r4\"]";
-    for (placement, angle, speed) in [
-        ("move = [0, 900]", 60.0_f64, 1.0),
-        ("turn = 30, about = \"D\", phase = 20", 110.0, 1.0),
-        ("mirror = \"x\", about = [0, 300]", -60.0, -1.0),
-        ("mirror = \"y\", about = [700, 0], phase = 5", 125.0, -1.0),
+    for (placement, start, angle, speed) in [
+        ("move = [0, 900]", "", 60.0_f64, 1.0),
+        (
+            "turn = 30, about = \"D\", phase = 20",
+            "C_b = [192, 139]\n",
+            110.0,
+            1.0,
+        ),
+        ("mirror = \"x\", about = [0, 300]", "", -60.0, -1.0),
+        (
+            "mirror = \"y\", about = [700, 0], phase = 5",
+            "C_b = [1085, 235]\n",
+            125.0,
+            -1.0,
+        ),
     ] {
         let scene = parsed(&format!(
-            "{FOUR_BAR}[copies]\nb = {{ {all}, {placement} }}\n"
+            "{FOUR_BAR}{start}[copies]\nb = {{ {all}, {placement} }}\n"
         ));
         let crank = link(&scene, "r2_b");
         let state = solved(&scene, 60.0);
@@ -245,7 +263,7 @@ fn copy_of_the_driven_link_follows_the_driver() {
         assert!((found - speed).abs() < 1e-14, "{placement}: {found}");
     }
     // An input in the file takes precedence.
-    let held = "[inputs]\nr2_b = { at = 40 }\n";
+    let held = "C_b = [322, 1137]\n[inputs]\nr2_b = { at = 40 }\n";
     let scene = parsed(&format!(
         "{FOUR_BAR}{held}[copies]\nb = {{ {all}, move = [0, 900] }}\n"
     ));
@@ -256,7 +274,7 @@ fn copy_of_the_driven_link_follows_the_driver() {
 /// A change of the original changes its copies, which have no values of their own.
 #[test]
 fn values_of_copies_are_those_of_their_originals() {
-    let scene = two_legs("mirror = \"y\", phase = 180");
+    let scene = two_legs("mirror = \"y\", phase = 180", 0.0);
     let value = scene.value_named("j.length").unwrap();
     let changed = parsed(&scene.with_value(&value, "51"));
     for name in ["j", "j_left"] {
@@ -274,12 +292,14 @@ fn values_of_copies_are_those_of_their_originals() {
     assert!((pin - Vec2::new(-15.0, 0.0)).norm() < 1e-13, "{pin:?}");
 }
 
-/// Saving an assembly writes the positions of copies; they then count instead of the original's.
+/// Regression: the position of the original, which has another crank angle, chose the other assembly
+/// of the copy. Positions of a copy in the file choose it, such as those of a saved assembly.
 #[test]
-fn saved_positions_of_copies_take_precedence() {
+fn copies_with_a_phase_need_their_own_positions() {
     let text = format!("{FOUR_BAR}[copies]\nb = {{ of = [\"r3\", \"r4\"], phase = 90 }}\n");
     let scene = parsed(&text);
-    assert_eq!(scene.mechanism.start().len(), 4);
+    assert_eq!(scene.mechanism.start().len(), 2);
+    assert!(Solver::new(&scene.mechanism).is_err());
     let start = [(point(&scene, "C_b"), Vec2::new(250.0, -200.0))];
     let saved = scene.rewritten(&start, None, Precision::Rough).unwrap();
     assert!(saved.ends_with("E = [80, 190]\nC_b = [250, -200]\n[copies]\nb = { of = [\"r3\", \"r4\"], phase = 90 }\n"), "{saved}");
@@ -330,7 +350,8 @@ P_b = [2, 2]
 
 /// Returns the rows of the designs of a four-bar's copy in which one value has these numbers.
 fn designs(copy: &str, value: &str, numbers: &[f64], figures: &[&str]) -> Vec<DesignRow> {
-    let scene = parsed(&format!("{FOUR_BAR}[copies]\nb = {{ {copy} }}\n"));
+    let start = "C_b = [246, 271]\n";
+    let scene = parsed(&format!("{FOUR_BAR}{start}[copies]\nb = {{ {copy} }}\n"));
     let solver = Solver::new(&scene.mechanism).unwrap();
     let values = vec![scene.value_named(value).unwrap()];
     let space = DesignSpace::new(&scene, &solver, values);
@@ -371,7 +392,7 @@ fn designs_with_other_elements_have_no_figures() {
             );
         }
     }
-    let copies = "of = [\"r3\", \"r4\"], phase = 72, count = 3";
+    let copies = "of = [\"r2\", \"r3\", \"r4\"], move = [0, 900], count = 3";
     let rows = designs(copies, "b.count", &[1.0, 2.0, 3.0], &["C_b.x.stroke"]);
     let states: Vec<DesignState> = rows.iter().map(|row| row.state).collect();
     let other = DesignState::NoAssembly;

@@ -542,7 +542,37 @@ impl<'t> Copier<'_, '_, 't> {
         );
     }
 
+    /// Returns `true` if the whole copy opens as the placed original. It does not with a phase or an
+    /// input of its own, or if it shares a moving point, such as a crank pin. Points of `join` are
+    /// where the file wants them.
+    fn is_rigid(
+        &self,
+        instance: &Instance<'_, 't>,
+        group: &Group<'t>,
+        roles: &[PointRole],
+    ) -> bool {
+        let draft = &*self.draft;
+        let is_fixed = |point: &str| draft.ground.iter().any(|p| p.name.text == point);
+        let links = group.links.iter().map(|&link| &draft.links[link].name);
+        let slides = group.slides.iter().map(|&slide| &draft.slides[slide].name);
+        let has_input = |name: &Name<'t>| {
+            let name = instance.name(name);
+            draft.timed.iter().any(|own| own.name.text == name.text)
+        };
+        let stays = |(point, role): (&&str, &PointRole)| match role {
+            PointRole::Own => true,
+            PointRole::Shared => instance.renamed.contains_key(point) || is_fixed(point),
+            PointRole::Carried(_) => false,
+        };
+        instance.phase().hi == 0.0
+            && !links.chain(slides).any(has_input)
+            && group.points.iter().zip(roles).all(stays)
+    }
+
     /// Adds the points of the ground, and the positions in `[start]` except those that the file has.
+    ///
+    /// The original's positions do not tell the assembly of a copy that is not rigid: krank then asks
+    /// for positions in the file, as for any group with two assemblies.
     fn placed_points(
         &mut self,
         instance: &Instance<'_, 't>,
@@ -560,6 +590,9 @@ impl<'t> Copier<'_, '_, 't> {
                 self.draft.marks.insert(copied.name.text);
             }
             self.draft.ground.push(copied);
+        }
+        if !self.is_rigid(instance, group, roles) {
+            return;
         }
         let given = self.draft.start.iter();
         let given: HashSet<&str> = given.map(|place| place.name.text).collect();
