@@ -300,7 +300,11 @@ fn dragging_a_copied_pin_is_refused() {
     Language::English.speak();
     let preset = presets::find("four-bar").unwrap();
     let copy = "[copies]\nb = { of = [\"r3\", \"r4\"], move = [0, -60] }\n";
-    let text = format!("{}\n{copy}", preset.text);
+    // The copy shares the moving B: its assembly does not follow from the original's.
+    let original = preset
+        .text
+        .replace("[start]\n", "[start]\nC_b = [310, 170]\n");
+    let text = format!("{original}\n{copy}");
     let opened = opening::text(&text, Origin::New("copied".into())).unwrap();
     let mut workbench = bench_of(opened, "M 6", Size::new(120, 40), Colours::Sixteen);
     let (from, _) = cell(&workbench, Vec2::new(400.0, -60.0));

@@ -14,6 +14,9 @@ use crate::solver::state::Condition;
 
 /// Minimum sample of a measure below which a zero is searched between the samples.
 const MAX_UNSEARCHED_MEASURE: f64 = 0.05;
+/// Relative rise of a measure beside a minimum below which the measure is constant except for its
+/// rounding error, as that of a group at rest.
+const FLATNESS: f64 = 1e-9;
 /// Fraction of a measure's maximum below which it touches zero: the square of a rounding error.
 const TOUCH_TOLERANCE: f64 = 1e-28;
 /// Measure at a dyad's extreme below which double-double decides. Doubles are accurate enough above
@@ -325,7 +328,8 @@ impl Walker<'_> {
         let dips = (0..first.measures.len()).filter(|&g| {
             let lowest = value(middle, g);
             let is_lowest = lowest < value(first, g) && lowest <= value(last, g);
-            is_lowest && lowest < MAX_UNSEARCHED_MEASURE && !is_dyad(g)
+            let rises = value(first, g).max(value(last, g)) > lowest + FLATNESS * lowest.abs();
+            is_lowest && rises && lowest < MAX_UNSEARCHED_MEASURE && !is_dyad(g)
         });
         dips.map(|group| (group, [first.at, middle.at, last.at]))
             .collect()

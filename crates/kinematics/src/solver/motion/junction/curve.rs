@@ -307,7 +307,8 @@ impl Walker<'_> {
         } else {
             Double::exactly(engine.frame.scale)
         };
-        engine.coordinate(Series::constant(at) + by * Series::constant(unit))
+        let (q, direction) = engine.coordinate(Series::constant(at) + by * Series::constant(unit));
+        (q.cut(by.known), direction)
     }
 
     /// Returns the end of the range at the fold of a curve, if the curve is proved on both sides and

@@ -19,7 +19,9 @@ impl Walker<'_> {
         } else {
             Series::line(at, Double::exactly(engine.frame.scale))
         };
-        engine.coordinate(place.cut(terms))
+        let (q, direction) = engine.coordinate(place.cut(terms));
+        // Where no equation reads the coordinate, it is a constant of all terms.
+        (q.cut(terms), direction)
     }
 
     /// Places steps in series, with the signs of the state. Returns `None` if one is singular or
