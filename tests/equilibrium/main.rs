@@ -96,6 +96,14 @@ fn hold(machine: &Machine, seen: &mut RunStatistics) -> Result<(), String> {
         Input::Turn(_) => 1.0,
         Input::Push(_) => 0.01,
     };
+    // A group that does not move has the same distance from a change point everywhere.
+    for miss in &solver.motion().near_misses {
+        let links = &solver.plan().groups[miss.group.index()].links;
+        let _ = solver.solve(miss.at, Order::Velocity, &mut state);
+        if links.iter().all(|&link| state.omega(link) == Some(0.0)) {
+            return Err(format!("a near miss of links at rest: {miss:?}"));
+        }
+    }
     let mut any = false;
     for at in [0.0, 0.31, -0.7].map(|part| start + part * step) {
         if solver.solve(at, Order::Force, &mut state) == Condition::Ok {
