@@ -10,13 +10,10 @@ use crate::numeric::root;
 use crate::solver::Order;
 use crate::solver::elements::{FRAMES, Stretching};
 use crate::solver::plan::GroupId;
-use crate::solver::state::Condition;
+use crate::solver::state::{Condition, State};
 
 /// Minimum sample of a measure below which a zero is searched between the samples.
 const MAX_UNSEARCHED_MEASURE: f64 = 0.05;
-/// Relative rise of a measure beside a minimum below which the measure is constant except for its
-/// rounding error, as that of a group at rest.
-const FLATNESS: f64 = 1e-9;
 /// Fraction of a measure's maximum below which it touches zero: the square of a rounding error.
 const TOUCH_TOLERANCE: f64 = 1e-28;
 /// Measure at a dyad's extreme below which double-double decides. Doubles are accurate enough above
@@ -328,8 +325,7 @@ impl Walker<'_> {
         let dips = (0..first.measures.len()).filter(|&g| {
             let lowest = value(middle, g);
             let is_lowest = lowest < value(first, g) && lowest <= value(last, g);
-            let rises = value(first, g).max(value(last, g)) > lowest + FLATNESS * lowest.abs();
-            is_lowest && rises && lowest < MAX_UNSEARCHED_MEASURE && !is_dyad(g)
+            is_lowest && lowest < MAX_UNSEARCHED_MEASURE && !is_dyad(g)
         });
         dips.map(|group| (group, [first.at, middle.at, last.at]))
             .collect()
@@ -338,6 +334,10 @@ impl Walker<'_> {
     /// Returns the zero that a group's measure touches or crosses near a minimum between three
     /// samples.
     fn limit_of(&mut self, group: usize, samples: [f64; SAMPLES]) -> Option<f64> {
+        // The measure of a group at rest is constant except for its rounding error.
+        if samples.iter().all(|&at| self.is_at_rest(group, at)) {
+            return None;
+        }
         let lowest = self.lowest(group, samples);
         let measure = self.measure(group, lowest);
         let is_open = measure < 0.0 && self.state.condition == Condition::NoAssembly;
@@ -352,6 +352,21 @@ impl Walker<'_> {
         let is_past_middle = (lowest - middle) * self.sense > 0.0;
         let good = if is_past_middle { middle } else { before };
         Some(self.edge(group, good, lowest))
+    }
+
+    /// Returns `true` if nothing in a group moves with the driver at a coordinate.
+    fn is_at_rest(&mut self, group: usize, at: f64) -> bool {
+        self.predict_nearest(at);
+        let is_solved = self.run(at, Order::Velocity) == Condition::Ok;
+        let mut steps = 0..self.engine.program.steps.len();
+        let step = steps.find(|&step| self.engine.group_of(step) == Some(group));
+        step.is_some_and(|step| {
+            let (points, links) = self.engine.outputs(step);
+            let here: &State = &self.state;
+            let mut speeds = points.iter().map(|p| here.points[p.index()].v.norm());
+            let mut rates = links.iter().map(|l| here.links[l.index()].w);
+            is_solved && speeds.all(|speed| speed == 0.0) && rates.all(|rate| rate == 0.0)
+        })
     }
 
     /// Returns a group's measure between the last samples, negative if the mechanism does not exist
