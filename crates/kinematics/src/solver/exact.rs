@@ -95,27 +95,15 @@ impl Exact {
         for (sign, &of) in state.signs.iter_mut().zip(signs) {
             *sign = T::exactly(of);
         }
-        let steps = &self.engine.program.steps[..steps];
-        match order {
-            Order::Position => self.run_to::<T, POSITION>(steps, at, ending, state),
-            Order::Velocity => self.run_to::<T, VELOCITY>(steps, at, ending, state),
-            Order::Acceleration | Order::Force => {
-                self.run_to::<T, ACCELERATION>(steps, at, ending, state)
-            }
-        }
-    }
-
-    fn run_to<T: Number, const ORDER: u8>(
-        &self,
-        steps: &[Step],
-        at: T,
-        ending: Option<usize>,
-        state: &mut State<T>,
-    ) -> Condition {
+        let order = match order {
+            Order::Position => POSITION,
+            Order::Velocity => VELOCITY,
+            Order::Acceleration | Order::Force => ACCELERATION,
+        };
         let (q, direction) = self.engine.coordinate(at);
         let mut condition = Condition::Ok;
-        for step in steps {
-            let mut outcome = step.run::<T, ORDER>(q, direction, state);
+        for step in &self.engine.program.steps[..steps] {
+            let mut outcome = step.run_to(order, (q, direction), state);
             if let Some(dyad) = step.dyad() {
                 if ending == Some(dyad.group()) {
                     dyad.align(q, state);
@@ -137,8 +125,7 @@ impl Exact {
     pub(super) fn stops(&self, at: f64, state: &mut State<Double>) -> Option<usize> {
         let (q, direction) = self.engine.coordinate(Double::exactly(at));
         let mut steps = self.engine.program.steps[..self.closed].iter();
-        steps
-            .position(|step| step.run::<Double, POSITION>(q, direction, state) != StepOutcome::Done)
+        steps.position(|step| step.run_to(POSITION, (q, direction), state) != StepOutcome::Done)
     }
 
     /// Returns a copy without the steps that `demand` does not need.

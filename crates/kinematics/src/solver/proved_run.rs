@@ -47,7 +47,7 @@ impl<'e> ProvedRun<'e> {
     pub(super) fn measure(&mut self, step: usize, group: usize, at: Sharp) -> Sharp {
         let (q, direction) = self.engine.coordinate(at);
         let step = &self.engine.program.steps[step];
-        let _ = step.run::<Sharp, POSITION>(q, direction, &mut self.sharp.state);
+        let _ = step.run_to(POSITION, (q, direction), &mut self.sharp.state);
         self.sharp.state.measures[group]
     }
 
@@ -71,8 +71,10 @@ impl<'e> ProvedRun<'e> {
                 let q = (Ball::from(q), q);
                 return program.coupled[index].enclose(q, order, state, &mut views);
             }
-            None if has_rates => step.run::<Sharp, ACCELERATION>(q, direction, &mut sharp.state),
-            None => step.run::<Sharp, POSITION>(q, direction, &mut sharp.state),
+            None => {
+                let order = if has_rates { ACCELERATION } else { POSITION };
+                step.run_to(order, (q, direction), &mut sharp.state)
+            }
         };
         outcome == StepOutcome::Done
     }

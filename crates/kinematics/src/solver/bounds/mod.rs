@@ -126,24 +126,9 @@ impl Solver {
     }
 }
 
-/// Runs a step in any arithmetic.
-#[inline(never)]
-fn run<T: Number>(
-    step: &Step,
-    order: u8,
-    (q, direction): (T, Vec2<T>),
-    state: &mut State<T>,
-) -> StepOutcome {
-    match order {
-        POSITION => step.run::<T, POSITION>(q, direction, state),
-        VELOCITY => step.run::<T, VELOCITY>(q, direction, state),
-        _ => step.run::<T, ACCELERATION>(q, direction, state),
-    }
-}
-
 /// Computes the travel of a slide.
 fn travel<T: Number>(step: &Step, order: u8, state: &mut State<T>) {
-    let _ = run(step, order, (T::default(), Vec2::default()), state);
+    let _ = step.run_to(order, (T::default(), Vec2::default()), state);
 }
 
 impl State<Sharp> {
@@ -374,7 +359,7 @@ impl Engine {
         } else {
             let driven = self.driven().map(|link| sharp.state.links[link.index()].d);
             let direction = driven.unwrap_or(Vec2::X.exactly());
-            run(step, order, (q, direction), &mut sharp.state) == StepOutcome::Done
+            step.run_to(order, (q, direction), &mut sharp.state) == StepOutcome::Done
         };
         if proved {
             step.outputs(&self.program.coupled, &mut |part| {
