@@ -1,13 +1,17 @@
 //! Many designs of one mechanism: what it takes to open one from its text, to build a solver, and to change lengths in
-//! place, as tolerances and studies do.
+//! place, as tolerances and studies do. Then searches for the best design, and studies of a crank that turns fully and of
+//! one that does not.
 //!
-//! `cargo bench --bench designs` prints the time of each, the least of a few runs.
+//! `cargo bench --bench designs` prints the time of each, the least of a few runs; a search runs once.
 #![allow(clippy::print_stdout, reason = "the times are to be read")]
 
 use krank::quantity::{Catalogue, Quantity, demand};
 use krank::scene::{Scene, presets};
 use krank::solver::Solver;
-use krank::study::{Distribution, SampleOrder, ToleranceStudy};
+use krank::study::{
+    BestDesign, CycleFigure, DesignFigures, DesignSpace, Distribution, Goal, OptimiseOrder,
+    PlanAxis, SampleOrder, ToleranceStudy,
+};
 use krank::{LANES, Tolerances};
 use std::hint::black_box;
 use std::time::Instant;
@@ -36,6 +40,101 @@ fn main() {
     ] {
         timed(name, column, shrink);
     }
+    println!();
+    search(
+        "press: equalities",
+        include_str!("designs/press.toml"),
+        &["r=60..120", "ax=-900..-500", "ay=-450..-200", "l=450..800"],
+        "transmission",
+        &["D.y.stroke = 120", "upper.angle.greatest = 269"],
+        (300 / shrink).max(1),
+    );
+    search(
+        "leg: kinks",
+        include_str!("designs/leg.toml"),
+        &[
+            "r=20..60",
+            "c=80..150",
+            "k=70..130",
+            "gx=60..110",
+            "gy=-40..20",
+            "fx=120..260",
+            "fy=-40..80",
+        ],
+        "F.x.stroke",
+        &["F.y.stroke = 30", "transmission >= 40"],
+        (20 / shrink).max(1),
+    );
+    let four_bar = presets::find("four-bar").expect("the preset is built in");
+    study("crank-rocker", four_bar.text, [95.0, 105.0], shrink);
+    // The longest link and the shortest one are together longer than the other two.
+    let limited = four_bar.text.replacen("length = 100", "length = 300", 1);
+    let limited = limited.replacen(
+        "length = 300, com = [150, 0]",
+        "length = 200, com = [150, 0]",
+        1,
+    );
+    study(
+        "crank with a limited range",
+        &limited,
+        [295.0, 305.0],
+        shrink,
+    );
+}
+
+/// Searches for the best design on two threads.
+fn search(name: &str, text: &str, axes: &[&str], maximized: &str, kept: &[&str], generations: u32) {
+    let scene = Scene::parse(text, name).expect("it is a scene");
+    let solver = Solver::new(&scene.mechanism).expect("it closes");
+    let axes: Vec<PlanAxis> = axes
+        .iter()
+        .map(|axis| axis.parse().expect("it is an axis"))
+        .collect();
+    let space = DesignSpace::of_axes(&scene, &solver, &axes).expect("it has the values");
+    let catalogue = Catalogue::new(&scene);
+    let goal = |text: &&str| Goal::parse(text, &catalogue).expect("it is a goal");
+    let goals: Vec<Goal> = kept.iter().map(goal).collect();
+    let figure = CycleFigure::parse(maximized, &catalogue).expect("it is a figure");
+    let all = std::iter::once(figure).chain(goals.iter().map(|goal| goal.figure.clone()));
+    let figures = DesignFigures::new(&space, all.collect(), None);
+    let order = OptimiseOrder {
+        greatest: true,
+        generations,
+        seed: 1,
+        threads: 2,
+    };
+    let start = Instant::now();
+    let best =
+        BestDesign::find(&figures, &goals, &axes, order, &mut |_| true).expect("there is a design");
+    println!(
+        "{name:<28}{:>7.2} s for {} generations: {maximized} = {:.5}, missed {:.1e}",
+        start.elapsed().as_secs_f64(),
+        best.generations,
+        best.value,
+        best.missed
+    );
+}
+
+/// Computes the swing of many designs with other cranks.
+fn study(name: &str, text: &str, [low, high]: [f64; 2], shrink: u32) {
+    let scene = Scene::parse(text, name).expect("it is a scene");
+    let solver = Solver::new(&scene.mechanism).expect("it closes");
+    let crank = scene.value_named("r2.length").expect("it has a crank");
+    let space = DesignSpace::new(&scene, &solver, vec![crank]);
+    let figure =
+        CycleFigure::parse("r4.angle.swing", &Catalogue::new(&scene)).expect("it is a figure");
+    let mut figures = DesignFigures::new(&space, vec![figure], None);
+    let count = 1000 / shrink + 1;
+    let time = min_time(|| {
+        for k in 0..count {
+            let number = low + (high - low) * f64::from(k) / f64::from(count);
+            let _ = black_box(figures.of(&[number]));
+        }
+    });
+    println!(
+        "{name:<28}{:>7.1} us a design",
+        1e6 * time / f64::from(count)
+    );
 }
 
 fn min_time(mut run: impl FnMut()) -> f64 {

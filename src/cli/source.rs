@@ -122,7 +122,7 @@ pub(super) fn find(name: &Path) -> Result<SceneSource, Failure> {
 }
 
 /// Reads a scene, or the file of another program, whose remarks are printed.
-fn read(source: &SceneSource) -> Result<Scene, Failure> {
+pub(super) fn read(source: &SceneSource) -> Result<Scene, Failure> {
     if let SceneSource::Preset(preset) = source {
         return Scene::parse(preset.text, preset.name).map_err(Failure::Scene);
     }

@@ -1,6 +1,6 @@
 //! Tests of `krank solve`: designs that meet goals, against closed forms; written scenes and rejected arguments.
 
-use super::{folder, json, krank, run_ok};
+use super::{Run, folder, json, krank, run_ok};
 
 /// Returns the stroke of an offset slider-crank: sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2).
 fn stroke(r: f64, l: f64, e: f64) -> f64 {
@@ -225,4 +225,55 @@ fn missing_goal_value_is_reported_with_the_reason() {
         "{}",
         best.err
     );
+}
+
+/// A resumed search is never worse than the design in the file, even if it has a single generation. The file must come
+/// from the same scene.
+#[test]
+fn resumed_search_starts_from_the_written_design() {
+    let file = folder("solve-resume").join("best.toml");
+    let file = file.to_str().unwrap();
+    let search = |scene: &str, more: &[&str]| {
+        let mut all = vec!["solve", scene, "--vary", "r2.length=2..19"];
+        all.extend([
+            "--maximize",
+            "r4.length.stroke",
+            "--keep",
+            "transmission >= 60",
+        ]);
+        all.extend(["--format", "json", "-o", file, "--resume"]);
+        all.extend(more);
+        krank(&all)
+    };
+    let value = |done: &Run| json(&done.out)["value"].as_f64().unwrap();
+    // Without the file, the search begins anew.
+    let first = search("slider-crank", &["--generations", "60"]);
+    assert_eq!(first.code, 0, "{}", first.err);
+    let again = search("slider-crank", &["--generations", "1", "--seed", "9"]);
+    assert_eq!(again.code, 0, "{}", again.err);
+    assert!(
+        value(&again) >= value(&first),
+        "{} {}",
+        first.out,
+        again.out
+    );
+    let other = search("offset-slider-crank", &[]);
+    assert_eq!(other.code, 2, "{}", other.err);
+    assert!(other.err.contains("differs"), "{}", other.err);
+    for (args, words) in [
+        (["--maximize", "range"], "-o"),
+        (["--goal", "range = 360"], "--maximize"),
+    ] {
+        let mut all = vec![
+            "solve",
+            "slider-crank",
+            "--vary",
+            "r2.length=2..19",
+            "--resume",
+        ];
+        all.extend(args);
+        let output = krank(&all);
+        assert_eq!(output.code, 2, "{}", output.err);
+        assert!(output.err.contains(words), "{}", output.err);
+    }
 }

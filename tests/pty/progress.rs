@@ -224,6 +224,7 @@ fn ctrl_c_stops_solve_and_writes_the_best_so_far() {
     let script = format!("trap : INT; {LONG_SOLVE} -o {file}.toml > {file}.txt; echo code $?");
     let mut terminal = Terminal::run(&script, "xterm", 100);
     terminal.wait_for("  best ");
+    assert!(!terminal.contents().contains("limits not met"));
     terminal.type_in("\x03");
     terminal.wait_for("code ");
     let left = terminal.contents();
@@ -233,6 +234,24 @@ fn ctrl_c_stops_solve_and_writes_the_best_so_far() {
     assert!(output.contains("m.length"), "{output}");
     let scene = std::fs::read_to_string(format!("{file}.toml")).unwrap();
     assert!(scene.contains("[links]"), "{scene}");
+}
+
+/// The stroke cannot reach the limit: the progress line says so, the exit code is 1, and no scene is written.
+#[test]
+fn progress_of_solve_says_that_limits_are_not_met() {
+    let file = concat!(env!("CARGO_TARGET_TMPDIR"), "/unmet-solve.toml");
+    let _ = std::fs::remove_file(file);
+    let solve = LONG_SOLVE.replace("T.y.stroke>=20", "T.y.stroke>=2000");
+    assert_ne!(solve, LONG_SOLVE);
+    let script = format!("trap : INT; {solve} -o {file} > {file}.txt; echo code $?");
+    let mut terminal = Terminal::run(&script, "xterm", 120);
+    terminal.wait_for(" cm, limits not met");
+    terminal.type_in("\x03");
+    terminal.wait_for("code ");
+    let left = terminal.contents();
+    assert!(left.contains("no design meets all limits"), "{left}");
+    assert!(left.contains("code 1"), "{left}");
+    assert!(!std::fs::exists(file).unwrap());
 }
 
 /// Messages go to a file, and there is no progress line.

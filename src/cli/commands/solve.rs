@@ -2,10 +2,10 @@
 
 use crate::cli::failure::{Failure, note};
 use crate::cli::formats::TextOrJson;
-use crate::cli::output::{OutputArgs, write_scene, write_text};
+use crate::cli::output::{self, OutputArgs, write_scene, write_text};
 use crate::cli::progress::Progress;
 use crate::cli::screen::TextScreen;
-use crate::cli::source::{SceneArgs, SolvableScene};
+use crate::cli::source::{SceneArgs, SceneSource, SolvableScene, read};
 use crate::parallel;
 use crate::quantity::Catalogue;
 use crate::report::{BestReport, GoalReport, no_best};
@@ -52,6 +52,9 @@ pub(in crate::cli) struct SolveArgs {
     #[arg(help = words().design_to_write())]
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     pick: u32,
+    #[arg(help = words().resume_search())]
+    #[arg(long)]
+    resume: bool,
     #[arg(help = words().how_to_write())]
     #[arg(long, value_enum, default_value_t = TextOrJson::Text)]
     format: TextOrJson,
@@ -72,6 +75,7 @@ pub(in crate::cli) fn solve(args: &SolveArgs, screen: TextScreen) -> Result<(), 
     let best = args.maximize.as_ref().or(args.minimize.as_ref());
     match best {
         None if requested.is_empty() => Err(Failure::Usage(words().no_goal_given().into())),
+        None if args.resume => Err(Failure::Usage(words().resume_needs_best().into())),
         Some(_) if !requested.is_empty() => Err(Failure::Usage(words().goals_and_best().into())),
         None => meet(
             args,
@@ -144,6 +148,7 @@ fn optimise(
     if let Some(axis) = args.vary.iter().find(|axis| axis.ends.is_none()) {
         return Err(Failure::Usage(words().free_without_ends(&axis.name)));
     }
+    let known = known_designs(args, space)?;
     let all = std::iter::once(figure.clone());
     let all = all
         .chain(kept.iter().map(|goal| goal.figure.clone()))
@@ -158,7 +163,7 @@ fn optimise(
     let generations = u64::from(args.generations);
     let progress = Progress::new(generations, words().generations_counted(), screen, false);
     let mut progress = progress.stoppable();
-    let best = BestDesign::find(&figures, kept, &args.vary, order, &mut |state| {
+    let best = BestDesign::find_from(&known, &figures, kept, &args.vary, order, &mut |state| {
         if let Some(best) = state.best {
             let best = format!("{best:.SHOWN_DECIMALS$} {}", figure.unit());
             let best = best.trim_end();
@@ -194,6 +199,25 @@ fn optimise(
         return Err(Failure::Cannot(words().keeps_nothing().into()));
     }
     save(args, space, &design, screen)
+}
+
+/// Returns the design in the output file if the search is resumed and the file exists.
+fn known_designs(args: &SolveArgs, space: &DesignSpace) -> Result<Vec<Vec<f64>>, Failure> {
+    if !args.resume {
+        return Ok(Vec::new());
+    }
+    let Some(path) = output::file(args.output.output.as_deref()) else {
+        return Err(Failure::Usage(words().resume_needs_scene().into()));
+    };
+    if !path.exists() {
+        return Ok(Vec::new());
+    }
+    let scene = read(&SceneSource::File(path.to_owned()))?;
+    let numbers = space.numbers_in(&scene).map_err(|name| {
+        let shown = path.display().to_string();
+        Failure::Usage(words().scene_of_other_search(&shown, &name))
+    })?;
+    Ok(vec![numbers])
 }
 
 /// Ends the progress line and notes whether the search was stopped.

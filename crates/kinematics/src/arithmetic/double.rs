@@ -52,6 +52,113 @@ pub struct Double {
     pub lo: f64,
 }
 
+/// The inverses of the factorials of 0 to 27. A table spares the divisions, which take most of the time.
+const INVERSE_FACTORIALS: [Double; 28] = [
+    Double { hi: 1.0, lo: 0.0 },
+    Double { hi: 1.0, lo: 0.0 },
+    Double { hi: 0.5, lo: 0.0 },
+    Double {
+        hi: 0.166_666_666_666_666_66,
+        lo: 9.251_858_538_542_97e-18,
+    },
+    Double {
+        hi: 0.041_666_666_666_666_664,
+        lo: 2.312_964_634_635_742_7e-18,
+    },
+    Double {
+        hi: 0.008_333_333_333_333_333,
+        lo: 1.156_482_317_317_871_4e-19,
+    },
+    Double {
+        hi: 0.001_388_888_888_888_889,
+        lo: -5.300_543_954_373_577e-20,
+    },
+    Double {
+        hi: 0.000_198_412_698_412_698_4,
+        lo: 1.720_955_829_342_070_5e-22,
+    },
+    Double {
+        hi: 2.480_158_730_158_73e-5,
+        lo: 2.151_194_786_677_588_2e-23,
+    },
+    Double {
+        hi: 2.755_731_922_398_589_3e-6,
+        lo: -1.858_393_274_046_472e-22,
+    },
+    Double {
+        hi: 2.755_731_922_398_589e-7,
+        lo: 2.376_771_462_225_029_7e-23,
+    },
+    Double {
+        hi: 2.505_210_838_544_172e-8,
+        lo: -1.448_814_070_935_912e-24,
+    },
+    Double {
+        hi: 2.087_675_698_786_81e-9,
+        lo: -1.207_345_059_113_26e-25,
+    },
+    Double {
+        hi: 1.605_904_383_682_161_3e-10,
+        lo: 1.258_529_458_875_209_8e-26,
+    },
+    Double {
+        hi: 1.147_074_559_772_972_5e-11,
+        lo: 2.065_551_275_283_074_5e-28,
+    },
+    Double {
+        hi: 7.647_163_731_819_816e-13,
+        lo: 7.038_728_777_334_53e-30,
+    },
+    Double {
+        hi: 4.779_477_332_387_385e-14,
+        lo: 4.399_205_485_834_081e-31,
+    },
+    Double {
+        hi: 2.811_457_254_345_520_6e-15,
+        lo: 1.650_884_273_086_143_3e-31,
+    },
+    Double {
+        hi: 1.561_920_696_858_622_5e-16,
+        lo: 1.191_067_966_027_375_4e-32,
+    },
+    Double {
+        hi: 8.220_635_246_624_33e-18,
+        lo: 2.214_189_411_960_426_5e-34,
+    },
+    Double {
+        hi: 4.110_317_623_312_165e-19,
+        lo: 1.441_297_337_865_952_7e-36,
+    },
+    Double {
+        hi: 1.957_294_106_339_126_3e-20,
+        lo: -1.364_350_383_008_790_8e-36,
+    },
+    Double {
+        hi: 8.896_791_392_450_574e-22,
+        lo: -7.911_402_614_872_376e-38,
+    },
+    Double {
+        hi: 3.868_170_170_630_684e-23,
+        lo: -8.843_177_655_482_344e-40,
+    },
+    Double {
+        hi: 1.611_737_571_096_118_4e-24,
+        lo: -3.684_657_356_450_976_6e-41,
+    },
+    Double {
+        hi: 6.446_950_284_384_474e-26,
+        lo: -1.933_040_423_370_346_5e-42,
+    },
+    Double {
+        hi: 2.479_596_263_224_797_6e-27,
+        lo: -1.295_373_096_476_522_9e-43,
+    },
+    Double {
+        hi: 9.183_689_863_795_546e-29,
+        lo: 1.430_315_039_678_732_2e-45,
+    },
+];
+
 impl Double {
     /// Zero.
     pub const ZERO: Double = Double { hi: 0.0, lo: 0.0 };
@@ -135,18 +242,14 @@ impl Double {
     /// they are below 2^-110.
     fn sin_cos(self) -> (Double, Double) {
         let x = self * Double::RADIAN;
+        let square = -(x * x);
+        // Horner's scheme by pairs of terms; the first of each pair belongs to the cosine.
         let (mut sin, mut cos) = (Double::ZERO, Double::ZERO);
-        let mut term = Double::ONE;
-        for n in 0..28_u8 {
-            let signed = if n & 2 == 0 { term } else { -term };
-            if n % 2 == 0 {
-                cos += signed;
-            } else {
-                sin += signed;
-            }
-            term = term * x / Double::exactly(f64::from(n + 1));
+        for pair in INVERSE_FACTORIALS.chunks_exact(2).rev() {
+            cos = cos * square + pair[0];
+            sin = sin * square + pair[1];
         }
-        (sin, cos)
+        (sin * x, cos)
     }
 
     /// Returns the direction of a vector in degrees, from -180 to 180.

@@ -200,3 +200,39 @@ fn best_design_satisfies_equality_constraint() {
         assert!(best.stationary, "{best:?}");
     }
 }
+
+/// The maximum swing with a bounded transmission angle, which is furthest from 90 deg on both sides
+/// at once: there the bound has no slope. Both laws of cosines give the lengths: their sum is `r3^2 =
+/// r1^2 + r2^2 - r4^2`, and their difference `r2 = r3 r4 cos 45 deg / r1`.
+#[test]
+fn best_design_lies_on_kink_of_constraint() {
+    let (r1, r4) = (400.0_f64, 250.0_f64);
+    let ratio = r4 * std::f64::consts::FRAC_1_SQRT_2 / r1;
+    let r3 = ((r1 * r1 - r4 * r4) / (1.0 - ratio * ratio)).sqrt();
+    let r2 = ratio * r3;
+    let (known, transmission) = swing_and_transmission([r2, r3, r4, r1]);
+    assert!((transmission - 45.0).abs() < 1e-9);
+    let space = space("four-bar", &["r2 length", "r3 length"]);
+    let figures = figures(&space, &["r4.angle.swing", "transmission"]);
+    let constraints = goals(&space, &["transmission >= 45"]);
+    for seed in [1, 2, 3] {
+        let order = |threads| OptimiseOrder {
+            greatest: true,
+            generations: 2,
+            seed,
+            threads,
+        };
+        let axes = axes(&["r2=60..200", "r3=250..400"]);
+        let find = |threads| {
+            let best =
+                BestDesign::find(&figures, &constraints, &axes, order(threads), &mut |_| true);
+            best.unwrap()
+        };
+        let best = find(1);
+        assert!(best.stationary && best.missed == 0.0, "{best:?}");
+        assert!((best.numbers[0] - r2).abs() < 1e-6, "{best:?}: {r2}");
+        assert!((best.numbers[1] - r3).abs() < 1e-6, "{best:?}: {r3}");
+        assert!((best.value - known).abs() < 1e-7, "{best:?}: {known}");
+        assert_eq!(best, find(2));
+    }
+}

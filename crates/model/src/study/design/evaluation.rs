@@ -5,7 +5,7 @@ use super::{Design, DesignSpace, NoDesign};
 use crate::quantity::Catalogue;
 use crate::scene::Scene;
 use crate::solver::{Demand, Fault, Solver, Varied};
-use crate::study::excursion::{EvaluatedFigures, FigureSeams};
+use crate::study::excursion::{EvaluatedFigures, FigurePieces, FigureSeams};
 use crate::study::{CycleFigure, CycleFigures, NoFigure};
 use crate::{Length, Mechanism};
 use std::sync::Arc;
@@ -75,6 +75,14 @@ impl FigureSet {
                 places: None,
             },
         }
+    }
+
+    /// Computes the pieces of the figures of a design that was changed in place.
+    pub(super) fn pieces(&self, design: &OpenedDesign) -> Option<Vec<FigurePieces>> {
+        let is_plain = design.scene.is_none() && design.is_in_place;
+        is_plain
+            .then(|| self.figures.pieces(&design.solver))
+            .flatten()
     }
 
     fn of_solver(&self, scene: Option<&Scene>, solver: &Solver) -> Vec<Result<f64, NoFigure>> {

@@ -7,19 +7,21 @@
 //! kept. If that is impossible, the design is an error; the assembly never changes silently.
 //!
 //! ```text
-//! plan          plans of designs: a grid or a Latin hypercube, each design with a number
-//! evaluation    figures of one design after another
-//! lengths       the mechanism of a design, without parsing its text
-//! run           a row for each design of a plan, on all cores, in order
-//! goal          goals for cycle figures
-//! solve         numbers that meet goals, searched from many starts
-//! levenberg     from one start: the Levenberg-Marquardt method
-//! optimise      the best numbers under constraints: differential evolution
-//! judge         evaluates designs, and projects them onto equality constraints
-//! polish        from the best design of the evolution to a local optimum
-//! exact_slopes  derivatives of cycle figures without differences
-//! hold          the active constraints and bounds of an optimum
-//! kink          optimality where the figure has no derivative
+//! plan                plans of designs: a grid or a Latin hypercube, each design with a number
+//! evaluation          figures of one design after another
+//! lengths             the mechanism of a design, without parsing its text
+//! run                 a row for each design of a plan, on all cores, in order
+//! goal                goals for cycle figures
+//! solve               numbers that meet goals, searched from many starts
+//! levenberg           from one start: the Levenberg-Marquardt method
+//! optimise            the best numbers under constraints: differential evolution
+//! projection          evaluates designs, and projects them onto equality constraints
+//! polish              from the best design of the evolution to a local optimum
+//! pieces              the same for figures that are maxima or minima of smooth functions
+//! quadratic_program   the step to the minimum of a quadratic model with inequalities
+//! exact_slopes        derivatives of cycle figures without differences
+//! active_constraints  the active constraints and bounds of an optimum
+//! kink                optimality where the figure has no derivative
 //! ```
 
 mod active_constraints;
@@ -34,9 +36,11 @@ mod kink;
 mod lengths;
 mod levenberg;
 mod optimise;
+mod pieces;
 mod plan;
 mod polish;
 mod projection;
+mod quadratic_program;
 mod run;
 mod solve;
 #[cfg(test)]

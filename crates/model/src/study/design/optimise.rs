@@ -116,7 +116,7 @@ impl BestDesign {
     }
 
     /// Finds the best design as [`BestDesign::find`] does. The search starts from `known` designs
-    /// too; those outside the bounds are ignored.
+    /// too; those outside the bounds are ignored. The result is never worse than one of them.
     pub fn find_from(
         known: &[Vec<f64>],
         figures: &DesignFigures,
@@ -164,13 +164,25 @@ impl BestDesign {
         }
         let best = search.best()?.clone();
         let mut judge = search.judge;
+        let mut polish = |judge: &mut DesignEvaluator, design| {
+            polished(judge, design, order.threads, &mut || {
+                go_on(made, best.score)
+            })
+        };
         let design = judge.evaluate(best.numbers)?;
+        let mut polished = polish(&mut judge, design);
+        // A design that was better only at a loose tolerance may have replaced a known one.
+        for numbers in search.started {
+            if let Some(design) = judge.evaluate(numbers)
+                && design.score < polished.design.score
+            {
+                polished = polish(&mut judge, design);
+            }
+        }
         let Polished {
             design,
             is_stationary,
-        } = polished(&mut judge, design, order.threads, &mut || {
-            go_on(made, best.score)
-        });
+        } = polished;
         let (missed, value) = design.score;
         Some(BestDesign {
             numbers: design.numbers,
@@ -192,6 +204,8 @@ struct DesignEvolution {
     /// The tolerance of equality constraints.
     tolerance: f64,
     bounds: Vec<Option<[f64; 2]>>,
+    /// The given design and the known ones within the bounds.
+    started: Vec<Vec<f64>>,
     generation: Vec<TrialDesign>,
 }
 
@@ -206,6 +220,7 @@ impl DesignEvolution {
             rng: SeededRng::new(order.seed ^ 0x5bd1_e995),
             tolerance: if judge.has_equalities() { LOOSE } else { TIGHT },
             bounds: judge.ends.iter().copied().map(Some).collect(),
+            started: Vec::new(),
             generation: Vec::new(),
             judge,
         }
@@ -229,9 +244,11 @@ impl DesignEvolution {
             ends.all(|(v, [low, high])| low <= v && v <= high)
         };
         let all = std::iter::once(&given).chain(known);
-        for (start, numbers) in started.iter_mut().zip(all.filter(is_within)) {
+        let own: Vec<Vec<f64>> = all.filter(is_within).cloned().collect();
+        for (start, numbers) in started.iter_mut().zip(&own) {
             *start = TrialDesign::new(numbers.clone());
         }
+        self.started = own;
         self.generation = self.settled(&started, watch);
         Some(())
     }

@@ -5,6 +5,7 @@
 
 use super::active_constraints::ActiveSet;
 use super::kink::KinkSampling;
+use super::pieces::polished_by_pieces;
 use super::projection::{
     DIFFERENCE, DesignEvaluator, DesignProjection, DesignSlopes, EvaluatedDesign, is_finite,
 };
@@ -17,7 +18,7 @@ const HALVINGS: i32 = 30;
 /// Distances from a kink at which slopes are sampled, relative to the ranges.
 const KINK_DISTANCES: [f64; 4] = [1e-3, 1e-4, 1e-5, 1e-6];
 /// Maximum length of a step, relative to the ranges.
-const MAX_LEN: f64 = 0.25;
+pub(super) const MAX_LEN: f64 = 0.25;
 /// Minimum fraction of the curvature that an update keeps, so that the matrix stays positive
 /// definite (Powell, 1978).
 const MIN_CURVATURE_FRACTION: f64 = 0.2;
@@ -39,6 +40,14 @@ pub(super) fn polished(
     watch: &mut dyn FnMut() -> bool,
 ) -> Polished {
     let mut here = judge.onto(design, &mut None, DesignProjection::onto_all(&[]));
+    if here.score.0 == 0.0
+        && let Some(found) = polished_by_pieces(judge, here.clone(), watch)
+    {
+        if found.is_stationary {
+            return found;
+        }
+        here = found.design;
+    }
     let mut curvature = DMatrix::identity(here.numbers.len(), here.numbers.len());
     let mut is_fresh = true;
     let Some(mut slopes) = judge.slopes(&here, DIFFERENCE, true) else {

@@ -3,7 +3,7 @@
 use super::evaluation::FigureSet;
 use super::goal::MET;
 use super::{DesignFigures, Goal, GoalSense, PlanAxis};
-use crate::study::excursion::{EvaluatedFigures, PlacedBound, PlacedFigure};
+use crate::study::excursion::{EvaluatedFigures, FigurePieces, PlacedBound, PlacedFigure};
 use nalgebra::{DMatrix, DVector};
 
 /// Step of differences for derivatives, relative to the range between the bounds.
@@ -424,6 +424,40 @@ impl DesignEvaluator {
         moved.collect()
     }
 
+    /// Returns the pieces of all figures of a design, if they have any.
+    pub(super) fn pieces(&mut self, numbers: &[f64]) -> Option<Vec<FigurePieces>> {
+        let design = self.figures.open(numbers).ok()?;
+        self.figures.set().pieces(&design)
+    }
+
+    /// Returns the derivatives of figures at fixed places by the numbers, relative to the ranges, by
+    /// differences with steps of `step` of the range. Returns `None` if a value is missing.
+    pub(super) fn slopes_at_places(
+        &mut self,
+        places: &[PlacedFigure],
+        numbers: &[f64],
+        step: f64,
+    ) -> Option<Vec<Vec<f64>>> {
+        let ends = self.difference_ends(numbers, step);
+        let mut slopes = self.figures.placed_slopes(places, numbers, &ends)?;
+        for slopes in &mut slopes {
+            for (slope, [low, high]) in slopes.iter_mut().zip(&self.ends) {
+                *slope *= high - low;
+            }
+        }
+        Some(slopes)
+    }
+
+    /// Returns the numbers between which differences are taken.
+    fn difference_ends(&self, numbers: &[f64], step: f64) -> Vec<[f64; 2]> {
+        let ends = numbers.iter().zip(&self.ends);
+        let ends = ends.map(|(number, [low, high])| {
+            let by = step * (high - low);
+            [number - by, number + by].map(|number| number.clamp(*low, *high))
+        });
+        ends.collect()
+    }
+
     /// Returns the derivatives at fixed places of the motion, if all figures have them: the solver's
     /// own, or differences with steps of `step` of the range.
     fn at_fixed_places(
@@ -439,12 +473,7 @@ impl DesignEvaluator {
             EvaluatedPart::Whole => self.figures.exact_slopes(places, &design.numbers),
         };
         let found = own.or_else(|| {
-            let ends = design.numbers.iter().zip(&self.ends);
-            let ends = ends.map(|(number, [low, high])| {
-                let by = step * (high - low);
-                [number - by, number + by].map(|number| number.clamp(*low, *high))
-            });
-            let ends: Vec<[f64; 2]> = ends.collect();
+            let ends = self.difference_ends(&design.numbers, step);
             self.figures.placed_slopes(places, &design.numbers, &ends)
         })?;
         let size = |i: usize| self.ends[i][1] - self.ends[i][0];

@@ -1,13 +1,19 @@
 //! Computes cycle figures of a mechanism, and of others of its kind.
 
 use super::cycle_figure::{CycleFigureSource, FigureProperty, RangeEnd};
-use super::{CycleFigure, Excursion, ExcursionOptions, NoFigure};
+use super::{CycleFigure, Excursion, ExcursionOptions, FigurePlace, NoFigure};
 use crate::expression::DirectionCut;
 use crate::quantity::{Quantity, Subject, demand};
 use crate::solver::{Condition, GroupId, Range, Solver, Transmission};
 
 /// The best transmission angle, in degrees.
 const BEST: f64 = 90.0;
+/// The distance from the extreme value up to which other extrema are pieces of a figure, relative to
+/// the stroke; and that of transmission angles, in degrees.
+const NEAR_EXTREME: f64 = 0.1;
+const NEAR_ANGLE: f64 = 10.0;
+/// Maximum number of extrema of one kind that are pieces.
+const MAX_EXTREMA: usize = 4;
 
 /// Cycle figures computed together, for one mechanism or for many with the same parts. Their
 /// requirements are determined once.
@@ -39,6 +45,32 @@ pub(crate) struct PlacedFigure {
     pub(crate) places: Vec<(f64, f64)>,
     /// What a value at any other place tells about the figure.
     pub(crate) bound: PlacedBound,
+}
+
+/// A figure as the maximum or the minimum of smooth functions of the lengths.
+#[derive(Clone, Debug)]
+pub(crate) struct FigurePieces {
+    /// Whether the figure is the maximum or the minimum of its pieces.
+    pub(crate) kind: PieceKind,
+    /// The pieces near the figure; the first one equals the figure.
+    pub(crate) pieces: Vec<FigurePiece>,
+}
+
+/// The relation between a figure and its pieces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PieceKind {
+    /// The figure is the maximum of its pieces. A single piece is its own maximum.
+    Maximum,
+    /// The figure is the minimum of its pieces.
+    Minimum,
+}
+
+/// A smooth function of the lengths.
+#[derive(Clone, Debug)]
+pub(crate) struct FigurePiece {
+    /// The extrema on which it depends.
+    pub(crate) placed: PlacedFigure,
+    pub(crate) value: f64,
 }
 
 /// The relation between a figure and the value at any place of the motion.
@@ -226,6 +258,89 @@ impl CycleFigures {
     }
 }
 
+impl CycleFigures {
+    /// Returns the pieces of all figures of a mechanism. Returns `None` where [`EvaluatedFigures`]
+    /// has no places.
+    pub(crate) fn pieces(&self, solver: &Solver) -> Option<Vec<FigurePieces>> {
+        let excursions = Excursion::of_all(solver, &self.columns, self.options);
+        let transmission = match self.transmission {
+            true => solver.transmission(),
+            false => Vec::new(),
+        };
+        let placed = self.places(solver, &excursions, &transmission)?;
+        let mut all = Vec::with_capacity(placed.len());
+        for (figure, placed) in self.figures.iter().zip(placed) {
+            let (column, property) = match &figure.source {
+                CycleFigureSource::Of(column, property) => (column, property),
+                CycleFigureSource::Transmission(group) => {
+                    all.push(transmission_pieces(solver, &transmission, *group));
+                    continue;
+                }
+                CycleFigureSource::Range(_) | CycleFigureSource::Condition(_) => return None,
+            };
+            if let FigureProperty::At(at) = property {
+                let value = at_place(solver, column, *at).ok()?;
+                all.push(FigurePieces {
+                    kind: PieceKind::Maximum,
+                    pieces: vec![FigurePiece { placed, value }],
+                });
+                continue;
+            }
+            let index = self.columns.iter().position(|other| other == column)?;
+            let found = excursions.get(index)?.as_ref().ok()?;
+            let (peaks, bottoms) = (found.near_extrema(true), found.near_extrema(false));
+            let kind = match property {
+                FigureProperty::Minimum => PieceKind::Minimum,
+                _ => PieceKind::Maximum,
+            };
+            let of = |places: &[(FigurePlace, f64)]| FigurePiece {
+                value: places.iter().map(|(place, sign)| sign * place.value).sum(),
+                placed: PlacedFigure {
+                    places: places
+                        .iter()
+                        .map(|(place, sign)| (place.at, *sign))
+                        .collect(),
+                    ..placed.clone()
+                },
+            };
+            let pieces = match property {
+                FigureProperty::Minimum => bottoms.iter().map(|&low| of(&[(low, 1.0)])).collect(),
+                FigureProperty::Maximum => peaks.iter().map(|&high| of(&[(high, 1.0)])).collect(),
+                _ => {
+                    let with = |&high: &FigurePlace| {
+                        let of = &of;
+                        let lows = bottoms.iter();
+                        lows.map(move |&low| of(&[(high, 1.0), (low, -1.0)]))
+                    };
+                    peaks.iter().flat_map(with).collect()
+                }
+            };
+            all.push(FigurePieces { kind, pieces });
+        }
+        Some(all)
+    }
+}
+
+impl Excursion {
+    /// Returns the extreme maximum or minimum, and then other maxima or minima that are almost equal
+    /// to it, the nearest before the others.
+    fn near_extrema(&self, is_peak: bool) -> Vec<FigurePlace> {
+        let extreme = if is_peak { self.greatest } else { self.least };
+        let off = |place: &FigurePlace| (place.value - extreme.value).abs();
+        let limit = NEAR_EXTREME * (self.greatest.value - self.least.value);
+        let others = self
+            .turnings
+            .iter()
+            .filter(|turning| turning.is_peak == is_peak);
+        let others = others.map(|turning| turning.place);
+        let others = others.filter(|place| place.at != extreme.at && off(place) <= limit);
+        let mut all: Vec<FigurePlace> = std::iter::once(extreme).chain(others).collect();
+        all.sort_by(|a, b| off(a).total_cmp(&off(b)));
+        all.truncate(MAX_EXTREMA);
+        all
+    }
+}
+
 impl FigureProperty {
     fn of(self, excursion: &Excursion) -> Result<f64, NoFigure> {
         let comes_back = |value: f64| excursion.stroke().map(|_| value);
@@ -288,7 +403,7 @@ fn transmission_figure(found: &Transmission) -> f64 {
 }
 
 /// Returns the place of the worst transmission angle, of all dyads or of those that place the named
-/// part. An angle above the best one counts from the other side, so it has a negative sign.
+/// part.
 fn placed_transmission(
     solver: &Solver,
     found: &[Transmission],
@@ -299,16 +414,49 @@ fn placed_transmission(
         transmission_figure(a).total_cmp(&transmission_figure(b))
     };
     let worst = found.iter().filter(is_meant).min_by(by_figure)?;
-    let is_small = BEST - worst.smallest.angle >= worst.largest.angle - BEST;
-    let place = match is_small {
-        true => (worst.smallest.at, 1.0),
-        false => (worst.largest.at, -1.0),
-    };
-    Some(PlacedFigure {
-        value: PlacedValue::Transmission(worst.group),
-        places: vec![place],
-        bound: PlacedBound::AtMost,
+    let [small, large] = transmission_ends(worst);
+    Some(if small.value <= large.value {
+        small.placed
+    } else {
+        large.placed
     })
+}
+
+/// Returns the smallest and the largest angle of a dyad as pieces of a transmission angle. An angle
+/// above the best one counts from the other side, so it has a negative sign.
+fn transmission_ends(found: &Transmission) -> [FigurePiece; 2] {
+    let of = |at: f64, sign: f64, value: f64| FigurePiece {
+        placed: PlacedFigure {
+            value: PlacedValue::Transmission(found.group),
+            places: vec![(at, sign)],
+            bound: PlacedBound::AtMost,
+        },
+        value,
+    };
+    let (small, large) = (found.smallest, found.largest);
+    [
+        of(small.at, 1.0, small.angle),
+        of(large.at, -1.0, 2.0 * BEST - large.angle),
+    ]
+}
+
+/// Returns the pieces of the worst transmission angle, of all dyads or of those that place the named
+/// part.
+fn transmission_pieces(
+    solver: &Solver,
+    found: &[Transmission],
+    named: Option<Subject>,
+) -> FigurePieces {
+    let meant = found.iter();
+    let meant = meant.filter(|found| places_subject(solver, found.group, named));
+    let mut pieces: Vec<FigurePiece> = meant.flat_map(transmission_ends).collect();
+    pieces.sort_by(|a, b| a.value.total_cmp(&b.value));
+    let worst = pieces.first().map_or(BEST, |piece| piece.value);
+    pieces.retain(|piece| piece.value <= worst + NEAR_ANGLE);
+    FigurePieces {
+        kind: PieceKind::Minimum,
+        pieces,
+    }
 }
 
 /// Returns the minimum over all groups, or over those that place the named part.

@@ -34,7 +34,9 @@ mod tests;
 
 pub use cycle_figure::{CycleFigure, UnknownCycleFigure};
 pub use evaluated::CycleFigures;
-pub(crate) use evaluated::{EvaluatedFigures, PlacedBound, PlacedFigure, PlacedValue};
+pub(crate) use evaluated::{
+    EvaluatedFigures, FigurePieces, PieceKind, PlacedBound, PlacedFigure, PlacedValue,
+};
 pub(crate) use periodic_reference::FigureSeams;
 pub use strokes::{DwellStretch, TimeRatio};
 
