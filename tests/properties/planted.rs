@@ -23,9 +23,12 @@ const ONCE_WRONG: [u64; 22] = [
     6190, 7020, 7194, 7870, 7922, 9967,
 ];
 /// Seeds of scenes whose range once ended too early: at two change points beside a reversal, at a change point before
-/// an end or just behind it, some with two groups at once, or because a constraint was checked on another branch.
-const ONCE_CUT: [u64; 12] = [
-    2241, 2431, 2562, 2914, 3292, 3456, 5304, 5952, 7536, 8978, 9316, 11456,
+/// an end or just behind it, some with two groups at once, or because a constraint was checked on another branch. Also
+/// at a change point on a sample of the walk, at the end of a table, with pivots at rest, and with coordinates of
+/// 15 digits that end in zeros. In the scene of 8961, a change point directly before the end was not reported.
+const ONCE_CUT: [u64; 23] = [
+    2241, 2290, 2431, 2562, 2914, 3292, 3456, 3551, 4835, 4978, 5304, 5952, 6862, 7536, 7930, 8961,
+    8978, 9316, 9514, 9998, 10655, 11194, 11456,
 ];
 
 /// A point of the plane, multiplied like a complex number.
@@ -2109,6 +2112,7 @@ fn scenes_that_once_went_wrong_are_right_or_end() {
 fn scenes_that_once_ended_too_early_reach_their_ends() {
     for seed in ONCE_CUT {
         let verdict = Planted::drawn(seed).check_motion();
-        assert_eq!((verdict.failure, verdict.cut), (None, None), "seed {seed}");
+        let failed = [verdict.failure, verdict.cut, verdict.silent];
+        assert_eq!(failed, [None, None, None], "seed {seed}");
     }
 }
