@@ -15,7 +15,8 @@ use std::fmt;
 use std::ops::{Add, Mul, Sub};
 use std::rc::Rc;
 
-/// Number of scenes of an ordinary run. All pass. Of 12,000 scenes 56 end too early, and none is wrong.
+/// Number of scenes of an ordinary run. All pass. In the last run of 12,000 scenes 56 ended too early, and one was wrong
+/// directly before its end. These pass now.
 const ORDINARY: u64 = 180;
 /// Seeds of scenes in which a change point once led into another motion, or that took minutes to open.
 const ONCE_WRONG: [u64; 22] = [
@@ -23,9 +24,12 @@ const ONCE_WRONG: [u64; 22] = [
     6190, 7020, 7194, 7870, 7922, 9967,
 ];
 /// Seeds of scenes whose range once ended too early: at two change points beside a reversal, at a change point before
-/// an end or just behind it, some with two groups at once, or because a constraint was checked on another branch.
-const ONCE_CUT: [u64; 12] = [
-    2241, 2431, 2562, 2914, 3292, 3456, 5304, 5952, 7536, 8978, 9316, 11456,
+/// an end or just behind it, some with two groups at once, or because a constraint was checked on another branch. Also
+/// at a change point on a sample of the walk, at the end of a table, with pivots at rest, and with coordinates of
+/// 15 digits that end in zeros. The scene of 8961 was wrong between a change point, which was not reported, and its end.
+const ONCE_CUT: [u64; 23] = [
+    2241, 2290, 2431, 2562, 2914, 3292, 3456, 3551, 4835, 4978, 5304, 5952, 6862, 7536, 7930, 8961,
+    8978, 9316, 9514, 9998, 10655, 11194, 11456,
 ];
 
 /// A point of the plane, multiplied like a complex number.
@@ -1798,6 +1802,11 @@ impl Planted {
         }
         around(low, &mut all);
         around(high, &mut all);
+        // The part between a change point and a close end may be shorter than all these distances.
+        let mut places = self.change_points();
+        places.extend([low, high]);
+        places.sort_by(f64::total_cmp);
+        all.extend(places.windows(2).map(|ends| 0.5 * (ends[0] + ends[1])));
         if let Span::Limited(..) = self.driven.span {
             let slack = 1e-10 * wide;
             all.retain(|&q| q > low + slack && q < high - slack);
@@ -2109,6 +2118,7 @@ fn scenes_that_once_went_wrong_are_right_or_end() {
 fn scenes_that_once_ended_too_early_reach_their_ends() {
     for seed in ONCE_CUT {
         let verdict = Planted::drawn(seed).check_motion();
-        assert_eq!((verdict.failure, verdict.cut), (None, None), "seed {seed}");
+        let failed = [verdict.failure, verdict.cut, verdict.silent];
+        assert_eq!(failed, [None, None, None], "seed {seed}");
     }
 }

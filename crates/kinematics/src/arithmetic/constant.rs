@@ -108,12 +108,26 @@ impl Constant {
     /// Creates a position for comparing lengths, from the typed decimals or from the stored
     /// doubles. `radius` covers the rounding of both coordinates if one of them is a long number.
     pub(crate) fn compared(position: Vec2, is_decimal: bool) -> Vec2<Constant> {
+        Constant::compared_with(position, is_decimal, |decimal| decimal.is_long)
+    }
+
+    /// Creates a position as [`Constant::compared`] does, in a mechanism with other long numbers. One
+    /// number in ten of 15 digits ends in a zero, which a program does not print.
+    pub(crate) fn compared_among_long(position: Vec2, is_decimal: bool) -> Vec2<Constant> {
+        Constant::compared_with(position, is_decimal, |decimal| decimal.is_nearly_long)
+    }
+
+    fn compared_with(
+        position: Vec2,
+        is_decimal: bool,
+        is_long: impl Fn(&Decimal) -> bool,
+    ) -> Vec2<Constant> {
         let read = |v: f64| {
             if is_decimal {
                 let decimal = Decimal::of(v);
                 // A long number was computed by a program, and its last digit was then rounded.
                 let radius = decimal.rounding + COMPUTED_ROUNDINGS * typed_radius(v);
-                return (Constant::new(decimal.value, radius), decimal.is_long);
+                return (Constant::new(decimal.value, radius), is_long(&decimal));
             }
             let radius = COMPUTED_ROUNDINGS * typed_radius(v);
             (Constant::new(Double::exactly(v), radius), radius > 0.0)

@@ -18,6 +18,9 @@ pub struct Decimal {
     pub(crate) rounding: f64,
     /// `true` for 15 digits or more: such a number was probably rounded when it was typed.
     pub is_long: bool,
+    /// `true` for 13 digits or more: such a number was probably rounded if others are long, and its
+    /// last digits are zeros.
+    pub(crate) is_nearly_long: bool,
     /// Whether the decimal is exactly a double, or has more than 15 digits and is taken as the
     /// double.
     pub is_double: bool,
@@ -32,6 +35,7 @@ impl Decimal {
             roundings: 0,
             rounding: 0.0,
             is_long: value != 0.0,
+            is_nearly_long: value != 0.0,
             is_double: value == 0.0,
         };
         let size = value.abs();
@@ -59,6 +63,7 @@ impl Decimal {
             },
             rounding: 0.5 * times_power(Double::ONE, unit).hi,
             is_long: !is_read_so || digits % 10.0 != 0.0,
+            is_nearly_long: !is_read_so || digits % 1000.0 != 0.0,
             is_double: !is_read_so || decimal.lo == 0.0,
         }
     }

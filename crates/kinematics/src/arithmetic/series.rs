@@ -162,6 +162,12 @@ fn convolved(a: &[Double], b: &[Double], n: usize, range: std::ops::Range<usize>
     range.fold(Double::ZERO, |sum, i| sum + a[i] * b[n - i])
 }
 
+/// Returns the number of coefficients up to the last one that is not zero. That of a constant is 1.
+fn length(c: &[Double]) -> usize {
+    let last = c.iter().rposition(|c| c.hi != 0.0);
+    last.map_or(0, |last| last + 1)
+}
+
 impl Add for Series {
     type Output = Series;
     fn add(self, o: Series) -> Series {
@@ -194,7 +200,11 @@ impl Mul for Series {
     type Output = Series;
     fn mul(self, o: Series) -> Series {
         let known = self.known.min(o.known);
-        Series::by(known, |n, _| convolved(&self.c, &o.c, n, 0..n + 1))
+        // Most series of links at rest and of lengths are constants.
+        let [a, b] = [length(&self.c), length(&o.c)];
+        Series::by(known, |n, _| {
+            convolved(&self.c, &o.c, n, (n + 1).saturating_sub(b)..a.min(n + 1))
+        })
     }
 }
 
@@ -203,8 +213,10 @@ impl Div for Series {
     /// Solves q o = self: q[n] = (self[n] - sum of q[i] o[n - i]) / o[0].
     fn div(self, o: Series) -> Series {
         let known = self.known.min(o.known);
+        let length = length(&o.c);
         Series::by(known, |n, q| {
-            (self.c[n] - convolved(q, &o.c, n, 0..n)) / o.c[0]
+            let first = (n + 1).saturating_sub(length);
+            (self.c[n] - convolved(q, &o.c, n, first..n)) / o.c[0]
         })
     }
 }
@@ -289,6 +301,22 @@ mod tests {
         assert_near((one + t).sqrt(), &[1.0, 0.5, -0.125, 0.0625, -0.039_062_5]);
         let root = (one + t).sqrt();
         assert_near(root * root, &[1.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn short_series_are_multiplied_and_divided_like_long_ones() {
+        let t = Series::line(Double::ZERO, Double::ONE);
+        let line = t + Series::exactly(2.0);
+        let long = (Series::exactly(1.0) + t).sqrt();
+        assert_near(line * line * line, &[8.0, 12.0, 6.0, 1.0, 0.0, 0.0]);
+        assert_near(line * Series::exactly(3.0), &[6.0, 3.0, 0.0]);
+        assert_near(line * Series::default(), &[0.0; TERMS]);
+        assert_near(
+            Series::exactly(1.0) / line,
+            &[0.5, -0.25, 0.125, -0.0625, 0.03125],
+        );
+        assert_near(long * line, &[2.0, 2.0, 0.25, 0.0, -0.015_625]);
+        assert_near(line * long / line, &[1.0, 0.5, -0.125, 0.0625]);
     }
 
     #[test]

@@ -261,7 +261,9 @@ impl ChangePointCrossing {
             return bend.parameter(dq).is_some_and(|by| by.abs() < self.zone);
         }
         let away = dq + self.off_centre;
-        away.abs() < self.zone && away * self.side >= 0.0
+        // At the end of a table, both summands differ by their rounding.
+        let rounding = EQUALITY_TOLERANCE * self.off_centre.abs();
+        away.abs() < self.zone && away * self.side >= -rounding
     }
 
     /// Returns the crossing by the same series of a change point at a distance from its centre,

@@ -87,8 +87,16 @@ impl Frame {
     /// or not.
     pub(super) fn rounding(&self, mechanism: &Mechanism) -> f64 {
         let decimals = mechanism.has_decimals();
-        let off =
-            |position: Vec2| Constant::compared(position, decimals).map(|v| v.radius / self.scale);
+        let radius = |position: Vec2<Constant>| position.map(|v| v.radius / self.scale);
+        let is_long = |position| radius(Constant::compared(position, decimals)) != Vec2::ZERO;
+        let has_long = grounded(mechanism).any(is_long);
+        let off = |position: Vec2| {
+            radius(if has_long {
+                Constant::compared_among_long(position, decimals)
+            } else {
+                Constant::compared(position, decimals)
+            })
+        };
         let sizes =
             grounded(mechanism).map(|position| (off(position) + off(self.origin.nearest())).norm());
         let is_turned = |position: Vec2| position.x != 0.0 && position.y != 0.0;

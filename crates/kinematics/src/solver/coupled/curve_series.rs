@@ -11,6 +11,8 @@
 //!
 //! This system is singular: with J p = -F_q, the share s of (p, 1) is free. As in
 //! [`super::series`], the next order determines it: w.r_(k+1) = 0.
+//!
+//! At any other place of the curve, even at a fold, the system is regular and determines everything.
 
 use super::Coupled;
 use super::series::{BorderedMatrix, Null, Path, tangents};
@@ -22,10 +24,14 @@ use crate::solver::workspace::Workspace;
 /// Number of corrections per coefficient: the second one finds the digits that doubles do not hold.
 const CORRECTIONS: usize = 2;
 
+/// Number of corrections of the first coefficients at a place that is no crossing. Close to a fold,
+/// each gains only some of the digits of a double.
+const FIRST_CORRECTIONS: usize = 4;
+
 /// Minimum angle between the branches at a crossing, in radians.
 const MIN_ANGLE: f64 = 0.02;
 
-/// A coupled group at a crossing.
+/// A coupled group at a crossing, or at another place of its curve.
 pub(in crate::solver) struct CrossingPlace<'a> {
     /// The unknowns z.
     pub(in crate::solver) z: &'a [f64],
@@ -81,17 +87,30 @@ impl Coupled {
             null,
         };
         let known = curve.solve(matrix, branch, terms, series)?;
-        curve.grow_with_coordinate();
-        let Curve {
-            mut path,
-            offset,
+        curve.write(known, series)
+    }
+}
+
+impl Coupled {
+    /// Computes the group's series along its curve as [`Coupled::follow_curve`] does, from a place
+    /// that is no crossing. The driver may reverse close to it.
+    pub(in crate::solver) fn follow_curve_from(
+        &self,
+        from: &CrossingPlace<'_>,
+        terms: usize,
+        series: &mut Workspace<Series>,
+        place: PlaceInputs<'_>,
+    ) -> Option<Series> {
+        let &CrossingPlace { z, matrix } = from;
+        let null = Null::of(matrix, self.unknowns())?;
+        let mut curve = Curve {
+            path: Path::new(self, z),
+            offset: Series::default(),
             place,
-            ..
-        } = curve;
-        let offset = offset.cut(known);
-        let q = place(offset, series)?;
-        path.write(q, known, series);
-        Some(offset)
+            null,
+        };
+        curve.solve_regular(matrix, terms, series)?;
+        curve.write(terms, series)
     }
 }
 
@@ -174,6 +193,51 @@ impl Curve<'_, '_> {
         let mut all = self.path.unknowns.iter().chain([&self.offset]);
         let is_finite = all.all(|u| u.c.iter().all(|c| c.hi.is_finite()));
         is_finite.then_some(known)
+    }
+
+    /// Computes the coefficients at a place that is no crossing.
+    fn solve_regular(
+        &mut self,
+        matrix: &[f64],
+        terms: usize,
+        series: &mut Workspace<Series>,
+    ) -> Option<()> {
+        let n = self.null.v.len();
+        let at_place = BorderedMatrix::new(matrix, n, None)?;
+        for _ in 0..FIRST_CORRECTIONS {
+            let right = self.coefficients(0, series)?;
+            self.path.add(0, &at_place.solve(&right, 0.0), -1.0);
+        }
+        self.offset.c[1] = Double::ONE;
+        let by_q = self.coefficients(1, series)?;
+        self.offset.c[1] = Double::ZERO;
+        let solver = BorderedMatrix::new(matrix, n, Some((&by_q, &self.null.v)))?;
+        for k in 1..terms {
+            for _ in 0..CORRECTIONS {
+                let right = self.coefficients(k, series)?;
+                let found = solver.solve(&right, self.excess(k));
+                self.add(k, &found, -1.0);
+            }
+        }
+        let mut all = self.path.unknowns.iter().chain([&self.offset]);
+        let is_finite = all.all(|u| u.c.iter().all(|c| c.hi.is_finite()));
+        is_finite.then_some(())
+    }
+
+    /// Writes the group's points and links with `known` coefficients into `series`. Returns the
+    /// coordinate, which grows with the parameter at the first place.
+    fn write(mut self, known: usize, series: &mut Workspace<Series>) -> Option<Series> {
+        self.grow_with_coordinate();
+        let Curve {
+            mut path,
+            offset,
+            place,
+            ..
+        } = self;
+        let offset = offset.cut(known);
+        let q = place(offset, series)?;
+        path.write(q, known, series);
+        Some(offset)
     }
 
     /// Reverses the parameter if the coordinate falls with it at the crossing.

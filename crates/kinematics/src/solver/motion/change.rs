@@ -30,6 +30,8 @@ const MIN_MISS: f64 = 1e-9;
 /// stretch is searched, from the first to the widest. An extreme further away does not belong to
 /// the limit.
 const EXTREMES: [f64; 4] = [1e-12, 1e-9, 1e-6, 1e-3];
+/// Measure below which a dyad is in line at a limit, within its rounding.
+const IN_LINE: f64 = 1e-13;
 /// Maximum measure, at a limit, of a dyad that ends the motion or has a change point there.
 const LARGE: f64 = 1e-3;
 
@@ -44,6 +46,11 @@ const EQUALITY_TOLERANCE: f64 = 1e-12;
 /// Half width of the step across two close change points, in units of their distance from the
 /// middle.
 const ACROSS: f64 = 3.0;
+/// Ratio between successive distances at which a coupled group's equations are solved outside the
+/// zone of its series, beginning at the zone.
+const OUTSIDE: f64 = 1.2;
+/// Maximum number of such distances: the last one is 38 times as far as the zone.
+const OUTSIDES: i32 = 20;
 
 /// The next position at which a dyad reaches an extreme of its stretch.
 #[derive(Clone, Copy, Debug)]
@@ -126,15 +133,17 @@ impl Walker<'_> {
             return passed.or_else(|| self.has_path().then(|| self.cross(limit)).flatten());
         }
         let flat = self.flat(limit);
+        let is_hidden = self.may_hide(&flat);
         let pair = flat.iter().find_map(|&step| self.pair_near(step, limit));
         let pair = pair.filter(|pair| !self.is_passed(pair));
         let beyond = pair.and_then(|pair| self.pass_extreme(&pair.into()));
         if beyond.is_some() {
             return beyond;
         }
-        let stretched = self.stretched(flat, limit);
+        let stretched = self.stretched(&flat, limit);
         if stretched.is_empty() {
-            return self.cross(limit);
+            let hidden = is_hidden.then(|| self.pass_hidden(&flat, limit)).flatten();
+            return hidden.or_else(|| self.cross(limit));
         }
         // Only dyads of the plan's first group are certain: later ones depend on its side.
         let passed = stretched.into_iter().find_map(|(step, at)| {
@@ -143,6 +152,26 @@ impl Walker<'_> {
         });
         // A coupled group may cross first, and with it a dyad behind it.
         passed.or_else(|| self.has_path().then(|| self.cross(limit)).flatten())
+    }
+
+    /// Returns `true` if a limit may be a change point of dyads directly before the end of the motion,
+    /// not that end. Then the first dyad, which ends the motion, is not yet in line. The state must be
+    /// that of [`Walker::flat`].
+    fn may_hide(&self, flat: &[usize]) -> bool {
+        let first = flat.first().and_then(|&step| self.engine.group_of(step));
+        let is_before = |group: usize| self.state.measures[group] > IN_LINE;
+        flat.len() > 1 && first.is_some_and(is_before) || self.has_path() && !flat.is_empty()
+    }
+
+    /// Crosses a change point that doubles do not locate, because a group before the dyad that reaches
+    /// it ends the motion directly behind it. Returns the coordinate reached.
+    fn pass_hidden(&mut self, flat: &[usize], limit: f64) -> Option<f64> {
+        // The first dyad is that group, unless a coupled one is.
+        let behind = flat.iter().skip(usize::from(!self.has_path()));
+        behind.copied().find_map(|step| {
+            let at = self.exactly_near(step, limit)?;
+            self.pass_extreme(&ReachExtreme::single(step, at))
+        })
     }
 
     /// Crosses the first of two close change points. Returns the coordinate reached.
@@ -214,7 +243,16 @@ impl Walker<'_> {
     /// Crosses a junction in a single step of the largest possible width. Returns the coordinate
     /// reached, or `None` if no width can be proved.
     pub(super) fn pass_through(&mut self, junction: &Junction) -> Option<f64> {
+        self.pass_in_zone(junction, 0.0)
+    }
+
+    /// Crosses a junction as [`Walker::pass_through`] does, if the zones of its series are at least as
+    /// wide as `minimum`.
+    pub(super) fn pass_in_zone(&mut self, junction: &Junction, minimum: f64) -> Option<f64> {
         let crossings = self.passages(junction)?;
+        if crossings.iter().any(|crossing| crossing.zone < minimum) {
+            return None;
+        }
         let known = self.crossings.len();
         let buffers = self.change_point_distance(junction);
         self.crossings.add(crossings);
@@ -222,11 +260,16 @@ impl Walker<'_> {
         let mut closer = junction
             .widths()
             .chain(approaches())
+            .chain((spread > 0.0).then_some(spread))
             .filter(|&by| spread <= by && by < buffers);
         let Some(beyond) = closer.find_map(|by| self.pass_at(junction, by)) else {
             self.crossings.truncate(known);
             return None;
         };
+        if !self.joins_equations(known, beyond) {
+            self.crossings.truncate(known);
+            return None;
+        }
         let groups: Vec<usize> = self
             .crossings
             .latest(known)
@@ -246,6 +289,45 @@ impl Walker<'_> {
         self.seen.clear();
         self.note(beyond);
         Some(beyond)
+    }
+
+    /// Returns `true` if the equations of the coupled groups hold directly outside the zones of the
+    /// single crossings from index `known` on, up to `beyond`. Directly before a fold, doubles may not
+    /// solve them there.
+    fn joins_equations(&mut self, known: usize, beyond: f64) -> bool {
+        let (engine, sense) = (self.engine, self.sense);
+        let mut places: Vec<(usize, f64, bool)> = Vec::new();
+        for (step, of) in engine.program.steps.iter().enumerate() {
+            if of.coupled().is_none() {
+                continue;
+            }
+            let latest = self.crossings.latest(known).iter();
+            let ours = latest.filter(|c| engine.group_of(step) == Some(c.group));
+            for crossing in ours.filter(|c| c.off_centre == 0.0) {
+                let end = engine.difference(crossing.at, beyond).abs();
+                let outside = (1..=OUTSIDES).map(|k| crossing.zone * OUTSIDE.powi(k));
+                let outside = outside.take_while(|&by| by < end);
+                places.extend(outside.flat_map(|by| [-by, by]).map(|by| {
+                    let is_before = by * sense < 0.0;
+                    let at = engine.moved(crossing.at, by);
+                    (step, at, crossing.is_rotary && is_before)
+                }));
+            }
+        }
+        if places.is_empty() {
+            return true;
+        }
+        let saved = self.state.clone();
+        let joined = places.into_iter().all(|(step, at, has_turned)| {
+            self.state.clone_from(&saved);
+            if has_turned {
+                self.flip(step);
+            }
+            self.predict_nearest(at);
+            self.run_some(0..step + 1, at, Order::Position) == Condition::Ok
+        });
+        self.state = saved;
+        joined
     }
 
     /// Returns the distance to the nearest change point that one of the singular groups has already
@@ -342,10 +424,10 @@ impl Walker<'_> {
 
     /// Returns the dyads that reach an extreme of their stretch close to a limit, as step and
     /// coordinate.
-    fn stretched(&mut self, flat: Vec<usize>, limit: f64) -> Vec<(usize, f64)> {
+    fn stretched(&mut self, flat: &[usize], limit: f64) -> Vec<(usize, f64)> {
         let found = flat
-            .into_iter()
-            .filter_map(|step| Some((step, self.extreme(step, limit)?)));
+            .iter()
+            .filter_map(|&step| Some((step, self.extreme(step, limit)?)));
         found.collect()
     }
 

@@ -2,6 +2,7 @@
 //! coordinate, and the motion beyond it.
 
 use super::change::{Change, approaches};
+use super::junction::MORE;
 use super::tracking::Walker;
 use crate::Double;
 use crate::solver::Order;
@@ -12,6 +13,11 @@ use crate::solver::workspace::Workspace;
 
 /// Maximum number of Newton steps to a crossing, from a start with half of the digits.
 const STEPS: usize = 20;
+/// Number of series tried at a crossing, each with more terms than the last.
+const SERIES: usize = 3;
+/// Minimum zone of a series with more terms, in radians or scaled lengths. A smaller one lies directly
+/// before a fold, where doubles do not solve the equations outside the zone.
+const MIN_ZONE: f64 = 1e-7;
 /// Number of half widths tried for the step across, each a tenth of the last.
 const WAYS: usize = 7;
 /// Maximum number of steps from an anchor to a coordinate before a crossing. A fold may be close
@@ -74,8 +80,7 @@ impl Walker<'_> {
             self.state.clone_from(&reached);
             self.anchors.push(engine, beyond, &mut self.state);
             self.state.clone_from(&saved);
-            let junction = self.junction(Double::exactly(change.at), Some(&change));
-            let passed = junction.and_then(|junction| self.pass_through(&junction));
+            let passed = self.pass_crossing(&change);
             if passed.is_none() {
                 self.anchors.forget_beyond(engine, before, self.sense);
             }
@@ -86,6 +91,25 @@ impl Walker<'_> {
             self.state = saved;
         }
         passed
+    }
+
+    /// Crosses a crossing of a coupled group's solutions. Close to a fold, a series of few terms holds
+    /// only so close to the crossing that it cannot be proved there: more terms are tried. Returns the
+    /// coordinate reached.
+    fn pass_crossing(&mut self, change: &Change) -> Option<f64> {
+        let (saved, terms) = (self.state.clone(), self.terms);
+        for attempt in 0..SERIES {
+            let junction = self.junction(Double::exactly(change.at), Some(change));
+            let minimum = if attempt == 0 { 0.0 } else { MIN_ZONE };
+            let passed = junction.and_then(|junction| self.pass_in_zone(&junction, minimum));
+            if passed.is_some() {
+                return passed;
+            }
+            self.state.clone_from(&saved);
+            self.terms += MORE;
+        }
+        self.terms = terms;
+        None
     }
 
     /// Returns `true` if the solutions of a coupled group cross at the minimum of its measure.

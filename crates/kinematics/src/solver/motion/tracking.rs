@@ -55,6 +55,12 @@ pub(super) const SAMPLES: usize = 3;
 /// Maximum distance between a limit and its exact coordinate, in radians or scaled lengths. An end
 /// further away is another one.
 const REFINED: f64 = 1e-9;
+/// Parts of the distance to a limit, of which the first one that can be assembled is taken as the next
+/// step towards it. A step may end exactly at a change point.
+const PARTS: [f64; 3] = [0.5, 0.6, 0.7];
+/// Distance from a limit, in radians or scaled lengths, below which only the first of [`PARTS`] is
+/// tried: there, the limit itself is lost in rounding.
+const STEPPING: f64 = 1e-12;
 /// Number of samples taken before a limit, each at a tenth of the distance of the last.
 const HALF_WIDTH_COUNT: i32 = 6;
 /// Maximum difference between z and its start in a closed motion.
@@ -561,7 +567,7 @@ impl Walker<'_> {
         good
     }
 
-    /// Approaches a limit from the last sample, halving the distance each time, and returns the
+    /// Approaches a limit from the last sample, about halving the distance each time, and returns the
     /// first limit found before it. Returns `None` if states depend on the path, because bisection
     /// did this already.
     fn approach(&mut self, limit: f64) -> Option<f64> {
@@ -572,11 +578,16 @@ impl Walker<'_> {
         let mut from = self.seen.last()?.at;
         let mut found = None;
         while found.is_none() {
-            let next = from + 0.5 * (limit - from);
-            if next == from || next == limit || self.run(next, Order::Acceleration) != Condition::Ok
-            {
+            let is_far = self.engine.difference(from, limit).abs() > STEPPING;
+            let parts = if is_far { &PARTS[..] } else { &PARTS[..1] };
+            let tried = parts.iter().map(|part| from + part * (limit - from));
+            let next = tried.into_iter().find(|&next| {
+                let is_between = next != from && next != limit;
+                is_between && self.run(next, Order::Acceleration) == Condition::Ok
+            });
+            let Some(next) = next else {
                 break;
-            }
+            };
             self.note(next);
             found = self.limit_passed();
             from = next;

@@ -3,7 +3,8 @@
 //! A series in the driver's coordinate converges only up to the fold. The parameter of these series
 //! runs along a curve instead, through the change point and past the fold: the height of the dyad
 //! that reaches its limit, or a component of the coupled group that folds. The driver's coordinate is
-//! a series as well, and its extreme is the end of the range.
+//! a series as well, and its extreme is the end of the range. The change point is one of the coupled
+//! group itself, or one of dyads behind the group that reaches its limit.
 
 use super::proof::PROOF_TOLERANCE;
 use super::{Junction, SingularGroup};
@@ -23,7 +24,7 @@ use crate::{Double, Number, Vec2};
 /// Distances before a limit, in radians or scaled lengths, from which the group's curve is followed.
 /// Along the curve they correspond to about their square roots. The first one lies before every
 /// change point in [`APART`], the last one close enough for curves of small radius.
-const BEFORE: [f64; 6] = [3e-4, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8];
+const BEFORE: [f64; 8] = [3e-4, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10];
 /// Number of terms of the series: at a tenth of its radius of convergence, the last one is about
 /// 1e-20, which is below the rounding error of a double.
 const CURVE_TERMS: usize = 20;
@@ -130,17 +131,31 @@ impl Walker<'_> {
         if by_dyad.is_some() {
             return by_dyad;
         }
-        let steps = 0..engine.program.steps.len();
         let is_coupled = |&i: &usize| engine.program.steps[i].coupled().is_some();
-        let mut curves = steps
-            .filter(is_coupled)
-            .flat_map(|step| (0..BRANCHES).map(move |branch| (step, branch)))
-            .flat_map(|of| [false, true].map(|ends_before| (of, ends_before)));
-        curves.find_map(|of| {
+        let by_group = (0..step).filter(is_coupled).find_map(|leader| {
             self.state.clone_from(&arrived);
-            let junction = self.curve_junction(of, (limit, by))?;
+            let junction = self.junction_by_group(leader, at)?;
             self.end_on_curve(&junction, before, &arrived)
-        })
+        });
+        if by_group.is_some() {
+            return by_group;
+        }
+        for step in (0..engine.program.steps.len()).filter(is_coupled) {
+            self.state.clone_from(&arrived);
+            if self.nearest_crossing(step, (limit, by)).is_none() {
+                continue;
+            }
+            let curves = (0..BRANCHES).flat_map(|branch| [(branch, false), (branch, true)]);
+            for (branch, ends_before) in curves {
+                self.state.clone_from(&arrived);
+                let junction = self.curve_junction(((step, branch), ends_before), (limit, by));
+                let end = junction.and_then(|found| self.end_on_curve(&found, before, &arrived));
+                if end.is_some() {
+                    return end;
+                }
+            }
+        }
+        None
     }
 
     /// Returns the dyads before a step that reach their limit directly behind a change point.
@@ -205,6 +220,42 @@ impl Walker<'_> {
         let curve = Curve {
             step,
             height: Some(signed),
+            offset,
+            ends_before: false,
+        };
+        self.expanded(at, series, curve, None)
+    }
+
+    /// Expands the mechanism about a change point of a dyad, along the curve of a coupled group before
+    /// it that is close to its fold.
+    fn junction_by_group(&mut self, step: usize, at: Double) -> Option<Junction> {
+        let exact = self.exact?;
+        let index = exact.engine.program.steps[step].coupled()?;
+        let group = &exact.engine.program.coupled[index];
+        self.predict_nearest(at.hi);
+        let condition = self
+            .engine
+            .run_steps(0..step + 1, at.hi, Order::Position, &mut self.state);
+        if condition != Condition::Ok {
+            return None;
+        }
+        let (q, _) = self.engine.coordinate(at.hi);
+        let z = group.open(&mut self.state.scratch).z.to_vec();
+        let matrix = group.matrix(q, &mut self.state);
+        let mut series = exact.engine.state(self.state.travels.len());
+        let place = CrossingPlace {
+            z: &z,
+            matrix: &matrix,
+        };
+        let offset =
+            group.follow_curve_from(&place, CURVE_TERMS, &mut series, &mut |by, series| {
+                let (q, direction) = self.coordinate_along(at, by);
+                self.place_in_series(0..step, at.hi, q, direction, series)?;
+                Some(q)
+            })?;
+        let curve = Curve {
+            step,
+            height: None,
             offset,
             ends_before: false,
         };
@@ -358,8 +409,9 @@ impl Walker<'_> {
             Some(crossing)
         });
         let mut crossings = crossings.collect::<Option<Vec<ChangePointCrossing>>>()?;
-        if let (Some(group), Some(_)) = (engine.group_of(curve.step), &curve.height) {
-            // The dyad at its limit follows the same series, without a change point.
+        let leads = junction.folds.iter().all(|fold| fold.step != curve.step);
+        if let Some(group) = engine.group_of(curve.step).filter(|_| leads) {
+            // The group at its limit follows the same series, without a change point.
             let outputs = engine.outputs(curve.step);
             let of = (group, false);
             let mut crossing =

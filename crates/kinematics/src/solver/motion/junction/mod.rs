@@ -29,7 +29,7 @@ use std::ops::Range;
 /// Number of terms of the first attempt.
 pub(super) const FIRST: usize = 16;
 /// Number of additional terms per attempt, if too few coefficients remain.
-const MORE: usize = 8;
+pub(super) const MORE: usize = 8;
 /// Half widths of a step across two close change points, in radians or scaled lengths.
 const WIDTHS: [f64; 4] = [0.03, 0.018, 6e-3, 2e-3];
 /// Minimum number of known coefficients of every group.

@@ -26,6 +26,8 @@ const SPLIT: f64 = 64.0;
 const LEVER: f64 = 64.0;
 /// Maximum number of Newton steps to a snap or a coordinate. Each doubles the digits.
 const STEPS: usize = 8;
+/// Square of the ratio of two shifts' effects below which the smaller one is a rounding error.
+const NO_EFFECT: f64 = 1e-18;
 /// Accuracy of a coordinate, in radians or scaled lengths.
 const PLACED: f64 = 1e-26;
 /// Number of terms sufficient to find an extreme of a dyad's reach.
@@ -93,8 +95,8 @@ impl Walker<'_> {
             CHANGE_POINT_TOLERANCE
         };
         let near = |u: &Vec2<Double>| u.norm().hi <= slack + close;
-        let (snap, order) = if let Some(u) = meeting.filter(near) {
-            (SingularShift::of_meeting(-u), None)
+        let (snap, order, zero) = if let Some(u) = meeting.filter(near) {
+            (SingularShift::of_meeting(-u), None, ZERO)
         } else {
             match height.square.valuation(&height.size, part) {
                 None => return Err(Refusal::Terms),
@@ -106,8 +108,9 @@ impl Walker<'_> {
                 }
                 Some(0) => return regular_or_end(&height),
                 Some(order) => {
-                    let snap = snapped(dyad, q, order, state).ok_or(Refusal::End)?;
-                    (snap, Some(order))
+                    let snapped = snapped(dyad, q, (order, slack), state);
+                    let (snap, zero) = snapped.ok_or(Refusal::End)?;
+                    (snap, Some(order), zero)
                 }
             }
         };
@@ -120,7 +123,7 @@ impl Walker<'_> {
             return missing(dyad, q, &height, state);
         }
         let height = dyad.height(q, snap, state);
-        let exact = height.square.valuation(&height.size, ZERO);
+        let exact = height.square.valuation(&height.size, zero);
         let exact = exact.ok_or(Refusal::Terms)?;
         let is_meant = order.is_none_or(|order| order == exact);
         let passes = exact % 2 == 0 && height.square.c[exact].hi > 0.0;
@@ -243,32 +246,38 @@ fn across(dyad: Dyad<'_>, snap: SingularShift, state: &State<Series>) -> f64 {
     (snap.by.nearest().dot(u) / u.norm()).abs()
 }
 
-/// Returns the snap with which the square of a dyad's height begins with `order` zeros. It is a
-/// least-squares solution because two shifts serve for more conditions.
+/// Returns the snap with which the square of a dyad's height begins with `order` zeros, and the part
+/// of its size below which its coefficients are zeros. It is a least-squares solution because two
+/// shifts serve for more conditions. Where the pivots are at rest relative to each other, a shift does
+/// not move the extreme: the rounding of the lengths, at most `slack`, then remains.
 fn snapped(
     dyad: Dyad<'_>,
     q: Series,
-    order: usize,
+    (order, slack): (usize, f64),
     state: &State<Series>,
-) -> Option<SingularShift> {
+) -> Option<(SingularShift, f64)> {
     let mut snap = SingularShift::default();
-    for _ in 0..STEPS {
+    for step in 0..=STEPS {
         let Height {
             square,
             size,
             slopes: [a, b],
         } = dyad.height(q, snap, state);
-        if square
-            .valuation(&size, ZERO)
-            .is_none_or(|exact| exact >= order)
-        {
-            return Some(snap);
+        let vanishes = |part: f64| {
+            let exact = square.valuation(&size, part);
+            exact.is_none_or(|exact| exact >= order)
+        };
+        if vanishes(ZERO) {
+            return Some((snap, ZERO));
+        }
+        if step == STEPS {
+            return vanishes(slack).then_some((snap, slack));
         }
         let sum =
             |x: &Series, y: &Series| (0..order).fold(Double::ZERO, |sum, n| sum + x.c[n] * y.c[n]);
         let (aa, ab, bb) = (sum(&a, &a), sum(&a, &b), sum(&b, &b));
         // If only one of the shifts has an effect, the other one stays small.
-        let minimum = (aa + bb) * Double::exactly(1e-28);
+        let minimum = (aa + bb) * Double::exactly(NO_EFFECT);
         let (aa, bb) = (aa + minimum, bb + minimum);
         let (ac, bc) = (sum(&a, &square), sum(&b, &square));
         let det = aa * bb - ab * ab;
