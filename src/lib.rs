@@ -111,6 +111,7 @@ pub use kinematics::{Ball, Constant, Double, Dual, LANES, Lanes, Number, Vec2, a
 pub use kinematics::{
     Body, Builder, ClampedSpline, CoordinateAxis, Defect, Defects, Driver, DriverMoment, ElementId,
     Input, InputLaw, InputTable, Length, Limit, LimitId, LimitOf, Link, LinkId, Load, Mechanism,
-    Member, MotionLaw, MotionPeaks, Point, PointId, PolarPosition, Profile, SineStep, Slide,
-    SlideId, Slider, StepLaw, StrokeEnd, TimedInput, TimedStep, Tolerances,
+    Member, MotionLaw, MotionPeaks, Point, PointCircle, PointId, PointLead, PointPath,
+    PolarPosition, Profile, SineStep, Slide, SlideId, Slider, StepLaw, StrokeEnd, TimedInput,
+    TimedStep, Tolerances,
 };

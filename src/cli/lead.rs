@@ -1,9 +1,11 @@
-//! The option that lets another input than the driver move.
+//! The option that lets another input than the driver move, and scenes whose inputs follow a point.
 
 use crate::cli::failure::Failure;
+use crate::cli::formats::FigureArgs;
 use crate::cli::place::out_of_reach;
 use crate::cli::source::SolvableScene;
-use crate::solver::Solver;
+use crate::scene::{LeadingPoint, Scene};
+use crate::solver::{PointLeader, Solver};
 use crate::wording::words;
 use clap::Args;
 
@@ -34,4 +36,23 @@ impl LeadArgs {
             Solver::new(&scene.mechanism).map_err(|fault| Failure::Scene(scene.explain(&fault)))?;
         Ok(SolvableScene { scene, solver })
     }
+}
+
+/// Returns the inputs of a scene that follow its leading point, where the scene opens.
+pub(super) fn leader(
+    scene: &Scene,
+    solver: &Solver,
+    lead: &LeadingPoint,
+) -> Result<PointLeader, Failure> {
+    let leader = PointLeader::new(solver, lead.lead());
+    leader.ok_or_else(|| out_of_reach(scene, solver, scene.mechanism.driver().start))
+}
+
+/// Returns an error if error bounds are requested where inputs follow a point: their values have
+/// none.
+pub(super) fn check_bounds_not_asked(figures: &FigureArgs) -> Result<(), Failure> {
+    if figures.bounds || figures.sensitivity {
+        return Err(Failure::Usage(words().lead_has_no_bounds().to_owned()));
+    }
+    Ok(())
 }

@@ -50,6 +50,7 @@ pub use sweep::{
     columns::{Columns, ExtraColumns},
     curves::curves_csv,
     errors::Missing,
+    lead::{LeadSweep, singularity_text},
     path::InputPath,
     steps::{DecimalError, MAX_ROWS, Steps, StepsError, WrittenDecimal},
 };

@@ -188,7 +188,7 @@ fn edge_of_the_workspace_is_reported() {
     let sweep = ["sweep", "five-bar", "--path", file, "--columns", "P.x,P.y"];
     fs::write(file, "P.x,P.y\n0,200\n0,232.379000772445\n").unwrap();
     let output = krank(&sweep);
-    let note = "note: 1 of 2 rows are singular: the inputs cannot move the point in every direction there\n";
+    let note = "note: 1 of 2 rows are singular: row 2: edge of the workspace, where the point does not follow r2, r5\n";
     assert_eq!((output.code, &*output.err), (0, note));
     let edge = row(output.out.lines().nth(2).unwrap()).0;
     // The next row continues from the last one before the edge.
@@ -250,5 +250,167 @@ fn faults_of_a_path_name_their_line() {
         fs::write(file, text).unwrap();
         let found = refused(2, &["sweep", "five-bar", "--path", file]);
         assert!(found.contains(message), "{found}");
+    }
+}
+
+/// Writes the five-bar with a leading point to a file, and returns its name.
+fn five_bar_led(name: &str, lead: &str) -> String {
+    let file = folder(name).join("scene.toml");
+    let text = fs::read_to_string("presets/five-bar.toml").unwrap();
+    fs::write(&file, format!("{text}\n[lead]\n{lead}\n")).unwrap();
+    file.to_str().unwrap().to_owned()
+}
+
+/// The rows of a sweep are times, and the rates are those of the path: 3/2 of the mean speed in the
+/// middle of a line, and none at its ends.
+#[test]
+fn sweep_of_a_leading_point_goes_over_time() {
+    let scene = five_bar_led(
+        "lead-sweep",
+        "P = { over = [[0, 0, 173.205080756888], [2, 0, 226.491106406735]] }",
+    );
+    let columns = "r5.angle,r5.omega,P.y,P.vy,P.ay";
+    let sweep = ["sweep", &scene, "--step", "1", "--columns", columns];
+    let output = run_ok(&sweep);
+    let lines: Vec<&str> = output.lines().collect();
+    assert_eq!(
+        lines[0],
+        "time [s],driver.angle [deg],r5.angle [deg],r5.omega [rad/s],P.y [mm],P.vy [mm/s],P.ay [mm/s^2],state"
+    );
+    let way: f64 = 226.491_106_406_735 - 173.205_080_756_888;
+    let ends = [(1, 0.0, [120.0, 60.0]), (3, 2.0, [90.0, 90.0])];
+    for (line, time, [left, right]) in ends {
+        let (found, state) = row(lines[line]);
+        assert_eq!(state, "ok");
+        let acceleration = way * (1.5 - 1.5 * time);
+        let y = 173.205_080_756_888 + way * time / 2.0;
+        for (found, expected) in found
+            .iter()
+            .zip([time, left, right, 0.0, y, 0.0, acceleration])
+        {
+            assert!((found - expected).abs() < 1e-8, "{}", lines[line]);
+        }
+    }
+    let middle = row(lines[2]).0;
+    assert!((middle[5] - 0.75 * way).abs() < 1e-9, "{middle:?}");
+    // `--time` says the same, and the table has the same values.
+    assert_eq!(run_ok(&[&sweep[..], &["--time"]].concat()), output);
+    let table = [
+        "table",
+        &scene,
+        "--time",
+        "1",
+        "--columns",
+        "r5.angle,r5.omega",
+        "--format",
+        "json",
+    ];
+    let found: serde_json::Value = serde_json::from_str(&run_ok(&table)).unwrap();
+    let text = found.to_string();
+    assert!(
+        text.contains(&middle[2].to_string()),
+        "{text}, not {}",
+        middle[2]
+    );
+    assert!(
+        text.contains(&middle[3].to_string()),
+        "{text}, not {}",
+        middle[3]
+    );
+}
+
+/// Rows beyond the edge have no values, and `check` names the edge, its time and its inputs.
+#[test]
+fn check_tells_how_far_a_leading_point_is_followed() {
+    let scene = five_bar_led("lead-check", "P = { over = [[0, 0, 173], [1, 0, 260]] }");
+    let output = krank(&["sweep", &scene, "--step", "0.5", "--columns", "P.y"]);
+    assert_eq!(output.code, 0, "{}", output.err);
+    assert_eq!(
+        output.err,
+        "note: 1 of 3 rows cannot be reached by the inputs\n"
+    );
+    assert_eq!(output.out.lines().nth(3), Some("1,,,no-assembly"));
+    let check = run_ok(&["check", &scene]);
+    for text in [
+        "P leads from 0 to 1 s; inputs that follow: r2, r5",
+        "the inputs follow it only up to 0.",
+        "at [0, 232.379001]",
+        "edge of the workspace, where the point does not",
+    ] {
+        assert!(check.contains(text), "{check}");
+    }
+    let json: serde_json::Value =
+        serde_json::from_str(&run_ok(&["check", &scene, "--format", "json"])).unwrap();
+    let lead = &json["lead"];
+    assert_eq!(
+        (&lead["point"], &lead["complete"]),
+        (&"P".into(), &false.into())
+    );
+    assert_eq!(lead["singular"][0]["kind"], "serial");
+    assert_eq!(
+        lead["singular"][0]["inputs"],
+        serde_json::json!(["r2", "r5"])
+    );
+    let beyond = refused(1, &["table", &scene, "--time", "1"]);
+    assert!(
+        beyond.contains("the inputs cannot follow the point up to 1 s"),
+        "{beyond}"
+    );
+    // Followed to its end.
+    let scene = five_bar_led(
+        "lead-circle",
+        "P = { centre = [0, 180], radius = 20, speed = \"60 deg/s\" }",
+    );
+    let check = run_ok(&["check", &scene]);
+    assert!(check.contains("P leads from 0 to 6 s"), "{check}");
+    assert!(
+        check.contains("follow it to the end, and the assembly is kept"),
+        "{check}"
+    );
+    let turkish = run_ok(&["check", &scene, "--language", "tr"]);
+    assert!(
+        turkish.contains("girisler onu sonuna kadar izler"),
+        "{turkish}"
+    );
+    // Without proved bounds none are shown.
+    let bounds = refused(2, &["sweep", &scene, "--bounds"]);
+    assert!(bounds.contains("have no error bounds"), "{bounds}");
+}
+
+/// The inputs hold the load at P: their torques are in equilibrium with it, at every moment and on
+/// either arm. With d from the elbow to P, a motor has the torque of the rod's force along d.
+#[test]
+fn torques_of_a_leading_point_hold_its_load() {
+    let file = folder("lead-torque").join("scene.toml");
+    let text = fs::read_to_string("presets/five-bar.toml").unwrap();
+    let load = "[[loads]]\npoint = \"P\"\nforce = [30, -80]\n";
+    let lead = "[lead]\nP = { over = [[0, 10, 180], [1, 40, 200]] }\n";
+    fs::write(&file, format!("{text}\n{load}\n{lead}")).unwrap();
+    let file = file.to_str().unwrap();
+    let columns = "P.x,P.y,r2.torque,r5.torque,driver.torque";
+    let output = run_ok(&["sweep", file, "--step", "0.25", "--columns", columns]);
+    for line in output.lines().skip(1) {
+        let found = row(line).0;
+        let [x, y, left, right, driver] = found[2..7] else {
+            panic!("{line}");
+        };
+        assert_eq!(left, driver);
+        // Forces of both rods along their directions balance the load.
+        let angles = five_bar_inputs(x, y).map(f64::to_radians);
+        let elbows = [(-60.0, angles[0]), (60.0, angles[1])];
+        let elbows = elbows.map(|(base, a): (f64, f64)| [base + 100.0 * a.cos(), 100.0 * a.sin()]);
+        let [d, e] = elbows.map(|[bx, by]| [(x - bx) / 140.0, (y - by) / 140.0]);
+        let (fx, fy) = (30.0, -80.0);
+        let det = d[0] * e[1] - d[1] * e[0];
+        // The rods push P with forces f d and g e, whose sum is the opposite of the load.
+        let f = (-fx * e[1] + fy * e[0]) / det;
+        let g = (-fy * d[0] + fx * d[1]) / det;
+        for ((torque, size), (base, [bx, by], way)) in [(left, f), (right, g)]
+            .into_iter()
+            .zip([(-60.0, elbows[0], d), (60.0, elbows[1], e)])
+        {
+            let expected = ((bx - base) * way[1] - by * way[0]) * size / 1000.0;
+            assert!((torque - expected).abs() < 1e-10, "{line}: {expected}");
+        }
     }
 }

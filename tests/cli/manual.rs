@@ -205,7 +205,7 @@ type Part = (
 
 /// The partial scenes in the manual: the chapter, a piece that only this part contains, and the
 /// lines that complete it, below their headings.
-const PARTS: [Part; 11] = [
+const PARTS: [Part; 12] = [
     ("scene.md", "[copies]", &[GROUND, DRIVER, R2, R3, R4, START]),
     (
         "scene.md",
@@ -217,6 +217,20 @@ const PARTS: [Part; 11] = [
             ("[links]", "r4 = { from = 'D', to = 'P', length = 140 }"),
             ("[links]", "r5 = { from = 'E', to = 'D', length = 100 }"),
             ("[start]", "B = [-110, 87]\nD = [110, 87]"),
+        ],
+    ),
+    (
+        "scene.md",
+        "[lead]",
+        &[
+            ("[ground]", "A = [-60, 0]\nE = [60, 0]"),
+            ("[driver]", "link = 'r2'\nangle = 120"),
+            ("[inputs]", "r5 = { at = 60 }"),
+            R2,
+            ("[links]", "r3 = { from = 'B', to = 'P', length = 140 }"),
+            ("[links]", "r4 = { from = 'D', to = 'P', length = 140 }"),
+            ("[links]", "r5 = { from = 'E', to = 'D', length = 100 }"),
+            ("[start]", "P = [0, 173]"),
         ],
     ),
     (

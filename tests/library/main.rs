@@ -13,6 +13,7 @@ mod copies;
 mod harmless;
 mod imports;
 mod inputs;
+mod leading_point;
 mod lecture_requirements;
 mod line_order;
 mod machines;

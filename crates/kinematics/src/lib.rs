@@ -73,8 +73,9 @@ pub use arithmetic::{Ball, Constant, Double, Dual, LANES, Lanes, Number, Vec2, a
 pub use mechanism::{
     Body, Builder, ClampedSpline, CoordinateAxis, Defect, Defects, Driver, DriverMoment, ElementId,
     Input, InputLaw, InputTable, Length, Limit, LimitId, LimitOf, Link, LinkId, Load, Mechanism,
-    Member, MotionLaw, MotionPeaks, Point, PointId, PolarPosition, Profile, SineStep, Slide,
-    SlideId, Slider, StepLaw, StrokeEnd, TimedInput, TimedStep, Tolerances,
+    Member, MotionLaw, MotionPeaks, Point, PointCircle, PointId, PointLead, PointPath,
+    PolarPosition, Profile, SineStep, Slide, SlideId, Slider, StepLaw, StrokeEnd, TimedInput,
+    TimedStep, Tolerances,
 };
 
 /// The symbols and units of this crate as a Markdown table, for manuals.

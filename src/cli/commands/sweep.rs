@@ -4,7 +4,7 @@ use crate::cli::columns::figures;
 use crate::cli::external_values::measured;
 use crate::cli::failure::{Failure, note};
 use crate::cli::formats::{FigureArgs, OutputFormat};
-use crate::cli::lead::LeadArgs;
+use crate::cli::lead::{LeadArgs, check_bounds_not_asked, leader};
 use crate::cli::output::{OutputArgs, write_to};
 use crate::cli::place::{
     check_derivative_count, note_missing_derivatives, note_near_misses, note_unproved,
@@ -14,10 +14,10 @@ use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene, check_output_differs_from_input, contents};
 use crate::quantity::{Catalogue, Quantity};
 use crate::report::{
-    Columns, ExtraColumns, InputPath, Missing, RowFormat, Sweep, SweepOutcome, WrittenDecimal,
-    limits_text,
+    Columns, ExtraColumns, InputPath, LeadSweep, Missing, RowFormat, Sweep, SweepOutcome,
+    WrittenDecimal, limits_text,
 };
-use crate::scene::Scene;
+use crate::scene::{LeadingPoint, Scene};
 use crate::solver::{Order, Range};
 use crate::study::motor;
 use crate::wording::words;
@@ -73,6 +73,9 @@ pub(in crate::cli) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), 
     }
     if let Some(file) = &args.path {
         return sweep_path(file, args, format, &opened, screen);
+    }
+    if let Some(lead) = opened.scene.lead.clone() {
+        return sweep_lead(&lead, args, format, &opened, screen);
     }
     let SolvableScene { scene, solver } = opened;
     let mut catalogue = Catalogue::new(&scene);
@@ -176,6 +179,44 @@ fn default_range(scene: &Scene, range: Range, quantities: &[Quantity]) -> Range 
     }
 }
 
+/// Runs `krank sweep` for a scene with a leading point: writes rows over time, in which the inputs
+/// follow it.
+fn sweep_lead(
+    lead: &LeadingPoint,
+    args: &SweepArgs,
+    format: RowFormat,
+    opened: &SolvableScene,
+    screen: TextScreen,
+) -> Result<(), Failure> {
+    let SolvableScene { scene, solver } = opened;
+    check_bounds_not_asked(&args.figures)?;
+    let mut catalogue = Catalogue::new(scene);
+    let quantities = figures(&mut catalogue, &args.columns)?;
+    let columns = Columns::new(catalogue.driver(), &quantities, !args.figures.no_units);
+    let columns = columns.over_time();
+    let [first, last] = lead.path.span();
+    let ends = RowEnds {
+        from: args.from,
+        to: args.to,
+        step: args.step,
+    };
+    let steps = times((first, last), ends)?;
+    let leader = leader(scene, solver, lead)?;
+    let sweep = LeadSweep {
+        scene,
+        leader: &leader,
+        lead,
+        columns: &columns,
+        steps: &steps,
+        format,
+    };
+    let path = args.output.output.as_deref();
+    let outcome = write_rows(path, &steps, screen, |out, progress| {
+        sweep.write(out, progress)
+    })?;
+    report_unreached(&outcome, opened, screen)
+}
+
 /// Runs `krank sweep --path`: writes a row for each row of the file, which has the coordinates of
 /// all inputs.
 fn sweep_path(
@@ -204,15 +245,20 @@ fn sweep_path(
     let outcome = write_to(output, |out| {
         path.write((scene, solver), &columns, format, out)
     })?;
-    let SweepOutcome {
-        rows,
-        valued,
-        singular,
-        ..
-    } = outcome;
-    if singular > 0 {
-        note(&words().rows_are_singular(singular, rows), screen);
+    report_unreached(&outcome, opened, screen)
+}
+
+/// Reports singular rows, and rows that the inputs cannot reach. A sweep without any values is an
+/// error.
+fn report_unreached(
+    outcome: &SweepOutcome,
+    opened: &SolvableScene,
+    screen: TextScreen,
+) -> Result<(), Failure> {
+    if let Some(text) = outcome.singular_text(&opened.scene, &opened.solver) {
+        note(&text, screen);
     }
+    let &SweepOutcome { rows, valued, .. } = outcome;
     if valued == rows {
         return Ok(());
     }

@@ -3,7 +3,7 @@
 use crate::cli::columns::figures;
 use crate::cli::failure::{Failure, note};
 use crate::cli::formats::{FigureArgs, OutputFormat};
-use crate::cli::lead::LeadArgs;
+use crate::cli::lead::{LeadArgs, check_bounds_not_asked, leader};
 use crate::cli::output::{OutputArgs, write_to};
 use crate::cli::place::{
     PlaceArgs, check_derivative_count, check_nothing_hidden, none_hidden, note_missing_derivatives,
@@ -13,7 +13,10 @@ use crate::cli::rows::{clock, note_constant_speed};
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene};
 use crate::quantity::{Catalogue, Sensitivity};
-use crate::report::{Answers, FigureList, Forces, TableStyle, Tables, WrittenDecimal};
+use crate::report::{
+    Answers, CsvDialect, FigureList, Forces, TableStyle, Tables, WrittenDecimal, singularity_text,
+};
+use crate::scene::LeadingPoint;
 use crate::solver::{Condition, Order};
 use crate::wording::words;
 use clap::Args;
@@ -46,7 +49,13 @@ pub(in crate::cli) struct TableArgs {
 pub(in crate::cli) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.figures.csv.dialect(args.format)?;
     let opened = args.scene.open_for(&args.output)?;
-    let SolvableScene { scene, solver } = args.lead.applied_to(opened)?;
+    let opened = args.lead.applied_to(opened)?;
+    if let Some(lead) = &opened.scene.lead
+        && args.place.typed().is_none()
+    {
+        return table_of_lead(lead, args, dialect, &opened, screen);
+    }
+    let SolvableScene { scene, solver } = opened;
     let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
     let at = match args.time {
         Some(time) => {
@@ -87,12 +96,26 @@ pub(in crate::cli) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), 
         );
         tables.answers = Some(answers);
     }
-    let list = named.map(|named| FigureList::new(&tables, &named, &state, &enclosure));
+    let list = named.map(|named| FigureList::new(&tables, &named, &state, Some(&enclosure)));
     if args.figures.bounds {
         let unproved = list.as_ref().map(FigureList::unproved);
         let (count, unproved) = unproved.unwrap_or_else(|| tables.unproved());
         note_unproved(unproved, count, screen);
     }
+    write_tables(args, dialect, (&tables, list.as_ref()), screen)?;
+    match &list {
+        None => check_nothing_hidden(&scene, &state),
+        Some(list) => none_hidden(list.quantities(), &catalogue, &state),
+    }
+}
+
+/// Writes the tables, or the list of the named values.
+fn write_tables(
+    args: &TableArgs,
+    dialect: CsvDialect,
+    (tables, list): (&Tables, Option<&FigureList>),
+    screen: TextScreen,
+) -> Result<(), Failure> {
     let style = TableStyle {
         digits: usize::from(args.figures.digits),
         units: !args.figures.no_units,
@@ -100,7 +123,7 @@ pub(in crate::cli) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), 
         ascii: screen.ascii,
     };
     write_to(args.output.output.as_deref(), |out| {
-        match (args.format, &list) {
+        match (args.format, list) {
             (OutputFormat::Text, None) => out.write_all(tables.to_text(style).as_bytes()),
             (OutputFormat::Text, Some(list)) => out.write_all(list.to_text(style).as_bytes()),
             (OutputFormat::Csv, None) => tables.write_csv(style, dialect, out),
@@ -108,9 +131,40 @@ pub(in crate::cli) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), 
             (OutputFormat::Json, None) => writeln!(out, "{:#}", tables.to_json(style)),
             (OutputFormat::Json, Some(list)) => writeln!(out, "{:#}", list.to_json(style)),
         }
-    })?;
+    })
+}
+
+/// Prints the tables of a scene with a leading point, at a time of its motion.
+fn table_of_lead(
+    lead: &LeadingPoint,
+    args: &TableArgs,
+    dialect: CsvDialect,
+    opened: &SolvableScene,
+    screen: TextScreen,
+) -> Result<(), Failure> {
+    let SolvableScene { scene, solver } = opened;
+    check_bounds_not_asked(&args.figures)?;
+    let [first, _] = lead.path.span();
+    let time = args.time.map_or(first, WrittenDecimal::value);
+    let mut leader = leader(scene, solver, lead)?;
+    let Some(pose) = leader.follow(&lead.path, time, Order::Force) else {
+        return Err(Failure::Cannot(words().lead_out_of_reach(&time)));
+    };
+    if let Some(singularity) = &pose.singularity {
+        note(&singularity_text(scene, solver, singularity), screen);
+    }
+    let state = leader.state();
+    let mut tables = Tables::new(scene, state);
+    tables.forces = Forces::new(scene, solver, state, None);
+    let mut catalogue = Catalogue::new(scene);
+    let named = match args.columns.is_empty() {
+        true => None,
+        false => Some(figures(&mut catalogue, &args.columns)?),
+    };
+    let list = named.map(|named| FigureList::new(&tables, &named, state, None));
+    write_tables(args, dialect, (&tables, list.as_ref()), screen)?;
     match &list {
-        None => check_nothing_hidden(&scene, &state),
-        Some(list) => none_hidden(list.quantities(), &catalogue, &state),
+        None => check_nothing_hidden(scene, state),
+        Some(list) => none_hidden(list.quantities(), &catalogue, state),
     }
 }

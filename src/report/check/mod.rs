@@ -6,6 +6,7 @@ mod driver;
 mod first_loop;
 mod forces;
 mod groups;
+mod lead;
 mod motion;
 mod parts;
 mod quality;
@@ -35,7 +36,7 @@ const CONTINUATION_INDENT: usize = 2;
 const PLACES: usize = 9;
 
 /// The keys of JSON in their order. They must stay stable.
-const KEYS: [&str; 36] = [
+const KEYS: [&str; 37] = [
     "scene",
     "source",
     "note",
@@ -43,6 +44,7 @@ const KEYS: [&str; 36] = [
     "driver",
     "motion",
     "inputs",
+    "lead",
     "parameters",
     "links",
     "joints",
@@ -155,6 +157,7 @@ impl Check {
             of.parts(),
             of.driver(),
             of.motion(),
+            of.lead(),
             of.links(),
             of.joints(),
             of.slides(),

@@ -5,7 +5,7 @@
 pub(in crate::report) mod columns;
 pub(in crate::report) mod curves;
 pub(in crate::report) mod errors;
-mod lead;
+pub(in crate::report) mod lead;
 pub(in crate::report) mod path;
 pub(in crate::report) mod steps;
 
@@ -15,7 +15,7 @@ use crate::report::sweep::errors::{ErrorCells, Missing};
 use crate::report::sweep::steps::Steps;
 use crate::report::text::rows::{RowFormat, RowWriter};
 use crate::scene::Scene;
-use crate::solver::{Condition, Order, Solver, Workspace};
+use crate::solver::{Condition, LeadSingularity, Order, Solver, Workspace};
 use crate::{LANES, Lanes};
 use std::io::{self, Write};
 
@@ -32,8 +32,10 @@ pub struct SweepOutcome {
     pub hidden: u64,
     /// The reason in the first of these rows.
     pub first_hidden: Option<Hidden>,
-    /// The number of rows in which a leading point cannot move in every direction.
+    /// The number of rows in a singular position of inputs that follow a point.
     pub singular: u64,
+    /// The numbers of the first of these rows, counted from 1, with their singularities.
+    pub first_singular: Vec<(u64, LeadSingularity)>,
 }
 
 /// The input of a sweep, and its output format.

@@ -1,14 +1,13 @@
 //! Rows at given coordinates of all inputs, or of points that the inputs follow, from a file.
 
-use super::lead::{LedPose, PointLead};
 use super::{Columns, SweepOutcome};
 use crate::quantity::{Aspect, Catalogue, demand};
 use crate::report::text::cells::ReadCells;
 use crate::report::text::rows::{RowFormat, RowWriter};
 use crate::scene::{Scene, with_point};
-use crate::solver::{Condition, Solver};
+use crate::solver::{Condition, FreeInputs, PointLeader, Solver};
 use crate::wording::words;
-use crate::{CoordinateAxis, Input, Mechanism, PointId};
+use crate::{CoordinateAxis, Input, PointId, PointLead};
 use std::io::{self, Write};
 
 /// Maximum number of rows.
@@ -167,8 +166,9 @@ impl InputPath {
         }
     }
 
-    /// Solves and writes all rows. Each row keeps the assembly of the previous one; a row that the
-    /// inputs cannot reach has no values.
+    /// Solves and writes all rows. The inputs move from row to row, on a straight line of the leading
+    /// coordinates or of their own. Each row keeps the assembly of the previous one, and continues
+    /// from the last one before an edge of the workspace; a row that cannot be reached has no values.
     ///
     /// # Errors
     /// Returns the errors of the writer.
@@ -184,53 +184,47 @@ impl InputPath {
         let mut rows = RowWriter::new(table, &head, to)?;
         let (_, order) = demand(&columns.quantities);
         let mut outcome = SweepOutcome::default();
-        let opening = scene.mechanism.driver().start;
-        let inputs = scene.mechanism.inputs();
-        let inputs = inputs.map(|input| scene.mechanism.input_coordinate(input, opening));
-        let mut pose = LedPose {
-            inputs: inputs.map(Option::unwrap_or_default).collect(),
-            solver: solver.clone(),
-            is_singular: false,
+        let mut moved = match &self.lead {
+            Some(lead) => PointLeader::new(solver, lead.clone()).map(MovedInputs::ByPoint),
+            None => solver.free_inputs().map(MovedInputs::Directly),
         };
         for row in &self.rows {
+            outcome.rows += 1;
             let given = self.lead.is_none().then(|| row.inputs.first().copied());
             let mut cells = vec![given.flatten()];
             cells.resize(columns.quantities.len(), None);
             let mut condition = Condition::NoAssembly;
-            if let Some(next) = self.next(&scene.mechanism, &pose, row) {
-                let at = next.inputs.first().copied().unwrap_or(opening);
-                let mut state = next.solver.state();
-                condition = next.solver.solve(at, order, &mut state);
-                cells = columns.quantities.iter().map(|q| q.value(&state)).collect();
-                outcome.valued += u64::from(condition != Condition::NoAssembly);
-                outcome.singular += u64::from(next.is_singular);
-                // From a singular position, two assemblies would continue.
-                if !next.is_singular {
-                    pose = next;
+            match &mut moved {
+                Some(MovedInputs::ByPoint(leader)) => {
+                    if let Some(pose) = leader.move_to(&row.inputs, &row.targets) {
+                        condition = pose.condition;
+                        let quantities = columns.quantities.iter();
+                        cells = quantities.map(|q| q.value(leader.state())).collect();
+                        outcome.note_singular(pose.singularity);
+                    }
                 }
+                Some(MovedInputs::Directly(free)) => {
+                    condition = free.moved(&row.inputs, order);
+                    if condition != Condition::NoAssembly {
+                        free.keep(&row.inputs);
+                        let quantities = columns.quantities.iter();
+                        cells = quantities.map(|q| q.value(free.state())).collect();
+                    }
+                }
+                None => {}
             }
+            outcome.valued += u64::from(condition != Condition::NoAssembly);
             rows.state_row(&cells, condition)?;
-            outcome.rows += 1;
         }
         rows.finish()?;
         Ok(outcome)
     }
+}
 
-    /// Returns the position of a row, in the assembly of the last one that is not singular; `None` if
-    /// it cannot be reached.
-    fn next(&self, mechanism: &Mechanism, from: &LedPose, row: &PathRow) -> Option<LedPose> {
-        if let Some(lead) = &self.lead {
-            return lead.moved(mechanism, from, &row.inputs, &row.targets);
-        }
-        let at = from.inputs.first().copied()?;
-        let posed = mechanism.posed(&row.inputs);
-        let solver = from.solver.with_dimensions_in_assembly(at, &posed).ok()?;
-        Some(LedPose {
-            inputs: row.inputs.clone(),
-            solver,
-            is_singular: false,
-        })
-    }
+/// The inputs that the rows move.
+enum MovedInputs {
+    Directly(FreeInputs),
+    ByPoint(PointLeader),
 }
 
 /// Returns the leading coordinates of the columns, and the inputs without a column, which follow

@@ -9,7 +9,7 @@ use crate::report::tables::entry::Entry;
 use crate::report::tables::page::{TableStyle, TablesWriter, shown, shown_bound};
 use crate::report::tables::{Tables, unproved};
 use crate::report::text::csv_dialect::CsvDialect;
-use crate::solver::{State, Workspace};
+use crate::solver::State;
 use crate::wording::words;
 use serde_json::{Map, Value};
 use std::io::{self, Write};
@@ -36,13 +36,14 @@ pub struct FigureList<'a> {
 const EXTRA_CHARACTERS: usize = 6;
 
 impl<'a> FigureList<'a> {
-    /// Evaluates the values of a state and its enclosure; `tables` are those of the same state.
+    /// Evaluates the values of a state, with error bounds if there is an enclosure; `tables` are
+    /// those of the same state.
     #[must_use]
     pub fn new(
         tables: &'a Tables,
         quantities: &[Quantity],
         state: &State,
-        enclosure: &Workspace<Ball>,
+        enclosure: Option<&State<Ball>>,
     ) -> Self {
         let listed = quantities.iter().map(|quantity| {
             let value = quantity.value(state);
@@ -51,7 +52,7 @@ impl<'a> FigureList<'a> {
                 entry: Entry {
                     value,
                     given: false,
-                    bound: value.and_then(|_| quantity.bound(state, enclosure)),
+                    bound: value.and_then(|_| quantity.bound(state, enclosure?)),
                 },
             }
         });

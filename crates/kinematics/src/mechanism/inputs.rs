@@ -1,8 +1,7 @@
 //! Defines further inputs, which follow the driver.
 
 use super::{
-    Body, Defect, Driver, ElementId, Input, InputTable, LimitOf, LinkId, Mechanism, PointId,
-    SlideId,
+    Body, Defect, Driver, ElementId, Input, InputTable, LinkId, Mechanism, PointId, SlideId,
 };
 use crate::Vec2;
 use crate::angle::TURN;
@@ -191,24 +190,6 @@ impl Mechanism {
         parts.loads = loads.map(|load| load.held_at(at, is_rotary)).collect();
         (parts.typed_rates, parts.converted_rates) = (None, false);
         Some(led)
-    }
-
-    /// Returns a copy that opens with its inputs at these coordinates, in their order. All but the
-    /// driver are held there.
-    #[must_use]
-    pub fn posed(&self, at: &[f64]) -> Mechanism {
-        let mut posed = self.clone();
-        let parts = Arc::make_mut(&mut posed.parts);
-        if let Some((&first, others)) = at.split_first() {
-            parts.driver.start = first;
-            for (timed, &at) in parts.timed.iter_mut().zip(others) {
-                timed.law = InputLaw::held(at);
-            }
-        }
-        parts
-            .limits
-            .retain(|limit| !matches!(limit.of, LimitOf::Table(_)));
-        posed
     }
 
     /// Returns every input, the driver's first: one per degree of freedom.

@@ -280,6 +280,13 @@ impl Solver {
         found.list.push(picks.collect());
     }
 
+    /// Returns the sign of every group at a coordinate, and the positions there; `None` if steps are
+    /// left out or there is no assembly.
+    pub(super) fn assembly_at(&self, at: f64) -> Option<(Vec<f64>, State)> {
+        let present = self.present(at)?;
+        Some((present.signs, present.state.into_state()))
+    }
+
     /// Returns the assembly at a coordinate; `None` if steps are left out or there is no assembly.
     fn present(&self, at: f64) -> Option<Present> {
         let is_whole =

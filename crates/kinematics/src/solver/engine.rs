@@ -92,6 +92,17 @@ impl Engine {
         engine
     }
 
+    /// Returns the engine of a program in which every input moves by itself: its parameter is time.
+    pub(super) fn free(self) -> Engine {
+        Engine {
+            driven: None,
+            timed: Vec::new(),
+            tables: Vec::new(),
+            driver_rates: [Constant::exactly(1.0), Constant::default()],
+            ..self
+        }
+    }
+
     /// Returns the driver's speed and acceleration, in radians or scaled lengths.
     pub(super) fn driver_rates(&self) -> [Constant; 2] {
         self.driver_rates
@@ -117,6 +128,7 @@ impl Engine {
             left_out: self.left_out.clone(),
             rates,
             length_rates: rates.times(self.frame.scale),
+            free: None,
             driven: self.driven,
             is_turned: self.is_rotary,
             driver_scale: if self.is_rotary {

@@ -20,7 +20,8 @@
 //!            bounds     error bounds                             twice         results in double-double
 //!            forces     runs the steps backwards: joint forces, and the driver's torque or force
 //! also       transmission, conditioning, dead_centres (of slides), classify,
-//!            by_length (derivatives), methods (other methods, for comparison)
+//!            by_length (derivatives), methods (other methods, for comparison),
+//!            free_inputs (each input by itself), point_lead (inputs that follow a point)
 //! ```
 //!
 //! Formulas of steps and coupled groups are written once, generic over [`crate::Number`].
@@ -43,6 +44,7 @@ mod exact;
 mod fault;
 mod forces;
 mod frame;
+mod free_inputs;
 mod further_inputs;
 mod known_states;
 mod lanes;
@@ -53,6 +55,7 @@ mod motion;
 mod network;
 mod order;
 mod plan;
+mod point_lead;
 mod proved_run;
 mod pruning;
 mod rank;
@@ -73,11 +76,13 @@ pub use fault::{Fault, OpenChoice};
 pub use forces::{
     ForceCheck, Indeterminate, LeastNorm, LoadAction, PressStroke, Residual, WithheldReason,
 };
+pub use free_inputs::{FreeInputs, InputMoment};
 pub use known_states::Known;
 pub use methods::{Deviation, DriftMethod, Methods, Runner};
 pub use methods::{Method, Start, Unsuitable};
 pub use motion::{EndStop, MeetingAssemblies, Motion, NearMiss, Range};
 pub use plan::{AssemblyChoice, Group, GroupId, GroupKind, Plan};
+pub use point_lead::{LeadSingularity, LedPose, LedReach, PointLeader};
 pub use rank::{Rank, Redundancy};
 pub use state::Sliding;
 pub use state::{Condition, State, Travel};

@@ -71,6 +71,8 @@ pub(super) struct Network<'m> {
     pub frame: Frame,
     /// How each further input follows the driver, in input order.
     input_laws: Vec<Following>,
+    /// How the driver moves, if every input moves by itself.
+    driver_law: Option<Following>,
     /// For derivatives by a length: the mechanism with each coordinate replaced by its derivative.
     slopes: Option<Mechanism>,
     /// The class of every link, followed by that of the ground.
@@ -100,6 +102,7 @@ impl<'m> Network<'m> {
             mechanism,
             frame,
             input_laws: Following::all(mechanism, &frame),
+            driver_law: None,
             slopes: None,
             class_of: vec![GROUND; bodies],
             turn: vec![Vec2::X.exactly(); bodies],
@@ -133,6 +136,22 @@ impl<'m> Network<'m> {
             is_varied: true,
             ..self
         }
+    }
+
+    /// Returns the network in which every input moves by itself: see [`super::FreeInputs`].
+    pub(super) fn free(self) -> Self {
+        let further = 1..=self.input_laws.len();
+        Network {
+            input_laws: further.map(Following::free).collect(),
+            driver_law: Some(Following::free(0)),
+            ..self
+        }
+    }
+
+    /// Returns `true` if the driver's coordinate is the link's direction, and the parameter of the
+    /// motion.
+    pub(super) fn is_crank(&self, link: LinkId) -> bool {
+        self.mechanism.is_crank(link) && self.driver_law.is_none()
     }
 
     /// Returns the position of a point on a link, in the solver's unit; `None` if the link does not
@@ -411,8 +430,12 @@ impl<'m> Network<'m> {
             })
     }
 
-    /// Returns how an input follows the driver; `None` for the driver itself.
+    /// Returns how an input follows the driver; `None` for the driver itself, unless every input
+    /// moves by itself.
     pub(super) fn following(&self, input: Input) -> Option<&Following> {
+        if input == self.mechanism.driver().input {
+            return self.driver_law.as_ref();
+        }
         let mut timed = self.mechanism.timed().iter();
         self.input_laws
             .get(timed.position(|timed| timed.input == input)?)

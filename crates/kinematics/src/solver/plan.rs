@@ -231,6 +231,21 @@ impl Program {
             step.vary(&mut self.coupled, place);
         }
     }
+
+    /// Calls `change` for the law of every input, wherever the program has a copy of it.
+    pub(super) fn change_laws(&mut self, change: &mut impl FnMut(&mut Following)) {
+        for step in &mut self.steps {
+            step.change_laws(&mut self.coupled, change);
+        }
+        for watch in &mut self.watches {
+            match &mut watch.gauge {
+                Gauge::Pushed { following, .. } | Gauge::Turned { following, .. } => {
+                    following.iter_mut().for_each(&mut *change);
+                }
+                Gauge::Distance { .. } | Gauge::Direction { .. } | Gauge::OnLine { .. } => {}
+            }
+        }
+    }
 }
 
 /// The program that the solver runs: the steps in order, and their constants.

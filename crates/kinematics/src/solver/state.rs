@@ -114,6 +114,9 @@ pub struct State<T = f64> {
     /// The rates for angles; `length_rates` are those for lengths in the scene's unit.
     pub(super) rates: Rates,
     pub(super) length_rates: Rates,
+    /// The driver's speed and acceleration, if every input moves by itself. All derivatives are then
+    /// by time.
+    pub(super) free: Option<[f64; 2]>,
     /// The driven link, whose angle is exactly the driver's coordinate; `None` if its motor is on
     /// another link.
     pub(super) driven: Option<LinkId>,
@@ -153,6 +156,7 @@ impl<T: Copy> Clone for State<T> {
             left_out,
             rates,
             length_rates,
+            free,
             driven,
             is_turned,
             driver_scale,
@@ -166,7 +170,7 @@ impl<T: Copy> Clone for State<T> {
         forces.clone_from(&other.forces);
         left_out.clone_from(&other.left_out);
         (*frame, *rates, *length_rates) = (other.frame, other.rates, other.length_rates);
-        (*driven, *is_turned) = (other.driven, other.is_turned);
+        (*free, *driven, *is_turned) = (other.free, other.driven, other.is_turned);
         *driver_scale = other.driver_scale;
     }
 }
@@ -218,6 +222,12 @@ impl<T: Number> State<T> {
         self.is_turned
     }
 
+    /// Returns `true` if every input moves by itself: see [`FreeInputs`](super::FreeInputs).
+    #[must_use]
+    pub fn has_free_inputs(&self) -> bool {
+        self.free.is_some()
+    }
+
     /// Returns the driver's coordinate in the unit of the steps: degrees or scaled lengths.
     #[inline(always)]
     pub(super) fn coordinate(&self) -> T {
@@ -237,13 +247,19 @@ impl<T: Number> State<T> {
     /// Returns the driver's speed: rad/s or length/s.
     #[must_use]
     pub fn driver_speed(&self) -> T {
-        T::of(self.rates.speed).scaled(self.driver_scale)
+        match self.free {
+            None => T::of(self.rates.speed).scaled(self.driver_scale),
+            Some([speed, _]) => T::exactly(speed),
+        }
     }
 
     /// Returns the driver's acceleration: rad/s^2 or length/s^2.
     #[must_use]
     pub fn driver_acceleration(&self) -> T {
-        T::of(self.rates.acceleration).scaled(self.driver_scale)
+        match self.free {
+            None => T::of(self.rates.acceleration).scaled(self.driver_scale),
+            Some([_, acceleration]) => T::exactly(acceleration),
+        }
     }
 
     /// Returns the position of a point, in the scene's frame.

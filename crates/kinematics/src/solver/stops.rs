@@ -136,7 +136,7 @@ impl Solver {
 
 /// Returns the smallest number of whole turns by which to move both ends, so that a value lies
 /// between them. If that is impossible, returns the number that brings the ends nearest.
-fn turns_between(value: f64, [low, high]: [f64; 2], turn: f64) -> f64 {
+pub(super) fn turns_between(value: f64, [low, high]: [f64; 2], turn: f64) -> f64 {
     let minimum = ((value - high) / turn).ceil();
     let maximum = ((value - low) / turn).floor();
     if minimum <= maximum {

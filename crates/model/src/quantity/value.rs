@@ -147,6 +147,8 @@ fn drive_value<T: Number>(share: Share, aspect: Aspect, state: &State<T>) -> Opt
         Share::Load => part(0),
         Share::Gravity => part(1),
         Share::Inertia => part(2),
+        // The check is that of the power of all inputs, if each moves by itself.
+        Share::Residual if state.has_free_inputs() => None,
         Share::Residual => state.residual().map(|residual| residual.drive),
     }
 }

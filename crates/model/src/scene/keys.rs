@@ -169,6 +169,7 @@ SCENE =
     "marks": Points(Of(Measure::Coordinate)), [], points_only_shown, no_default;
     "driver": Table(DRIVER), [], the_input, "";
     "inputs": Each(TIMED), [], inputs_that_follow, no_default;
+    "lead": Each(LEAD), [], point_that_leads, no_default;
     "links": Each(LINK), [], rigid_links, no_default;
     "slides": Each(SLIDE), [], guides_and_sliders, no_default;
     "copies": Each(COPY), [], copies_of_groups, no_default;
@@ -212,6 +213,14 @@ TIMED =
     "phase": Number(Driver, Any), [], phase_of_input, "0";
     "over": Knots([DriverItself, Driver], "value"), [], table_of_input, no_default;
     "from": Text, [], seat_of_driver, "`\"ground\"`";
+
+LEAD =
+    "over": Rows, ["over"], rows_of_lead, "";
+    "centre": Pair(Of(Measure::Coordinate)), ["centre"], centre_of_lead, "";
+    "radius": Number(Of(Measure::Length), Positive), ["centre"], radius_of_lead, "";
+    "angle": Number(In(Measure::Angle), Any), ["centre"], angle_of_lead, "`0`";
+    "speed": Rate(Degree::Speed), ["centre"], speed_of_lead, "";
+    "inputs": Text, [], inputs_of_lead, all_inputs;
 
 LINK =
     "from": Text, [], "", "";

@@ -23,6 +23,7 @@ impl Scene {
             limits: limits.map(|(place, _)| place.clone()).collect(),
             mechanism,
             motion: None,
+            lead: None,
             motor: None,
             ..self.clone()
         })

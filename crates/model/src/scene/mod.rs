@@ -67,6 +67,7 @@ mod values;
 pub use crate::document::{Diagnostic, Diagnostics, Label, is_harmful, sanitized};
 #[doc(hidden)]
 pub use inputs::input::coordinate_key;
+pub use inputs::leading_point::LeadingPoint;
 pub use inputs::motor::Motor;
 pub use keys::reference;
 #[doc(hidden)]
@@ -131,6 +132,8 @@ pub struct Scene {
     pub figures: Vec<NamedFormula>,
     /// The motion of the driver over time (`motion` of `[driver]`).
     pub motion: Option<MotionLaw>,
+    /// The point that leads, with its motion over time (`[lead]`). Inputs follow it.
+    pub lead: Option<LeadingPoint>,
     /// The motor intended as drive (`[motor]`).
     pub motor: Option<Motor>,
     /// The named numbers (`[parameters]`), in the order of the file.
@@ -226,6 +229,7 @@ impl Scene {
                 traces: resolved.traces,
                 figures: figures.filter_map(|figure| figure.formula).collect(),
                 motion: draft.driver.and_then(|driver| driver.motion),
+                lead: resolved.lead,
                 motor: draft.motor,
                 parameters: numbers::parameters::with_values(&reader.named, draft.parameters),
                 named: Arc::new(std::mem::take(&mut reader.named)),

@@ -11,6 +11,7 @@ use super::elements::redundant::{self, Redundant};
 use super::elements::slide::{self, DraftSlide};
 use super::elements::view::{self, DraftView};
 use super::inputs::input::{self, DraftDriver};
+use super::inputs::leading_point::{self, DraftLead};
 use super::inputs::motor::{self, Motor};
 use super::inputs::timed_inputs::{self, DraftTimed};
 use super::keys;
@@ -48,6 +49,8 @@ pub(crate) struct SceneDraft<'t> {
     pub(crate) driver_key: Option<ByteSpan>,
     /// The inputs that follow the driver.
     pub(crate) timed: Vec<DraftTimed<'t>>,
+    /// The point that inputs follow.
+    pub(crate) lead: Option<DraftLead<'t>>,
     pub(crate) start: Vec<PlacedPoint<'t>>,
     pub(crate) copies: Vec<DraftCopy<'t>>,
     pub(crate) vectors: Vec<DraftVector<'t>>,
@@ -214,6 +217,9 @@ impl<'v> SceneDraft<'v> {
         }
         if let Some(value) = file.get("springs") {
             self.springs = spring::springs(reader, value);
+        }
+        if let Some(value) = file.get("lead") {
+            self.lead = leading_point::read(reader, value);
         }
         if let Some(value) = file.get("view") {
             self.view = view::read(reader, value);

@@ -8,6 +8,7 @@ use super::elements::points::PlacedPoint;
 use super::elements::redundant;
 use super::elements::slide::{DraftSlide, DraftSlider};
 use super::inputs::input::DraftInput;
+use super::inputs::leading_point::LeadingPoint;
 use super::names::{NameKind, Names};
 use super::numbers::reader::{ByteSpan, Name, Reader};
 use super::raw_elements::SceneDraft;
@@ -26,6 +27,7 @@ pub(crate) struct Resolved {
     pub(crate) point_names: Vec<Option<String>>,
     pub(crate) link_names: Vec<String>,
     pub(crate) slide_names: Vec<String>,
+    pub(crate) lead: Option<LeadingPoint>,
     pub(crate) limits: LimitPlaces,
     pub(crate) tolerances: Tolerances,
     pub(crate) places: TextPlaces,
@@ -71,7 +73,7 @@ pub(crate) struct Resolver<'r, 's, 't> {
     centres: HashMap<usize, PointId>,
     pub(crate) slides: HashMap<&'t str, SlideId>,
     /// The slides added to the builder, by id.
-    built_slides: Vec<&'r DraftSlide<'t>>,
+    pub(crate) built_slides: Vec<&'r DraftSlide<'t>>,
     point_names: Vec<Option<String>>,
     pub(crate) limit_places: LimitPlaces,
     vectors: Vec<(ByteSpan, Vector)>,
@@ -405,13 +407,13 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         }
     }
 
-    fn finish(self) -> Option<Resolved> {
+    fn finish(mut self) -> Option<Resolved> {
         let drafted = defect::ResolvedDraft {
             draft: self.draft,
             slides: &self.built_slides,
             point_names: &self.point_names,
         };
-        let mechanism = match self.builder.build() {
+        let mechanism = match std::mem::take(&mut self.builder).build() {
             Ok(mechanism) if self.reader.found.is_empty() => mechanism,
             Ok(_) => return None,
             Err(defects) => {
@@ -433,6 +435,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             mechanism: &mechanism,
         };
         let tolerances = settling.settle();
+        let lead = self.leading_point(&mechanism);
         if !self.reader.found.is_empty() {
             return None;
         }
@@ -447,6 +450,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             mechanism,
             vectors: vectors.into_iter().map(|(_, vector)| vector).collect(),
             traces: self.traces,
+            lead,
             point_names,
             link_names: self.draft.links.iter().map(|l| name(&l.name)).collect(),
             slide_names: self.built_slides.iter().map(|s| name(&s.name)).collect(),

@@ -155,9 +155,13 @@ impl<'n> Chain<'n> {
 
     fn drive(&mut self) {
         self.open_group(GroupKind::Driver, None);
-        match self.network.mechanism.driver().input {
+        let driver = self.network.mechanism.driver().input;
+        match driver {
             Input::Turn(link) if self.network.mechanism.is_directed(link) => {
-                self.push(Crank { link });
+                match self.network.following(driver).cloned() {
+                    None => self.push(Crank { link }),
+                    Some(following) => self.push(Timed { link, following }),
+                }
                 self.learn_class(link);
                 self.place_link_points(&self.network.members[self.network.class(link).0].clone());
             }
@@ -224,7 +228,7 @@ impl<'n> Chain<'n> {
     /// Creates the step by which a point of a link follows another one; on the driven link, its
     /// pivot.
     fn ride_on(&self, link: LinkId, base: PointId, point: PointId, local: Vec2<Constant>) -> Step {
-        let is_driven = self.network.mechanism.is_crank(link);
+        let is_driven = self.network.is_crank(link);
         let on_ground = self
             .network
             .mechanism

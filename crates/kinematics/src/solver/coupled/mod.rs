@@ -343,6 +343,28 @@ impl Coupled {
         }
     }
 
+    /// Passes the law of every input in the group to `change`; see
+    /// [`Element::change_laws`](super::elements::Element::change_laws).
+    pub(super) fn change_laws(&mut self, change: &mut impl FnMut(&mut Following)) {
+        let mut changed = |laws: &mut Option<Following>| laws.iter_mut().for_each(&mut *change);
+        for (_, spot) in &mut self.spots {
+            changed(&mut spot.following);
+        }
+        for equation in &mut self.equations {
+            match equation {
+                GroupEquation::Distance { a, b, .. } | GroupEquation::Meeting { a, b, .. } => {
+                    changed(&mut a.following);
+                    changed(&mut b.following);
+                }
+                GroupEquation::Slot { x, q, .. } => {
+                    changed(&mut x.following);
+                    changed(&mut q.following);
+                }
+                GroupEquation::Elbow { following, .. } => changed(following),
+            }
+        }
+    }
+
     /// Returns the length of z: two numbers per free joint and two per direction.
     pub(super) fn width(&self) -> usize {
         2 * (self.free + self.turning.len())

@@ -185,6 +185,10 @@ impl Element for Cylinder {
         self.far = self.far.varied(place);
     }
 
+    fn change_laws(&mut self, change: &mut impl FnMut(&mut Following)) {
+        self.following.iter_mut().for_each(change);
+    }
+
     fn back(&self, site: &Site<'_>) -> Option<CylinderBackward> {
         Some(CylinderBackward {
             point: self.point,

@@ -36,6 +36,10 @@ impl Element for Timed {
         StepOutcome::Done
     }
 
+    fn change_laws(&mut self, change: &mut impl FnMut(&mut Following)) {
+        change(&mut self.following);
+    }
+
     fn back(&self, _site: &Site<'_>) -> Option<TimedBackward> {
         Some(TimedBackward { step: self.clone() })
     }

@@ -58,6 +58,10 @@ impl Element for Push {
         StepOutcome::Done
     }
 
+    fn change_laws(&mut self, change: &mut impl FnMut(&mut Following)) {
+        self.following.iter_mut().for_each(change);
+    }
+
     fn back(&self, site: &Site<'_>) -> Option<PushBackward> {
         Some(PushBackward {
             step: self.clone(),

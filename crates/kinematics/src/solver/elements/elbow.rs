@@ -58,6 +58,10 @@ impl Element for Elbow {
         StepOutcome::Done
     }
 
+    fn change_laws(&mut self, change: &mut impl FnMut(&mut Following)) {
+        self.following.iter_mut().for_each(change);
+    }
+
     fn back(&self, _site: &Site<'_>) -> Option<ElbowBackward> {
         Some(ElbowBackward { step: self.clone() })
     }

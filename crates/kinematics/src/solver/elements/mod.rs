@@ -49,6 +49,7 @@ pub(super) use swinging_arm::Swing;
 
 use super::coupled::Coupled;
 use super::forces::{ForceState, Site};
+use super::further_inputs::Following;
 use super::pruning::PlacedPart;
 use super::state::State;
 use super::transmission::{InnerJoint, Ray};
@@ -108,6 +109,9 @@ pub(super) trait Element {
     /// Passes every local position of the element to `place`, always in the same order, and updates
     /// itself with the changed values.
     fn vary(&mut self, _place: &mut impl FnMut(&mut Vec2<Constant>)) {}
+
+    /// Passes the law of the element's input to `change`, if it has one.
+    fn change_laws(&mut self, _change: &mut impl FnMut(&mut Following)) {}
 
     /// Returns the element's backward pass at its site; `None` if it has none.
     fn back(&self, site: &Site<'_>) -> Option<Self::Back>;
@@ -278,6 +282,18 @@ macro_rules! elements {
                 match self {
                     $(Step::$name(element) => element.vary(place),)+
                     Step::Coupled { index } => coupled[*index].vary(place),
+                }
+            }
+
+            /// Passes the law of the element's input to `change`: see [`Element::change_laws`].
+            pub(super) fn change_laws(
+                &mut self,
+                coupled: &mut [Coupled],
+                change: &mut impl FnMut(&mut Following),
+            ) {
+                match self {
+                    $(Step::$name(element) => element.change_laws(change),)+
+                    Step::Coupled { index } => coupled[*index].change_laws(change),
                 }
             }
 

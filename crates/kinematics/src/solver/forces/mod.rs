@@ -252,6 +252,36 @@ impl Balance {
         }))
     }
 
+    /// Creates the force analysis of the same mechanism in which every input moves by itself.
+    pub(super) fn free(&self, network: &Network<'_>, engine: &Engine) -> Option<Balance> {
+        let stroke = |slide, end| self.acting.stroke(slide, end);
+        let balance = Balance::with(network, engine, stroke)?;
+        Some(Balance {
+            open: Arc::clone(&self.open),
+            indeterminate: self.indeterminate.clone(),
+            ..balance
+        })
+    }
+
+    /// Computes and checks the forces if every input moves by itself, at these speeds in the
+    /// solver's units. The forces then contain the power of all inputs.
+    pub(super) fn follow_free(
+        &self,
+        engine: &Engine,
+        order: Order,
+        speeds: impl Iterator<Item = f64>,
+        workspace: &mut Workspace,
+    ) {
+        Balance::find(Some(self), engine, order, workspace);
+        let state = &mut workspace.state;
+        if let Some(mut forces) = state.forces.take() {
+            let efforts = forces.efforts.iter().zip(speeds);
+            forces.drive = efforts.map(|(effort, speed)| effort * speed).sum();
+            self.check(state, &mut forces);
+            state.forces = Some(forces);
+        }
+    }
+
     fn with(
         network: &Network<'_>,
         engine: &Engine,

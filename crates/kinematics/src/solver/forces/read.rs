@@ -53,6 +53,9 @@ impl<T: Number> State<T> {
     #[must_use]
     pub fn drive(&self) -> Option<T> {
         let forces = self.forces.as_deref()?;
+        if self.free.is_some() {
+            return self.effort(*forces.inputs.first()?);
+        }
         let drive = match forces.extent {
             Extent::Nothing | Extent::WithheldReason(_) => None,
             Extent::Drive => self.drive_parts().map(|[a, b, c]| a + b + c),
@@ -78,19 +81,24 @@ impl<T: Number> State<T> {
     }
 
     /// Returns the parts of the drive against loads (including springs), against gravity and
-    /// against inertia.
+    /// against inertia. `None` if every input moves by itself: the work has no parts by input.
     #[must_use]
     pub fn drive_parts(&self) -> Option<[T; 3]> {
-        let forces = self.forces.as_deref()?;
+        let forces = self.forces.as_deref().filter(|_| self.free.is_none())?;
         let parts = [TorquePart::Load, TorquePart::Gravity, TorquePart::Inertia];
         let parts = parts.map(|part| forces.virtual_work_force(part));
         matches!(forces.extent, Extent::Drive | Extent::All).then_some(parts)
     }
 
-    /// Returns the power of the driver in W: positive if it gives energy to the linkage.
+    /// Returns the power of the driver in W: positive if it gives energy to the linkage. It includes
+    /// that of further inputs.
     #[must_use]
     pub fn power(&self) -> Option<T> {
         let forces = self.forces.as_deref()?;
+        if self.free.is_some() {
+            let all = self.balanced()?.drive * forces.scale.couple;
+            return Some(T::default() - all).filter(|power| power.is_finite());
+        }
         let metres = forces.scale.couple.scaled(1.0 / self.frame.scale);
         let speed = self.driver_speed();
         let speed = if self.turns() { speed } else { speed * metres };

@@ -20,6 +20,8 @@ pub(super) struct Following {
 enum FollowingLaw {
     Proportion(Proportion),
     Table(Arc<TableMotion>),
+    /// It moves by itself, with this motion at the present moment; its derivatives are by time.
+    Free(InputMotion<Constant>),
 }
 
 /// p = count q / of + phase, with q the driver's coordinate in the unit of the steps, degrees or
@@ -43,7 +45,7 @@ struct TableMotion {
 
 /// The coordinate of an input, in degrees or scaled lengths, and its derivatives by the driver's
 /// coordinate, in radians or scaled lengths.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct InputMotion<T> {
     pub p: T,
     pub w: T,
@@ -71,11 +73,27 @@ impl Following {
             .collect()
     }
 
+    /// Creates the law of an input that moves by itself. It is at rest at 0.
+    pub(super) fn free(number: usize) -> Following {
+        let law = FollowingLaw::Free(InputMotion::default());
+        Following { law, number }
+    }
+
+    /// Sets the motion of an input that moves by itself.
+    pub(super) fn set(&mut self, motion: InputMotion<Constant>) {
+        self.law = FollowingLaw::Free(motion);
+    }
+
     #[inline(always)]
     pub(super) fn at<T: Number>(&self, q: T) -> InputMotion<T> {
         match &self.law {
             FollowingLaw::Proportion(line) => line.at(q),
             FollowingLaw::Table(motion) => motion.at(q),
+            FollowingLaw::Free(InputMotion { p, w, a }) => InputMotion {
+                p: T::of(*p),
+                w: T::of(*w),
+                a: T::of(*a),
+            },
         }
     }
 
@@ -86,7 +104,7 @@ impl Following {
     /// Returns the start and the end of an open table, in degrees or scaled lengths.
     pub(super) fn open_ends(&self) -> Option<[f64; 2]> {
         match &self.law {
-            FollowingLaw::Proportion(_) => None,
+            FollowingLaw::Proportion(_) | FollowingLaw::Free(_) => None,
             FollowingLaw::Table(motion) => motion.table.open_ends(),
         }
     }
@@ -95,7 +113,7 @@ impl Following {
     /// degrees or scaled lengths. If the coordinate `is_end`, a knot there does not count.
     pub(super) fn smooth(&self, q: f64, is_end: bool) -> f64 {
         match &self.law {
-            FollowingLaw::Proportion(_) => f64::INFINITY,
+            FollowingLaw::Proportion(_) | FollowingLaw::Free(_) => f64::INFINITY,
             FollowingLaw::Table(motion) => motion.table.smooth(q, is_end),
         }
     }

@@ -187,7 +187,7 @@ impl<'t> Copier<'_, '_, 't> {
             let of = words().copy_called(&copy.name.to_string());
             let fault = match on_a_copy {
                 Some((point, link)) => Diagnostic::new(words().phase_on_a_copy(&of, &point, &link))
-                    .at(phase.clone(), "")
+                    .at(phase.clone(), words().crank_is_a_copy())
                     .help(words().copy_the_original()),
                 None => Diagnostic::new(words().phase_turns_nothing(&of))
                     .at(phase.clone(), words().no_point_on_another_link())
@@ -292,7 +292,8 @@ impl<'t> Copier<'_, '_, 't> {
         let [first, second] = [first, second].map(Name::to_string);
         let fault = Diagnostic::new(words().phase_on_two_links(&of, &point, &first, &second));
         let place = copy.phase_key.clone();
-        let fault = fault.at(place.unwrap_or_else(|| copy.name.span.clone()), "");
+        let place = place.unwrap_or_else(|| copy.name.span.clone());
+        let fault = fault.at(place, words().two_links_could_turn());
         self.reader.report(fault.help(words().copy_one_link_too()));
         false
     }
@@ -387,7 +388,7 @@ impl<'t> Copier<'_, '_, 't> {
         if self.originals.len() + names.len() > MAX_COPIED {
             self.reader.report(
                 Diagnostic::new(words().too_many_copied(&of, MAX_COPIED))
-                    .at(instance.copy.name.span.clone(), ""),
+                    .at(instance.copy.name.span.clone(), words().too_many_elements()),
             );
             return false;
         }
@@ -470,7 +471,7 @@ impl<'t> Copier<'_, '_, 't> {
         let fault = Diagnostic::new(words().copied_input_has_no_motion(&of, &copied));
         self.reader.report(
             fault
-                .at(instance.copy.name.span.clone(), "")
+                .at(instance.copy.name.span.clone(), words().copies_an_input())
                 .help(words().give_the_copy_an_input(&copied)),
         );
     }
