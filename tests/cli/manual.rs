@@ -109,7 +109,7 @@ fn every_command_of_the_manual_runs() {
         }
     }
     let in_pixels = if cfg!(feature = "pictures") { 2 } else { 0 };
-    assert_eq!(ran, 56 + in_pixels);
+    assert_eq!(ran, 60 + in_pixels);
 }
 
 /// Commands in sentences that open the workbench, lack an argument, or have a test of their own because they need the
