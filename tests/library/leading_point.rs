@@ -236,6 +236,27 @@ fn edge_of_one_arm_names_its_input() {
     assert_eq!(singularity, &LeadSingularity::Serial(vec![0]));
 }
 
+/// Close to the inner edge, both elbows of the robot arm are within a step of Newton's method.
+#[test]
+fn elbow_is_kept_close_to_the_edge_of_the_workspace() {
+    for radius in [100.001, 100.01, 100.1, 101.0] {
+        for step in [0.04, 0.05, 0.5] {
+            let circle = format!(
+                "W = {{ centre = [0, 0], radius = {radius}, angle = 28.7566, speed = \"90 deg/s\" }}"
+            );
+            let mut led = with("robot-arm", &format!("[lead]\n{circle}"));
+            // The law of cosines with arms of 400 and 300: the elbow opens at -75 deg.
+            let cos = (radius * radius - 400.0 * 400.0 - 300.0 * 300.0) / 240_000.0_f64;
+            for k in 0..=(4.0 / step) as u32 {
+                let time = step * f64::from(k);
+                let pose = led.leader.follow(&led.lead.path, time, Order::Position);
+                let elbow = pose.unwrap().inputs[1].at;
+                near(elbow, -cos.acos().to_degrees(), 1e-6);
+            }
+        }
+    }
+}
+
 /// The rods of the five-bar are in line at (0, 60): there P can move while both motors rest.
 #[test]
 fn rods_in_line_are_a_parallel_singularity_of_their_group() {

@@ -36,6 +36,12 @@ const MISS: f64 = 1e-12;
 /// radian, or a push by the size of the linkage, relative to that size. It falls with the square root
 /// of the distance from the edge of the workspace.
 const SINGULAR: f64 = 1e-3;
+/// Mobility within which a position is on the edge of the workspace, where two solutions meet. It is
+/// the square root of the accuracy of a position.
+const ON_EDGE: f64 = 1e-5;
+/// Maximum change of the derivatives on one solution, relative to those at one of its ends. Those of
+/// another solution differ by about 2, and a turn of all links by 90 deg changes them by 1.4.
+const MAX_CHANGE: f64 = 1.5;
 /// Smallest share of an input in the motion that leaves a point at rest, relative to the largest.
 const SHARE: f64 = 0.1;
 
@@ -373,6 +379,9 @@ impl PointLeader {
         for &index in &self.lead.inputs {
             inputs.get_mut(index)?.at = *self.free.kept().get(index)?;
         }
+        let kept = self.free.kept().to_vec();
+        let kept: Vec<InputMoment> = kept.into_iter().map(InputMoment::at_rest).collect();
+        let before = self.slopes(&kept)?;
         let targets = DVector::from_column_slice(targets);
         let mut best = f64::INFINITY;
         for _ in 0..MAX_STEPS {
@@ -386,8 +395,9 @@ impl PointLeader {
             let parts = slopes.clone().svd(true, true);
             // The rounding errors of the positions end the improvement.
             if miss <= MISS * self.size && (miss == 0.0 || miss >= 0.5 * best) {
+                let is_same = is_same_branch(&before, &slopes);
                 let (mobility, singularity) = self.singularity(slopes);
-                return Some(LedPose {
+                return (is_same || mobility <= ON_EDGE).then_some(LedPose {
                     inputs,
                     condition,
                     singularity,
@@ -468,6 +478,19 @@ impl PointLeader {
         }
         Some(slopes)
     }
+}
+
+/// Returns `true` if two positions are on one solution of the inputs, from the derivatives of the
+/// leading coordinates there. Where solutions meet, the determinant of the derivatives is 0, and its
+/// sign tells them apart.
+fn is_same_branch(before: &DMatrix<f64>, after: &DMatrix<f64>) -> bool {
+    let is_same_side = before.determinant() * after.determinant() > 0.0;
+    let change = after - before;
+    let relative = |to: &DMatrix<f64>| {
+        let inverse = to.clone().try_inverse();
+        inverse.is_some_and(|inverse| (&change * inverse).singular_values().max() <= MAX_CHANGE)
+    };
+    is_same_side && (relative(before) || relative(after))
 }
 
 /// Returns the singular positions on a path: the minima of both margins, as far as they are
