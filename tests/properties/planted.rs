@@ -15,8 +15,8 @@ use std::fmt;
 use std::ops::{Add, Mul, Sub};
 use std::rc::Rc;
 
-/// Number of scenes of an ordinary run. All pass. In the last run of 12,000 scenes 56 ended too early, and one was wrong
-/// directly before its end. These pass now.
+/// Number of scenes of an ordinary run. All pass. Of 12,000 scenes 2 end too early (6082, 8648), one change point is not
+/// listed (6522), and none is wrong.
 const ORDINARY: u64 = 180;
 /// Seeds of scenes in which a change point once led into another motion, or that took minutes to open.
 const ONCE_WRONG: [u64; 22] = [
