@@ -32,7 +32,7 @@ const FIRST_CORRECTIONS: usize = 4;
 const MIN_ANGLE: f64 = 0.02;
 
 /// A coupled group at a crossing, or at another place of its curve.
-pub(in crate::solver) struct CrossingPlace<'a> {
+pub(in crate::solver) struct CurvePlace<'a> {
     /// The unknowns z.
     pub(in crate::solver) z: &'a [f64],
     /// The matrix J, row by row.
@@ -64,53 +64,32 @@ impl Coupled {
         corrected.settled.then_some(corrected.first)
     }
 
-    /// Computes the group's series along one of the curves through a crossing, and writes its points
-    /// and links into `series`. Returns the driver's coordinate relative to the crossing, which grows
-    /// with the parameter there. Returns `None` if the series cannot be found.
+    /// Computes the group's series along its curve, and writes its points and links into `series`.
+    /// Through a crossing there are several curves: `branch` is one of them, and `None` at any other
+    /// place. Returns the driver's coordinate relative to the place, which grows with the parameter
+    /// there. Returns `None` if the series cannot be found.
     ///
     /// Close to a fold, the rate of the arriving motion changes too much to choose the branch. The
-    /// caller compares both with that motion.
+    /// caller compares each with that motion.
     pub(in crate::solver) fn follow_curve(
         &self,
-        crossing: &CrossingPlace<'_>,
-        (branch, terms): (usize, usize),
+        from: &CurvePlace<'_>,
+        (branch, terms): (Option<usize>, usize),
         series: &mut Workspace<Series>,
         place: PlaceInputs<'_>,
     ) -> Option<Series> {
-        let n = self.unknowns();
-        let &CrossingPlace { z, matrix } = crossing;
-        let null = Null::of(matrix, n)?;
+        let &CurvePlace { z, matrix } = from;
         let mut curve = Curve {
             path: Path::new(self, z),
             offset: Series::default(),
             place,
-            null,
+            null: Null::of(matrix, self.unknowns())?,
         };
-        let known = curve.solve(matrix, branch, terms, series)?;
+        let known = match branch {
+            Some(branch) => curve.solve(matrix, branch, terms, series)?,
+            None => curve.solve_regular(matrix, terms, series)?,
+        };
         curve.write(known, series)
-    }
-}
-
-impl Coupled {
-    /// Computes the group's series along its curve as [`Coupled::follow_curve`] does, from a place
-    /// that is no crossing. The driver may reverse close to it.
-    pub(in crate::solver) fn follow_curve_from(
-        &self,
-        from: &CrossingPlace<'_>,
-        terms: usize,
-        series: &mut Workspace<Series>,
-        place: PlaceInputs<'_>,
-    ) -> Option<Series> {
-        let &CrossingPlace { z, matrix } = from;
-        let null = Null::of(matrix, self.unknowns())?;
-        let mut curve = Curve {
-            path: Path::new(self, z),
-            offset: Series::default(),
-            place,
-            null,
-        };
-        curve.solve_regular(matrix, terms, series)?;
-        curve.write(terms, series)
     }
 }
 
@@ -124,7 +103,7 @@ struct Curve<'a, 'p> {
 }
 
 impl Curve<'_, '_> {
-    /// Computes the coefficients. Returns their number.
+    /// Computes the coefficients at a crossing. Returns their number.
     fn solve(
         &mut self,
         matrix: &[f64],
@@ -195,13 +174,13 @@ impl Curve<'_, '_> {
         is_finite.then_some(known)
     }
 
-    /// Computes the coefficients at a place that is no crossing.
+    /// Computes the coefficients at a place that is no crossing. Returns their number.
     fn solve_regular(
         &mut self,
         matrix: &[f64],
         terms: usize,
         series: &mut Workspace<Series>,
-    ) -> Option<()> {
+    ) -> Option<usize> {
         let n = self.null.v.len();
         let at_place = BorderedMatrix::new(matrix, n, None)?;
         for _ in 0..FIRST_CORRECTIONS {
@@ -221,7 +200,7 @@ impl Curve<'_, '_> {
         }
         let mut all = self.path.unknowns.iter().chain([&self.offset]);
         let is_finite = all.all(|u| u.c.iter().all(|c| c.hi.is_finite()));
-        is_finite.then_some(())
+        is_finite.then_some(terms)
     }
 
     /// Writes the group's points and links with `known` coefficients into `series`. Returns the

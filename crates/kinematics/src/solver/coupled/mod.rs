@@ -20,7 +20,7 @@ mod series;
 mod singular;
 
 pub(super) use comparison::ClosingCondition;
-pub(super) use curve_series::{BRANCHES, CrossingPlace};
+pub(super) use curve_series::{BRANCHES, CurvePlace};
 pub(super) use curve_tracing::{EQUALITY_TOLERANCE, distance};
 pub(super) use enclose::Views;
 pub use newton_system::{Newton, NewtonRow, NewtonUnknown};

@@ -178,22 +178,6 @@ macro_rules! elements {
         })+
 
         impl Step {
-    /// Runs the element as [`Step::run`] does. There is one copy of its code for each arithmetic,
-    /// which is fast enough for all but doubles.
-    #[inline(never)]
-    pub(super) fn run_to<T: Number>(
-        &self,
-        order: u8,
-        (q, direction): (T, Vec2<T>),
-        state: &mut State<T>,
-    ) -> StepOutcome {
-        match order {
-            POSITION => self.run::<T, POSITION>(q, direction, state),
-            VELOCITY => self.run::<T, VELOCITY>(q, direction, state),
-            _ => self.run::<T, ACCELERATION>(q, direction, state),
-        }
-    }
-
             /// Runs the element: see [`Element::run`].
             #[inline(always)]
             pub(super) fn run<T: Number, const ORDER: u8>(
@@ -327,6 +311,22 @@ elements! {
 }
 
 impl Step {
+    /// Runs the element as [`Step::run`] does. There is one copy of its code for each arithmetic,
+    /// which is fast enough for all but doubles.
+    #[inline(never)]
+    pub(super) fn run_to<T: Number>(
+        &self,
+        order: u8,
+        (q, direction): (T, Vec2<T>),
+        state: &mut State<T>,
+    ) -> StepOutcome {
+        match order {
+            POSITION => self.run::<T, POSITION>(q, direction, state),
+            VELOCITY => self.run::<T, VELOCITY>(q, direction, state),
+            _ => self.run::<T, ACCELERATION>(q, direction, state),
+        }
+    }
+
     /// Returns the index of the coupled group, if the step is one.
     pub(super) fn coupled(&self) -> Option<usize> {
         match self {

@@ -11,7 +11,7 @@ use super::{Junction, SingularGroup};
 use crate::arithmetic::Series;
 use crate::solver::Order;
 use crate::solver::change_point::{Bend, ChangePointCrossing, FOLD_TOLERANCE};
-use crate::solver::coupled::{BRANCHES, CrossingPlace};
+use crate::solver::coupled::{BRANCHES, CurvePlace};
 use crate::solver::elements::SingularShift;
 use crate::solver::exact::Exact;
 use crate::solver::motion::Folded;
@@ -230,9 +230,6 @@ impl Walker<'_> {
     /// Expands the mechanism about a change point of a dyad, along the curve of a coupled group before
     /// it that is close to its fold.
     fn junction_by_group(&mut self, step: usize, at: Double) -> Option<Junction> {
-        let exact = self.exact?;
-        let index = exact.engine.program.steps[step].coupled()?;
-        let group = &exact.engine.program.coupled[index];
         self.predict_nearest(at.hi);
         let condition = self
             .engine
@@ -240,20 +237,7 @@ impl Walker<'_> {
         if condition != Condition::Ok {
             return None;
         }
-        let (q, _) = self.engine.coordinate(at.hi);
-        let z = group.open(&mut self.state.scratch).z.to_vec();
-        let matrix = group.matrix(q, &mut self.state);
-        let mut series = exact.engine.state(self.state.travels.len());
-        let place = CrossingPlace {
-            z: &z,
-            matrix: &matrix,
-        };
-        let offset =
-            group.follow_curve_from(&place, CURVE_TERMS, &mut series, &mut |by, series| {
-                let (q, direction) = self.coordinate_along(at, by);
-                self.place_in_series(0..step, at.hi, q, direction, series)?;
-                Some(q)
-            })?;
+        let (series, offset) = self.group_along_curve(step, at, None)?;
         let curve = Curve {
             step,
             height: None,
@@ -261,6 +245,37 @@ impl Walker<'_> {
             ends_before: false,
         };
         self.expanded(at, series, curve, None)
+    }
+
+    /// Expands a coupled group along its curve through the z in the scratch; if this is a crossing,
+    /// along one of its branches. Returns the series with the steps up to the group, and that of the
+    /// driver's coordinate relative to the place.
+    fn group_along_curve(
+        &mut self,
+        step: usize,
+        at: Double,
+        branch: Option<usize>,
+    ) -> Option<(Workspace<Series>, Series)> {
+        let exact = self.exact?;
+        let index = exact.engine.program.steps[step].coupled()?;
+        let group = &exact.engine.program.coupled[index];
+        let (q, _) = self.engine.coordinate(at.hi);
+        let place = CurvePlace {
+            z: &group.open(&mut self.state.scratch).z.to_vec(),
+            matrix: &group.matrix(q, &mut self.state),
+        };
+        let mut series = exact.engine.state(self.state.travels.len());
+        let offset = group.follow_curve(
+            &place,
+            (branch, CURVE_TERMS),
+            &mut series,
+            &mut |by, series| {
+                let (q, direction) = self.coordinate_along(at, by);
+                self.place_in_series(0..step, at.hi, q, direction, series)?;
+                Some(q)
+            },
+        )?;
+        Some((series, offset))
     }
 
     /// Expands the steps behind the group of a curve. `fold` is that group if it is singular.
@@ -316,30 +331,13 @@ impl Walker<'_> {
         let z = group.open(&mut self.state.scratch).z.to_vec();
         let at = self.meets(step, at, crossing)?;
         group.open(&mut self.state.scratch).z.copy_from_slice(&z);
-        let (q, _) = self.engine.coordinate(at.hi);
-        if self
+        let condition = self
             .engine
-            .run_steps(0..step, at.hi, Order::Position, &mut self.state)
-            == Condition::NoAssembly
-        {
+            .run_steps(0..step, at.hi, Order::Position, &mut self.state);
+        if condition == Condition::NoAssembly {
             return None;
         }
-        let matrix = group.matrix(q, &mut self.state);
-        let mut series = exact.engine.state(self.state.travels.len());
-        let place = CrossingPlace {
-            z: &z,
-            matrix: &matrix,
-        };
-        let offset = group.follow_curve(
-            &place,
-            (branch, CURVE_TERMS),
-            &mut series,
-            &mut |by, series| {
-                let (q, direction) = self.coordinate_along(at, by);
-                self.place_in_series(0..step, at.hi, q, direction, series)?;
-                Some(q)
-            },
-        )?;
+        let (series, offset) = self.group_along_curve(step, at, Some(branch))?;
         let of = (step, group.group);
         let fold = SingularGroup::tolerances_at(of, SingularShift::default(), 2);
         let curve = Curve {
