@@ -260,9 +260,11 @@ impl Walker<'_> {
         let index = exact.engine.program.steps[step].coupled()?;
         let group = &exact.engine.program.coupled[index];
         let (q, _) = self.engine.coordinate(at.hi);
+        let z = group.open(&mut self.state.scratch).z.to_vec();
+        let matrix = group.matrix(q, &mut self.state);
         let place = CurvePlace {
-            z: &group.open(&mut self.state.scratch).z.to_vec(),
-            matrix: &group.matrix(q, &mut self.state),
+            z: &z,
+            matrix: &matrix,
         };
         let mut series = exact.engine.state(self.state.travels.len());
         let offset = group.follow_curve(
