@@ -19,7 +19,8 @@ pub(super) struct LeadArgs {
 
 impl LeadArgs {
     /// Returns the scene with the requested input as its driver, where the scene opens.
-    pub(super) fn applied_to(&self, opened: SolvableScene) -> Result<SolvableScene, Failure> {
+    /// Such an input does not follow a leading point.
+    pub(super) fn applied_to(&self, mut opened: SolvableScene) -> Result<SolvableScene, Failure> {
         let Some(name) = &self.by else {
             return Ok(opened);
         };
@@ -28,6 +29,7 @@ impl LeadArgs {
         let input = scene.input_named(name).map_err(misread)?;
         let driver = scene.mechanism.driver();
         if input == driver.input {
+            opened.scene.lead = None;
             return Ok(opened);
         }
         let led = scene.led_by(solver, input, driver.start);

@@ -257,6 +257,49 @@ fn elbow_is_kept_close_to_the_edge_of_the_workspace() {
     }
 }
 
+/// Returns a path of 100 s at rest, except for a motion that begins at 50.4 s and takes less than 1 s.
+fn shortly_moved(point: &str, motion: &[[f64; 2]]) -> String {
+    let (first, last) = (motion[0], motion[motion.len() - 1]);
+    let mut rows: Vec<[f64; 3]> = [0.0, 40.0, 49.0].map(|t| [t, first[0], first[1]]).to_vec();
+    let rest = |[x, y]: [f64; 2]| std::iter::repeat_n([x, y], 20);
+    let moved = rest(first).chain(motion.iter().copied()).chain(rest(last));
+    rows.extend(
+        (0..)
+            .zip(moved)
+            .map(|(k, [x, y])| [50.0 + 0.02 * f64::from(k), x, y]),
+    );
+    rows.extend([60.0, 70.0, 100.0].map(|t| [t, last[0], last[1]]));
+    format!("[lead]\n{point} = {{ over = {rows:?} }}")
+}
+
+/// A part out of reach, and a turn about the shoulder, are shorter than a 64th of their paths.
+#[test]
+fn short_parts_of_a_long_path_are_followed() {
+    let heights = [
+        210.0, 215.0, 230.0, 250.0, 270.0, 250.0, 230.0, 215.0, 210.0,
+    ];
+    let mut led = with("five-bar", &shortly_moved("P", &heights.map(|y| [0.0, y])));
+    let reach = led.reach();
+    assert!(!reach.is_complete && (50.4..50.5).contains(&reach.until));
+    // The arms of 240 are in line there, 60 to the side.
+    let [at, ..] = led.lead.path.at(reach.until);
+    near(at.y, (240.0_f64.powi(2) - 60.0_f64.powi(2)).sqrt(), 1e-3);
+    let mut follow = |time| led.leader.follow(&led.lead.path, time, Order::Position);
+    assert!(follow(50.0).is_some() && follow(52.0).is_none());
+
+    let around: Vec<[f64; 2]> = (0..=24)
+        .map(|k| f64::from(15 * k).to_radians())
+        .map(|angle| [450.0 * angle.cos(), 450.0 * angle.sin()])
+        .collect();
+    let mut led = with("robot-arm", &shortly_moved("W", &around));
+    let mut upper = |time| {
+        let pose = led.leader.follow(&led.lead.path, time, Order::Position);
+        pose.unwrap().inputs[0].at
+    };
+    let first = upper(0.0);
+    near(upper(100.0) - first, 360.0, 1e-9);
+}
+
 /// The rods of the five-bar are in line at (0, 60): there P can move while both motors rest.
 #[test]
 fn rods_in_line_are_a_parallel_singularity_of_their_group() {

@@ -62,6 +62,29 @@ impl PointPath {
         }
     }
 
+    /// Returns the end of the smooth part of the path from one time towards another: the next knot
+    /// before `to`, or `to`.
+    pub(crate) fn smooth_end(&self, from: f64, to: f64) -> f64 {
+        let PointPath::Knots { x, .. } = self else {
+            return to;
+        };
+        let knots = x.knots().iter().map(|knot| knot[0]);
+        match from <= to {
+            true => knots.filter(|&at| from < at).fold(to, f64::min),
+            false => knots.filter(|&at| at < from).fold(to, f64::max),
+        }
+    }
+
+    /// Returns three points whose convex hull, with the position at `from`, contains the path between
+    /// two times of one smooth part. The last one is the position at `to`. A circle is contained
+    /// except for a millionth of its radius, if it turns by at most 6 degrees.
+    pub(crate) fn controls(&self, from: f64, to: f64) -> [Vec2; 3] {
+        let [begin, leaving, _] = self.at(from);
+        let [end, arriving, _] = self.at(to);
+        let third = (to - from) / 3.0;
+        [begin + leaving * third, end - arriving * third, end]
+    }
+
     /// Returns `true` if the path ends where it begins.
     #[must_use]
     pub fn is_closed(&self) -> bool {

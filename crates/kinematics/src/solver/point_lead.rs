@@ -22,6 +22,12 @@ const MAX_STEPS: usize = 60;
 const MAX_PIECES: usize = 4000;
 /// Maximum distance of two successive positions, relative to the size of the linkage.
 const STRIDE: f64 = 0.05;
+/// Maximum distance in the worst direction, relative to the size of the linkage and to the square of
+/// the mobility. The edge of a workspace is about five times as far.
+const TOWARDS_EDGE: f64 = 0.5;
+/// Distance in the worst direction that is always allowed, relative to the size of the linkage: else
+/// no step reaches the edge itself.
+const ONTO_EDGE: f64 = 1e-4;
 /// Shortest piece of a way, as a fraction of it.
 const SHORTEST: f64 = 1e-4;
 /// Number of pieces of a path over time, at least.
@@ -94,6 +100,16 @@ struct PathSample {
     margins: [f64; 2],
 }
 
+/// A piece of the way of the leading coordinates.
+struct PieceOfWay {
+    /// Points whose convex hull, with both ends, contains the piece.
+    controls: Vec<Vec<f64>>,
+    /// The leading coordinates at its end.
+    targets: Vec<f64>,
+    /// The coordinates of the inputs at its end; those of the inputs that follow do not count.
+    held: Vec<f64>,
+}
+
 /// Moves the inputs of a mechanism so that a point is where it is led.
 #[derive(Clone, Debug)]
 pub struct PointLeader {
@@ -103,6 +119,8 @@ pub struct PointLeader {
     size: f64,
     /// The leading coordinates at the last kept position.
     reached: Vec<f64>,
+    /// The worst direction there, in which the point moves least, and the maximum distance in it.
+    worst: Option<(DVector<f64>, f64)>,
     /// The time of the last kept position on a path.
     time: Option<f64>,
     /// The time from which a path cannot be followed.
@@ -127,14 +145,20 @@ impl PointLeader {
         free.keep(&start);
         let size = size_of(&free);
         let reached = lead.values(free.state())?.as_slice().to_vec();
-        Some(PointLeader {
+        let mut leader = PointLeader {
             free,
             lead,
             size,
             reached,
+            worst: None,
             time: None,
             stopped: None,
-        })
+        };
+        let opening: Vec<InputMoment> = start.into_iter().map(InputMoment::at_rest).collect();
+        if let Some(slopes) = leader.slopes(&opening) {
+            leader.worst = Some(leader.worst_direction(&slopes));
+        }
+        Some(leader)
     }
 
     /// Returns the state of the last position.
@@ -152,7 +176,11 @@ impl PointLeader {
             let pairs = from.iter().zip(to);
             pairs.map(|(from, to)| from + (to - from) * part).collect()
         };
-        let along = |part| (between(&from, targets, part), between(&held, inputs, part));
+        let along = |_, part| PieceOfWay {
+            controls: Vec::new(),
+            targets: between(&from, targets, part),
+            held: between(&held, inputs, part),
+        };
         self.travel(along).1
     }
 
@@ -181,13 +209,19 @@ impl PointLeader {
         };
         let longest = (last - first) / PATH_PIECES;
         let pose = loop {
-            let to = from + (time - from).clamp(-longest, longest);
+            let to = path.smooth_end(from, time);
+            let to = from + (to - from).clamp(-longest, longest);
             let is_there = to == time || from == to;
-            let targets = |part: f64| {
-                let [at, ..] = path.at(from + (to - from) * part);
-                (vec![at.x, at.y], held.clone())
+            let along = |done: f64, part: f64| {
+                let [begin, end] = [done, part].map(|part| from + (to - from) * part);
+                let [inner @ .., at] = path.controls(begin, end);
+                PieceOfWay {
+                    controls: inner.map(|at| vec![at.x, at.y]).to_vec(),
+                    targets: vec![at.x, at.y],
+                    held: held.clone(),
+                }
             };
-            let (kept, found) = self.travel(targets);
+            let (kept, found) = self.travel(along);
             if kept > 0.0 {
                 self.time = Some(if kept < 1.0 {
                     from + (to - from) * kept
@@ -337,18 +371,15 @@ impl PointLeader {
         }
     }
 
-    /// Moves in pieces: `along` returns the targets and the coordinates of the other inputs at a
-    /// fraction of the way. Keeps the last regular position, and returns the fraction at which it is: 0
-    /// if there was none.
-    fn travel(&mut self, along: impl Fn(f64) -> (Vec<f64>, Vec<f64>)) -> (f64, Option<LedPose>) {
+    /// Moves in pieces: `along` returns the piece between two fractions of the way. Keeps the last
+    /// regular position, and returns the fraction at which it is: 0 if there was none.
+    fn travel(&mut self, along: impl Fn(f64, f64) -> PieceOfWay) -> (f64, Option<LedPose>) {
         let (mut done, mut piece, mut kept): (f64, f64, f64) = (0.0, 1.0, 0.0);
         for _ in 0..MAX_PIECES {
             let next = f64::min(done + piece, 1.0);
-            let (targets, held) = along(next);
-            let away = self.reached.iter().zip(&targets);
-            let away = away.map(|(from, to)| (to - from).abs()).fold(0.0, f64::max);
-            let found = match away <= STRIDE * self.size {
-                true => self.solved(&held, &targets),
+            let way = along(done, next);
+            let found = match self.is_short(&way) {
+                true => self.solved(&way.held, &way.targets),
                 false => None,
             };
             match found {
@@ -356,7 +387,10 @@ impl PointLeader {
                     if pose.is_regular() {
                         let inputs: Vec<f64> = pose.inputs.iter().map(|input| input.at).collect();
                         self.free.keep(&inputs);
-                        self.reached = targets;
+                        if let Some(slopes) = self.slopes(&pose.inputs) {
+                            self.worst = Some(self.worst_direction(&slopes));
+                        }
+                        self.reached = way.targets;
                         kept = next;
                     }
                     if next >= 1.0 {
@@ -369,6 +403,17 @@ impl PointLeader {
             }
         }
         (kept, None)
+    }
+
+    /// Returns `true` if no part of a piece is far from the last kept position, or may lie beyond the
+    /// edge of the workspace.
+    fn is_short(&self, way: &PieceOfWay) -> bool {
+        let reached = DVector::from_column_slice(&self.reached);
+        way.controls.iter().chain([&way.targets]).all(|at| {
+            let off = DVector::from_column_slice(at) - &reached;
+            let is_inside = |(worst, limit): &(DVector<f64>, f64)| worst.dot(&off).abs() <= *limit;
+            off.amax() <= STRIDE * self.size && self.worst.as_ref().is_none_or(is_inside)
+        })
     }
 
     /// Solves a position near the last kept one; `held` has the coordinates of the inputs that do
@@ -427,15 +472,31 @@ impl PointLeader {
         None
     }
 
-    /// Returns the mobility of the point, and the singularity of the present position if it is one.
-    fn singularity(&mut self, mut slopes: DMatrix<f64>) -> (f64, Option<LeadSingularity>) {
+    /// Returns derivatives for a turn of one radian or a push by the size of the linkage.
+    fn comparable(&self, mut slopes: DMatrix<f64>) -> DMatrix<f64> {
         for (mut column, &index) in slopes.column_iter_mut().zip(&self.lead.inputs) {
             column *= match self.free.mechanism().inputs().nth(index) {
                 Some(Input::Push(_)) => self.size,
                 Some(Input::Turn(_)) | None => 1.0_f64.to_degrees(),
             };
         }
-        let parts = slopes.svd(false, true);
+        slopes
+    }
+
+    /// Returns the direction in which the point moves least, and the maximum distance of the next
+    /// position in it.
+    fn worst_direction(&self, slopes: &DMatrix<f64>) -> (DVector<f64>, f64) {
+        let parts = self.comparable(slopes.clone()).svd(true, false);
+        let worst = parts.singular_values.imin();
+        let mobility = parts.singular_values.min() / self.size;
+        let ways = parts.u.unwrap_or_else(|| slopes.clone());
+        let limit = f64::max(TOWARDS_EDGE * mobility * mobility, ONTO_EDGE);
+        (ways.column(worst).into_owned(), limit * self.size)
+    }
+
+    /// Returns the mobility of the point, and the singularity of the present position if it is one.
+    fn singularity(&mut self, slopes: DMatrix<f64>) -> (f64, Option<LeadSingularity>) {
+        let parts = self.comparable(slopes).svd(false, true);
         let worst = parts.singular_values.imin();
         let mobility = parts.singular_values.min() / self.size;
         if mobility <= SINGULAR {
