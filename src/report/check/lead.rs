@@ -39,6 +39,8 @@ impl CheckedScene<'_> {
         )];
         if reach.is_complete {
             lines.push(words().lead_is_followed().to_owned());
+        } else if reach.until == first {
+            lines.push(words().lead_is_not_reached().to_owned());
         } else {
             let [at, ..] = lead.path.at(reach.until);
             let [time, x, y] = [reach.until, at.x, at.y].map(|number| concise(number, PLACES));

@@ -43,14 +43,19 @@ pub struct PointCircle {
 
 impl PointPath {
     /// Creates a path through rows of time, x and y. Returns `None` for fewer than two, if the time
-    /// does not increase, or if a number is not finite.
+    /// does not increase, or if a number, a speed or an acceleration is not finite.
     #[must_use]
     pub fn through(rows: &[[f64; 3]]) -> Option<PointPath> {
         let [x, y] = [1, 2].map(|k| {
             let knots = rows.iter().map(|row| [row[0], row[k]]);
             ClampedSpline::new(knots.collect())
         });
-        Some(PointPath::Knots { x: x?, y: y? })
+        let (x, y) = (x?, y?);
+        let is_finite = |along: &ClampedSpline| {
+            let mut knots = along.knots().iter().flat_map(|knot| along.at(knot[0]));
+            knots.all(f64::is_finite)
+        };
+        (is_finite(&x) && is_finite(&y)).then_some(PointPath::Knots { x, y })
     }
 
     /// Returns the times at which the path begins and ends, in s; a circle ends after one turn.

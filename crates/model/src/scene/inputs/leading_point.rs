@@ -97,7 +97,12 @@ fn path(reader: &mut Reader<'_>, table: &mut KeyTable<'_>) -> Option<PointPath> 
                 .iter()
                 .any(|key| table.is_probable_misspelling(key));
             // A misspelt key was already reported.
-            if has_rows || !is_misspelt {
+            if has_rows {
+                reader.report(
+                    Diagnostic::new(words().input_has_two_laws(&table.of, "over", "centre"))
+                        .at(table.span.clone(), words().says_the_same_otherwise()),
+                );
+            } else if !is_misspelt {
                 reader.report(
                     Diagnostic::new(words().step_has_one_of(&table.of, "over", "centre"))
                         .at(table.span.clone(), words().how_does_point_move())
@@ -133,7 +138,7 @@ fn through(reader: &mut Reader<'_>, what: &str, value: &WrittenValue<'_>) -> Opt
     }
     if let [_] | [] = &rows[..] {
         reader.report(
-            Diagnostic::new(words().path_of_few_rows(what, rows.len()))
+            Diagnostic::new(words().path_of_few_rows(what))
                 .at(value.span(), words().two_rows_are_needed())
                 .help(words().for_example(ROWS)),
         );
@@ -150,7 +155,14 @@ fn through(reader: &mut Reader<'_>, what: &str, value: &WrittenValue<'_>) -> Opt
         return None;
     }
     let rows: Vec<[f64; 3]> = rows.into_iter().map(|(row, _)| row).collect();
-    PointPath::through(&rows)
+    let path = PointPath::through(&rows);
+    if path.is_none() {
+        reader.report(
+            Diagnostic::new(words().path_is_too_fast(what))
+                .at(value.span(), words().times_too_close()),
+        );
+    }
+    path
 }
 
 /// Reads a row of exactly three values.
