@@ -288,34 +288,7 @@ impl CycleFigures {
             }
             let index = self.columns.iter().position(|other| other == column)?;
             let found = excursions.get(index)?.as_ref().ok()?;
-            let (peaks, bottoms) = (found.near_extrema(true), found.near_extrema(false));
-            let kind = match property {
-                FigureProperty::Minimum => PieceKind::Minimum,
-                _ => PieceKind::Maximum,
-            };
-            let of = |places: &[(FigurePlace, f64)]| FigurePiece {
-                value: places.iter().map(|(place, sign)| sign * place.value).sum(),
-                placed: PlacedFigure {
-                    places: places
-                        .iter()
-                        .map(|(place, sign)| (place.at, *sign))
-                        .collect(),
-                    ..placed.clone()
-                },
-            };
-            let pieces = match property {
-                FigureProperty::Minimum => bottoms.iter().map(|&low| of(&[(low, 1.0)])).collect(),
-                FigureProperty::Maximum => peaks.iter().map(|&high| of(&[(high, 1.0)])).collect(),
-                _ => {
-                    let with = |&high: &FigurePlace| {
-                        let of = &of;
-                        let lows = bottoms.iter();
-                        lows.map(move |&low| of(&[(high, 1.0), (low, -1.0)]))
-                    };
-                    peaks.iter().flat_map(with).collect()
-                }
-            };
-            all.push(FigurePieces { kind, pieces });
+            all.push(column_pieces(found, property, &placed));
         }
         Some(all)
     }
@@ -420,6 +393,38 @@ fn placed_transmission(
     } else {
         large.placed
     })
+}
+
+/// Returns the pieces of a figure of a column: its maxima, its minima, or their differences.
+fn column_pieces(
+    found: &Excursion,
+    property: &FigureProperty,
+    placed: &PlacedFigure,
+) -> FigurePieces {
+    let (peaks, bottoms) = (found.near_extrema(true), found.near_extrema(false));
+    let of = |places: &[(FigurePlace, f64)]| FigurePiece {
+        value: places.iter().map(|(place, sign)| sign * place.value).sum(),
+        placed: PlacedFigure {
+            places: places
+                .iter()
+                .map(|(place, sign)| (place.at, *sign))
+                .collect(),
+            ..placed.clone()
+        },
+    };
+    let single = |places: &[FigurePlace]| places.iter().map(|&place| of(&[(place, 1.0)])).collect();
+    let (kind, pieces) = match property {
+        FigureProperty::Minimum => (PieceKind::Minimum, single(&bottoms)),
+        FigureProperty::Maximum => (PieceKind::Maximum, single(&peaks)),
+        _ => {
+            let pairs = peaks
+                .iter()
+                .flat_map(|&high| bottoms.iter().map(move |&low| (high, low)));
+            let differences = pairs.map(|(high, low)| of(&[(high, 1.0), (low, -1.0)]));
+            (PieceKind::Maximum, differences.collect())
+        }
+    };
+    FigurePieces { kind, pieces }
 }
 
 /// Returns the smallest and the largest angle of a dyad as pieces of a transmission angle. An angle
