@@ -110,6 +110,8 @@ const SEATS: [LabelSeat; 40] = [
     seat(-3, 2, Align::End, 9),
 ];
 
+/// Largest distance of a seat from its point in rows.
+const MAX_ROW: i32 = 2;
 /// Number of seats that are tried without a plan.
 const UNPLANNED: usize = 22;
 
@@ -168,7 +170,7 @@ impl Labels {
             self.places[count] = place;
             count += 1;
             if let LabelPlace::Seat(seat) = place {
-                let (col, row) = origin(&SEATS[seat], point, text);
+                let (col, row) = origin(&SEATS[seat], point, width(text));
                 write(raster, col, row, text, role);
             }
         }
@@ -188,7 +190,7 @@ impl Labels {
         placed.filter_map(move |((at, text, _), place)| match *place {
             LabelPlace::Seat(seat) => {
                 let point = cell_of(view.cell(at));
-                let (col, row) = origin(&SEATS[seat], point, text);
+                let (col, row) = origin(&SEATS[seat], point, width(text));
                 Some((text, at, col - point.0, row - point.1))
             }
             LabelPlace::New | LabelPlace::Hidden => None,
@@ -237,11 +239,12 @@ fn best_place(
     } else {
         limit
     };
+    let width = width(text);
     let cost = |index: usize| {
         let seat = &SEATS[index];
-        let (col, row) = origin(seat, point, text);
+        let (col, row) = origin(seat, point, width);
         let inertia = i32::from(last == LabelPlace::Seat(index)) * INERTIA;
-        Some(cover(raster, col, row, text)? + seat.cost - inertia).filter(|&cost| cost <= limit)
+        Some(cover(raster, col, row, width)? + seat.cost - inertia).filter(|&cost| cost <= limit)
     };
     let priced = (0..UNPLANNED).filter_map(|index| cost(index).map(|cost| (cost, index)));
     priced
@@ -256,13 +259,15 @@ pub(in crate::drawing) fn free_places(
     point: (i32, i32),
     text: &str,
 ) -> Vec<(i32, i32)> {
+    let width = width(text);
     let free = |seat: &&LabelSeat| {
-        let (col, row) = origin(seat, point, text);
-        cover(raster, col, row, text) == Some(0)
+        let (col, row) = origin(seat, point, width);
+        cover(raster, col, row, width) == Some(0)
     };
     let mut seats: Vec<&LabelSeat> = SEATS[..NEAR].iter().filter(free).collect();
     seats.sort_by_key(|seat| seat.cost);
-    seats.iter().map(|seat| origin(seat, point, text)).collect()
+    let origins = seats.iter().map(|seat| origin(seat, point, width));
+    origins.collect()
 }
 
 /// Returns the number of characters, limited to the maximum number of columns of a raster.
@@ -270,20 +275,20 @@ fn width(text: &str) -> i32 {
     text.chars().count().min(usize::from(u16::MAX)) as i32
 }
 
-/// Returns the cell of the label's first character.
-fn origin(seat: &LabelSeat, point: (i32, i32), text: &str) -> (i32, i32) {
+/// Returns the cell of the first character of a label of this width.
+fn origin(seat: &LabelSeat, point: (i32, i32), width: i32) -> (i32, i32) {
     let back = match seat.align {
         Align::Start => 0,
-        Align::Middle => width(text) / 2,
-        Align::End => width(text) - 1,
+        Align::Middle => width / 2,
+        Align::End => width - 1,
     };
     (point.0 + seat.col - back, point.1 + seat.row)
 }
 
 /// Returns the cost of the cells that a label hides at a place. Returns `None` if it cannot be there:
 /// outside the raster, or on a bar, a mark or another name.
-fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
-    cover_for(raster, col, row, text, None)
+fn cover(raster: &Raster, col: i32, row: i32, width: i32) -> Option<i32> {
+    cover_for(raster, col, row, width, None)
 }
 
 /// Returns the cost of the cells that a label hides at a place, with this cost per character on a
@@ -292,10 +297,10 @@ fn cover_for(
     raster: &Raster,
     col: i32,
     row: i32,
-    text: &str,
+    width: i32,
     over_bar: Option<i32>,
 ) -> Option<i32> {
-    let end = col + width(text);
+    let end = col + width;
     let mut sum = 0;
     for c in col..end {
         sum += match raster.cell(c, row)?.role {

@@ -7,7 +7,9 @@
 //! Between two limits the motion runs there and back, and the name changes once each way. On its
 //! side a name may still move by a few cells.
 
-use super::{Align, INERTIA, LabelPlace, Labels, SEATS, cell_of, cover_for, names, origin, width};
+use super::{
+    Align, INERTIA, LabelPlace, Labels, MAX_ROW, SEATS, cell_of, cover_for, names, origin, width,
+};
 use crate::drawing::cells::raster::Raster;
 use crate::drawing::cells::render::{Glyphs, render_bare};
 use crate::drawing::figure::{Figure, Role};
@@ -91,9 +93,10 @@ impl Side {
             return LabelPlace::Hidden;
         }
         let seats = (0..SEATS.len()).filter(|seat| Side::of_seat(*seat) == self);
+        let width = width(text);
         let priced = seats.filter_map(|seat| {
-            let (col, row) = origin(&SEATS[seat], point, text);
-            let cover = cover_for(raster, col, row, text, Some(OVER_BAR))?;
+            let (col, row) = origin(&SEATS[seat], point, width);
+            let cover = cover_for(raster, col, row, width, Some(OVER_BAR))?;
             let inertia = i32::from(last == LabelPlace::Seat(seat)) * INERTIA;
             Some((cover + SEATS[seat].cost - inertia, seat))
         });
@@ -122,6 +125,13 @@ struct PlannedName {
 }
 
 impl PlannedName {
+    const HIDDEN: PlannedName = PlannedName {
+        main: Side::Hidden,
+        other: Side::Hidden,
+        from: 0,
+        to: 0,
+    };
+
     fn side(&self, step: usize) -> Side {
         let is_other = if self.from <= self.to {
             (self.from..self.to).contains(&step)
@@ -185,20 +195,22 @@ impl Labels {
             closed: extents.poses().is_closed(),
             begin: start,
         };
-        let mut planned: Vec<Option<PlannedName>> = vec![None; count];
+        let mut planned = vec![PlannedName::HIDDEN; count];
+        // The cells that each name takes at each step of its plan.
+        let mut spans: Vec<Vec<Option<Span>>> = vec![Vec::new(); count];
         for _ in 0..ROUNDS {
             for (name, costs) in names.iter().enumerate() {
+                spans[name].clear();
                 let taken = |step: usize| {
-                    let others = planned.iter().zip(&names).enumerate();
-                    let others = others.filter(move |(other, _)| *other != name);
-                    others.filter_map(move |(_, (plan, costs))| costs.span(plan.as_ref()?, step))
+                    let others = spans.iter();
+                    others.filter_map(move |other| *other.get(step)?)
                 };
                 let shown = self.places.get(name).map(|place| Side::of(*place));
                 let shown = shown.filter(|shown| *shown != Side::Hidden);
-                planned[name] = Some(planning.best(&costs.with_others(taken), shown));
+                planned[name] = planning.best(&costs.with_others(taken), shown);
+                spans[name] = costs.spans(&planned[name]);
             }
         }
-        let mut planned: Vec<PlannedName> = planned.into_iter().flatten().collect();
         for _ in 0..ROUNDS {
             leave_out_crowded(&mut planned, &names);
         }
@@ -255,7 +267,7 @@ fn leave_out_crowded(planned: &mut [PlannedName], names: &[SeatCosts]) {
             };
             seats[index] = costs.free_seat(side, step, &taken, seats[index]);
             match seats[index] {
-                Some(seat) => taken.extend(span(name, seat)),
+                Some(seat) => taken.push(span(name, seat)),
                 None => crowded[index].push(step),
             }
         }
@@ -300,10 +312,10 @@ fn step_of(extents: &Extents, at: f64) -> Option<usize> {
 }
 
 /// The place of a name at a step: its point's cell and its number of characters.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 struct NameAt {
     point: (i32, i32),
-    text: String,
+    width: i32,
 }
 
 /// A part of a row: the row, the first column, and the column after the last one.
@@ -324,27 +336,30 @@ type SideCosts = [i32; SIDES.len()];
 impl SeatCosts {
     /// Adds a step.
     fn add(&mut self, name: Option<(crate::Vec2, &str)>, view: &WorldView, raster: &Raster) {
-        let name = name.map(|(at, text)| (cell_of(view.cell(at)), text));
-        let name = name.filter(|(point, _)| raster.cell(point.0, point.1).is_some());
+        let name = name.map(|(at, text)| NameAt {
+            point: cell_of(view.cell(at)),
+            width: width(text),
+        });
+        let name = name.filter(|name| raster.cell(name.point.0, name.point.1).is_some());
         let mut costs = [None; SEATS.len()];
-        if let Some((point, text)) = name {
+        if let Some(NameAt { point, width }) = name {
             for (seat, cost) in SEATS.iter().zip(&mut costs) {
-                let (col, row) = origin(seat, point, text);
-                let cover = cover_for(raster, col, row, text, Some(OVER_BAR));
+                let (col, row) = origin(seat, point, width);
+                let cover = cover_for(raster, col, row, width, Some(OVER_BAR));
                 *cost = cover.map(|cover| cover + seat.cost);
             }
         }
         self.costs.push(costs);
-        self.names.push(name.map(|(point, text)| NameAt {
-            point,
-            text: text.to_owned(),
-        }));
+        self.names.push(name);
     }
 
-    /// Returns the cells that the name takes at a step of its plan.
-    fn span(&self, plan: &PlannedName, step: usize) -> Option<Span> {
-        let seat = self.free_seat(plan.side(step), step, &[], None)?;
-        span(self.names[step].as_ref()?, seat)
+    /// Returns the cells that the name takes at each step of its plan.
+    fn spans(&self, plan: &PlannedName) -> Vec<Option<Span>> {
+        let spans = self.names.iter().enumerate().map(|(step, name)| {
+            let seat = self.free_seat(plan.side(step), step, &[], None)?;
+            Some(span(name.as_ref()?, seat))
+        });
+        spans.collect()
     }
 
     /// Returns the seat of the name on a side at a step, clear of other names. Close to the best
@@ -360,10 +375,11 @@ impl SeatCosts {
         let costs = self.costs[step].iter().enumerate();
         let own = costs.filter(|(seat, _)| Side::of_seat(*seat) == side);
         let free = own.filter_map(|(seat, cost)| {
-            let own = span(name, seat)?;
+            let cost = (*cost)?;
+            let own = span(name, seat);
             let is_free = !taken.iter().any(|other| touch(own, *other));
             let inertia = i32::from(last == Some(seat)) * INERTIA;
-            Some(((*cost).filter(|_| is_free)? - inertia, seat))
+            is_free.then_some((cost - inertia, seat))
         });
         free.min().map(|(_, seat)| seat)
     }
@@ -372,18 +388,21 @@ impl SeatCosts {
     /// side is blocked already at the steps next to those at which it is, because frames lie between
     /// steps.
     fn with_others<S: Iterator<Item = Span>>(&self, taken: impl Fn(usize) -> S) -> Vec<SideCosts> {
+        let mut others: Vec<Span> = Vec::new();
         let sides = (0..self.costs.len()).map(|step| {
             let mut sides = [HIDDEN; SIDES.len()];
             let Some(name) = &self.names[step] else {
                 sides[SIDES.len() - 1] = 0;
                 return sides;
             };
-            let others: Vec<Span> = taken(step).collect();
+            others.clear();
+            others.extend(taken(step).filter(|other| (other.0 - name.point.1).abs() <= MAX_ROW));
             for (seat, cost) in self.costs[step].iter().enumerate() {
-                let touches = |own: Span| others.iter().any(|other| touch(own, *other));
-                let is_taken = span(name, seat).is_some_and(touches);
+                let Some(cost) = cost else { continue };
+                let own = span(name, seat);
+                let is_taken = others.iter().any(|other| touch(own, *other));
                 let side = SIDES.iter().position(|side| *side == Side::of_seat(seat));
-                if let (Some(cost), Some(side), false) = (cost, side, is_taken) {
+                if let (Some(side), false) = (side, is_taken) {
                     let is_on_bar = *cost >= OVER_BAR;
                     let cost = 2 * cost + i32::from(is_on_bar) * BLOCKED;
                     sides[side] = sides[side].min(cost);
@@ -416,9 +435,9 @@ fn touch(one: Span, other: Span) -> bool {
 }
 
 /// Returns the cells that a name takes on a seat.
-fn span(name: &NameAt, seat: usize) -> Option<Span> {
-    let (col, row) = origin(SEATS.get(seat)?, name.point, &name.text);
-    Some((row, col, col + width(&name.text)))
+fn span(name: &NameAt, seat: usize) -> Span {
+    let (col, row) = origin(&SEATS[seat], name.point, name.width);
+    (row, col, col + name.width)
 }
 
 /// The search for the best places of a name.
@@ -439,12 +458,7 @@ impl Planning {
                 .filter(|(_, side)| **side != shown);
             others.for_each(|(cost, _)| *cost += EXAMINED_FRACTIONS);
         }
-        let hidden = PlannedName {
-            main: Side::Hidden,
-            other: Side::Hidden,
-            from: 0,
-            to: 0,
-        };
+        let hidden = PlannedName::HIDDEN;
         let mut best = (i32::MAX, hidden);
         let mut offer = |cost: i32, name: PlannedName| {
             if cost < best.0 {
