@@ -9,7 +9,7 @@ use super::{Content, Equation, Facts, Illustration, Page, Row, Table};
 use crate::wording::words;
 use std::fmt::Write as _;
 
-const SHEET: &str = include_str!("page.css");
+const SHEET: &str = include_str!("html/page.css");
 const DARK: &str = ":root{--ink:#ddd;--paper:#181818;--line:#555;--quiet:#aaa;--found:#ff9a94}\n";
 
 impl Page {

@@ -6,7 +6,7 @@ use super::prose::{ProsePiece, is_spelled, is_symbol, with_marked_unit};
 use super::{Content, Equation, Facts, Illustration, Page, Row, Table};
 use std::fmt::Write as _;
 
-const HEAD: &str = include_str!("preamble.tex");
+const HEAD: &str = include_str!("latex/preamble.tex");
 
 /// Characters per line of paper; wider tables are scaled down.
 const LINE: usize = 76;

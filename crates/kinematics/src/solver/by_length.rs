@@ -3,7 +3,7 @@
 use super::elements::{ACCELERATION, POSITION, VELOCITY};
 use super::engine::Engine;
 use super::forces::Balance;
-use super::network::Network;
+use super::plan::network::Network;
 use super::state::{Condition, State};
 use super::{Demand, Order, Solver, Workspace, chain};
 use crate::{Dual, Length, Link, Number, SlideId, Vec2};

@@ -6,22 +6,22 @@
 //! It keeps no history and does not allocate.
 //!
 //! ```text
-//! once       network    the constraints of points, links and slides: known and unknown values
-//!            order      the constraints solved together, and the order of solving
+//! once       plan       network: the constraints of points, links and slides; order: those solved
+//!                       together, and the order of solving; pruning: the steps of a demand
 //!            rank       redundant constraints and free motions, from the dimensions
-//!            chain      converts groups to steps: dyads in closed form, the rest coupled -> plan
-//!            assemble   the selected assembly at the start       choices       the alternatives
+//!            chain      converts groups to steps: dyads in closed form, the rest coupled
+//!            assemble   the selected assembly at the start, and the alternatives
 //!            motion     the range, its limits and change points  change_point  their crossings
 //!            stops      the coordinates at which the motion meets the end of a limit
 //! each time  workspace  the state, which is the result, and the memory to compute it
 //!            engine     runs the steps: elements (closed forms), coupled (Newton's method with lu)
-//!            edge       near an end: in double-double, from the typed decimals (exact)
+//!            exact      near an end: in double-double, from the typed decimals
 //!            lanes      several coordinates at once
-//!            bounds     error bounds                             twice         results in double-double
+//!            bounds     error bounds
 //!            forces     runs the steps backwards: joint forces, and the driver's torque or force
 //! also       transmission, conditioning, dead_centres (of slides), classify,
 //!            by_length (derivatives), methods (other methods, for comparison),
-//!            free_inputs (each input by itself), point_lead (inputs that follow a point)
+//!            free_inputs (each input by itself, and inputs that follow a point)
 //! ```
 //!
 //! Formulas of steps and coupled groups are written once, generic over [`crate::Number`].
@@ -31,13 +31,10 @@ mod bounds;
 mod by_length;
 mod chain;
 mod change_point;
-mod choices;
 mod classify;
 mod conditioning;
 mod coupled;
 mod dead_centres;
-mod double_double_reference;
-mod edge;
 mod elements;
 mod engine;
 mod exact;
@@ -52,12 +49,7 @@ mod lu;
 mod margin;
 mod methods;
 mod motion;
-mod network;
-mod order;
 mod plan;
-mod point_lead;
-mod proved_run;
-mod pruning;
 mod rank;
 mod speed;
 mod state;
@@ -66,8 +58,8 @@ mod transmission;
 mod varied;
 mod workspace;
 
+pub use assemble::choices::{Assemblies, Choice, MAX_ASSEMBLIES};
 pub use by_length::ByLength;
-pub use choices::{Assemblies, Choice, MAX_ASSEMBLIES};
 pub use classify::{DrivenLoop, Grashof, Inversion, LoopKind};
 pub use conditioning::Conditioning;
 pub use coupled::{Newton, NewtonRow, NewtonUnknown};
@@ -76,13 +68,13 @@ pub use fault::{Fault, OpenChoice};
 pub use forces::{
     ForceCheck, Indeterminate, LeastNorm, LoadAction, PressStroke, Residual, WithheldReason,
 };
+pub use free_inputs::point_lead::{LeadSingularity, LedPose, LedReach, PointLeader};
 pub use free_inputs::{FreeInputs, InputMoment};
 pub use known_states::Known;
 pub use methods::{Deviation, DriftMethod, Methods, Runner};
 pub use methods::{Method, Start, Unsuitable};
 pub use motion::{EndStop, MeetingAssemblies, Motion, NearMiss, Range};
 pub use plan::{AssemblyChoice, Group, GroupId, GroupKind, Plan};
-pub use point_lead::{LeadSingularity, LedPose, LedReach, PointLeader};
 pub use rank::{Rank, Redundancy};
 pub use state::Sliding;
 pub use state::{Condition, State, Travel};
@@ -109,8 +101,8 @@ use engine::Engine;
 use exact::Exact;
 use forces::Balance;
 use frame::Frame;
-use network::Network;
-use order::Ordering;
+use plan::network::Network;
+use plan::order::Ordering;
 use std::sync::Arc;
 
 /// The highest order to which a state is solved.
@@ -237,7 +229,8 @@ impl Solver {
             let solver = Solver::with(&network, ordering, at, near, choices)?;
             rank::with_rank(&network, solver)
         };
-        let first = order::ordering(&network, &[]).and_then(|ordering| with(&ordering, at, near));
+        let first =
+            plan::order::ordering(&network, &[]).and_then(|ordering| with(&ordering, at, near));
         let complete = first.or_else(|fault| rank::reopened(&network, fault, at, near, with));
         complete.and_then(Solver::between_stops)
     }

@@ -3,7 +3,7 @@
 use super::Order;
 use super::forces::ForceState;
 use super::frame::Frame;
-use super::pruning::Marks;
+use super::plan::pruning::Marks;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 use std::sync::Arc;
 

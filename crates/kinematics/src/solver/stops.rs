@@ -13,8 +13,8 @@
 //! back more than twice as much as at both ends.
 
 use super::exact::Exact;
+use super::exact::proved_run::ProvedRun;
 use super::motion::{EndStop, sign_change};
-use super::proved_run::ProvedRun;
 use super::state::{Condition, State};
 use super::{Demand, Fault, Order, Range, Solver, Workspace};
 use crate::arithmetic::{half_ulp, typed_radius};

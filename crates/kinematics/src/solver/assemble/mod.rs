@@ -5,6 +5,7 @@
 //! two placements coincide and positions cannot distinguish them. The motion is then started next
 //! to that coordinate.
 
+pub(super) mod choices;
 mod double_double_placement;
 mod open;
 mod request;
@@ -17,9 +18,9 @@ use super::elements::{Step, StepOutcome};
 use super::engine::Engine;
 use super::exact::Exact;
 use super::fault::Fault;
-use super::network::Network;
+use super::plan::network::Network;
+use super::plan::pruning::PlacedPart;
 use super::plan::{AssemblyChoice, Group, Plan};
-use super::pruning::PlacedPart;
 use super::state::{Condition, State};
 use super::workspace::Workspace;
 use crate::{Mechanism, PointId, Vec2};

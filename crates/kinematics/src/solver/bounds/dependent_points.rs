@@ -9,7 +9,7 @@ use super::shape::LinkShape;
 use crate::arithmetic::plane::{Fallback, Plane, Simd, number, vector};
 use crate::arithmetic::{Sharp, U};
 use crate::solver::elements::{ACCELERATION, VELOCITY};
-use crate::solver::pruning::PlacedPart;
+use crate::solver::plan::pruning::PlacedPart;
 use crate::solver::state::State;
 use crate::{Ball, Constant, LinkId, PointId, Vec2};
 

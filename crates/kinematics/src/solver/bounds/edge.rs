@@ -4,7 +4,7 @@
 use super::Errors;
 use super::errors::{LinkError, PointError};
 use crate::arithmetic::Sharp;
-use crate::solver::pruning::PlacedPart;
+use crate::solver::plan::pruning::PlacedPart;
 use crate::solver::state::{Condition, State};
 use crate::solver::{Order, Solver, Workspace};
 use crate::{Ball, Double};

@@ -14,7 +14,7 @@ use super::link_vector::SUM;
 use crate::solver::coupled::Coupled;
 use crate::solver::elements::Step;
 use crate::solver::plan::Program;
-use crate::solver::pruning::PlacedPart;
+use crate::solver::plan::pruning::PlacedPart;
 use crate::{LinkId, PointId, Vec2};
 use std::f64::consts::SQRT_2;
 use std::ops::Range;

@@ -40,7 +40,7 @@ use super::elements::{
 };
 use super::engine::Engine;
 use super::forces::Balance;
-use super::pruning::PlacedPart;
+use super::plan::pruning::PlacedPart;
 use super::state::{Condition, LinkState, PointState, State};
 use super::{Order, Solver, Workspace};
 use crate::arithmetic::plane::Simd;

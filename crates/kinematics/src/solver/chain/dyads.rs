@@ -11,7 +11,7 @@ use super::{Chain, Scope};
 use crate::solver::elements::{
     Arm, CircleLine, CircleRail, Circles, Cylinder, GuideLine, Lines, Step, Swing,
 };
-use crate::solver::network::ClassId;
+use crate::solver::plan::network::ClassId;
 use crate::solver::plan::{GroupKind, GuideConstraint, Leg};
 use crate::{Body, Constant, Input, LinkId, PointId, SlideId, Vec2};
 

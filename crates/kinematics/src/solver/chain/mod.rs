@@ -8,8 +8,8 @@ mod redundant_parts;
 use super::coupled::{self, Coupled};
 use super::elements::{Aim, Arm, Crank, Elbow, Lock, Push, Ride, Spin, Step, Timed};
 use super::fault::Fault;
-use super::network::{ClassId, GROUND, Network, ScalarEquation, ScalarUnknown};
-use super::order::{self, CoupledBlock, Ordering};
+use super::plan::network::{ClassId, GROUND, Network, ScalarEquation, ScalarUnknown};
+use super::plan::order::{self, CoupledBlock, Ordering};
 use super::plan::{Group, GroupKind, Plan, Program};
 use crate::{Body, Constant, ElementId, Input, LinkId, PointId, SlideId, Vec2};
 

@@ -3,7 +3,7 @@
 
 use super::Chain;
 use crate::solver::elements::SlideReadout;
-use crate::solver::network::ScalarEquation;
+use crate::solver::plan::network::ScalarEquation;
 use crate::solver::plan::{Gauge, WatchedConstraint};
 use crate::{Constant, Input, LinkId, PointId, Vec2};
 

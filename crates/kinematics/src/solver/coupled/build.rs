@@ -2,7 +2,7 @@
 //! equations between the spots.
 
 use super::{ArmSeat, Base, Bearing, GroupEquation, Remainder, Spot, Turning};
-use crate::solver::network::ClassId;
+use crate::solver::plan::network::ClassId;
 use crate::{Body, Constant, Input, LinkId, PointId, SlideId, Vec2};
 
 /// A coupled group under construction.

@@ -28,8 +28,8 @@ pub(super) use opening::{Opening, OpeningSeries};
 
 use super::further_inputs::Following;
 use super::lu;
-use super::network::{ClassId, Network};
-use super::pruning::PlacedPart;
+use super::plan::network::{ClassId, Network};
+use super::plan::pruning::PlacedPart;
 use super::state::State;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 use build::GroupMaker;

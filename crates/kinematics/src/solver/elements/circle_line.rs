@@ -14,7 +14,7 @@ use super::{
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::forces::{ArmSite, ForceState, LineReaction, Site};
-use crate::solver::pruning::PlacedPart;
+use crate::solver::plan::pruning::PlacedPart;
 use crate::solver::state::{LinkState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, PointId, Vec2};

@@ -13,7 +13,7 @@ use super::{
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::forces::{ArmSite, ForceState, Site};
-use crate::solver::pruning::PlacedPart;
+use crate::solver::plan::pruning::PlacedPart;
 use crate::solver::state::{LinkState, PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, PointId, Vec2};

@@ -3,7 +3,7 @@
 use super::riding_point::RideBackward;
 use super::{Element, NoBackwardPass, StepOutcome};
 use crate::solver::forces::Site;
-use crate::solver::pruning::PlacedPart;
+use crate::solver::plan::pruning::PlacedPart;
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Constant, Input, LinkId, Number, PointId, Vec2};
 

@@ -3,7 +3,7 @@
 use super::{BackwardPass, Element, StepOutcome};
 use crate::solver::forces::{ForceState, Site};
 use crate::solver::further_inputs::{Following, InputMotion};
-use crate::solver::pruning::PlacedPart;
+use crate::solver::plan::pruning::PlacedPart;
 use crate::solver::state::{LinkState, State};
 use crate::{LinkId, Number, Vec2};
 

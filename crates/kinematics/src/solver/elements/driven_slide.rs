@@ -4,7 +4,7 @@ use super::riding_point::carried;
 use super::{BackwardPass, Element, StepOutcome};
 use crate::solver::forces::{ForceState, Site, Slot};
 use crate::solver::further_inputs::{Following, InputMotion};
-use crate::solver::pruning::PlacedPart;
+use crate::solver::plan::pruning::PlacedPart;
 use crate::solver::state::State;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 

@@ -6,7 +6,7 @@ use super::{
     Swing, sum,
 };
 use crate::arithmetic::{Series, TERMS};
-use crate::solver::pruning::PlacedPart;
+use crate::solver::plan::pruning::PlacedPart;
 use crate::solver::state::{LinkState, State};
 use crate::{Double, LinkId, Number, PointId, Vec2};
 

@@ -1,7 +1,7 @@
 //! Describes guides as lines: a known point, a known direction and the chord of a circle.
 
 use super::REACH_SLACK;
-use crate::solver::pruning::PlacedPart;
+use crate::solver::plan::pruning::PlacedPart;
 use crate::solver::state::{PointState, State};
 use crate::{Constant, LinkId, Number, PointId, Vec2};
 

@@ -3,7 +3,7 @@
 use super::line::GuideAt;
 use super::{ACCELERATION, BackwardPass, Element, GuideLine, StepOutcome, VELOCITY};
 use crate::solver::forces::{ForceState, LineReaction, Site};
-use crate::solver::pruning::PlacedPart;
+use crate::solver::plan::pruning::PlacedPart;
 use crate::solver::state::{PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Number, PointId, Vec2};

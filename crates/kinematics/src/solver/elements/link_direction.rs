@@ -2,7 +2,7 @@
 
 use super::{ACCELERATION, Arm, BackwardPass, Element, StepOutcome, VELOCITY};
 use crate::solver::forces::{ArmSite, ForceState, Site};
-use crate::solver::pruning::PlacedPart;
+use crate::solver::plan::pruning::PlacedPart;
 use crate::solver::state::{LinkState, State};
 use crate::{Constant, Number, PointId, Vec2};
 

@@ -2,7 +2,7 @@
 
 use super::{BackwardPass, Element, StepOutcome};
 use crate::solver::forces::{ForceState, Site};
-use crate::solver::pruning::PlacedPart;
+use crate::solver::plan::pruning::PlacedPart;
 use crate::solver::state::State;
 use crate::{Constant, LinkId, Number, Vec2};
 

@@ -50,7 +50,7 @@ pub(super) use swinging_arm::Swing;
 use super::coupled::Coupled;
 use super::forces::{ForceState, Site};
 use super::further_inputs::Following;
-use super::pruning::PlacedPart;
+use super::plan::pruning::PlacedPart;
 use super::state::State;
 use super::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, Vec2};

@@ -2,7 +2,7 @@
 
 use super::{ACCELERATION, BackwardPass, Element, StepOutcome, VELOCITY};
 use crate::solver::forces::{ForceState, Site, Slot};
-use crate::solver::pruning::PlacedPart;
+use crate::solver::plan::pruning::PlacedPart;
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Constant, LinkId, Number, PointId, Vec2};
 

@@ -2,7 +2,7 @@
 
 use super::{Element, GuideLine, NoBackwardPass, StepOutcome};
 use crate::solver::forces::Site;
-use crate::solver::pruning::PlacedPart;
+use crate::solver::plan::pruning::PlacedPart;
 use crate::solver::state::{LinkState, State, TravelState};
 use crate::{Number, PointId, SlideId, Vec2};
 

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::forces::{ForceState, LegSite, Site, Slot};
-use crate::solver::pruning::PlacedPart;
+use crate::solver::plan::pruning::PlacedPart;
 use crate::solver::state::{LinkState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};

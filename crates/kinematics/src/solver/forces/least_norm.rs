@@ -8,7 +8,7 @@
 
 use super::open::{DirectAction, MIN_REACTION, probes};
 use super::{Balance, ForceState, Indeterminate};
-use crate::solver::network::Network;
+use crate::solver::plan::network::Network;
 use crate::solver::workspace::Workspace;
 use crate::solver::{Condition, Order, Solver};
 use crate::{LinkId, PointId, SlideId, Vec2};

@@ -5,8 +5,8 @@
 
 use super::ForceState;
 use crate::solver::elements::Step;
-use crate::solver::network::{GROUND, Network};
 use crate::solver::plan::Program;
+use crate::solver::plan::network::{GROUND, Network};
 use crate::{LinkId, Number, SlideId, Slider};
 
 /// The locks of a mechanism.

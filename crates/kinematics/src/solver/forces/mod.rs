@@ -27,7 +27,7 @@ use super::coupled::Scratch;
 use super::elements::Pass;
 use super::engine::Engine;
 use super::further_inputs::Following;
-use super::network::Network;
+use super::plan::network::Network;
 use super::state::{Condition, State};
 use super::{Order, Solver, Workspace};
 use crate::arithmetic::Sharp;

@@ -7,7 +7,7 @@
 //! on it, both cancel.
 
 use super::{Balance, Extent, ForceState, Slots};
-use crate::solver::network::Network;
+use crate::solver::plan::network::Network;
 use crate::solver::plan::{Gauge, WatchedConstraint};
 use crate::solver::state::{Condition, State};
 use crate::solver::workspace::Workspace;

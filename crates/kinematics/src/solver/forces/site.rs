@@ -2,7 +2,7 @@
 
 use super::storage::{Slot, Slots};
 use crate::solver::elements::{Arm, Pass, Step};
-use crate::solver::network::Network;
+use crate::solver::plan::network::Network;
 use crate::solver::plan::{GuideConstraint, Program};
 use crate::{Input, LinkId, PointId, SlideId};
 

@@ -17,7 +17,7 @@ pub use runner::Runner;
 use super::coupled::{ClosingCondition, Coupled, Scratch};
 use super::elements::ACCELERATION;
 use super::engine::Engine;
-use super::network::Network;
+use super::plan::network::Network;
 use super::state::State;
 use super::{Condition, Group, GroupKind, Order, Range, Solver, Workspace, chain};
 use crate::{Double, LinkId, Mechanism, Number, PointId};

@@ -11,7 +11,7 @@ use crate::numeric::root;
 use crate::solver::Order;
 use crate::solver::coupled::{Correction, ExactFold, Fold, FoldResiduals};
 use crate::solver::engine::Engine;
-use crate::solver::proved_run::ProvedRun;
+use crate::solver::exact::proved_run::ProvedRun;
 use crate::solver::state::Condition;
 use crate::solver::workspace::Workspace;
 use crate::{Ball, Double};

@@ -7,7 +7,7 @@
 //! motions.
 
 use super::rows::{RankPose, Rows};
-use crate::solver::network::GROUND;
+use crate::solver::plan::network::GROUND;
 use crate::{LinkId, PointId, Vec2, angle};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
@@ -153,7 +153,7 @@ pub(super) fn rough(rows: &Rows<'_>, at: f64, near: &[(PointId, Vec2)], trial: u
         next: angle::unit(GOLDEN * trial as f64),
     };
     for (class, _) in network.members.iter().enumerate() {
-        placing.class_known[class] = network.is_given(crate::solver::network::ClassId(class));
+        placing.class_known[class] = network.is_given(crate::solver::plan::network::ClassId(class));
     }
     placing.class_known[GROUND.0] = true;
     let given = mechanism.point_ids().filter_map(|p| {

@@ -6,7 +6,7 @@
 
 use super::rows::Rows;
 use super::spectrum::IndependentRows;
-use crate::solver::order;
+use crate::solver::plan::order;
 use nalgebra::DMatrix;
 use std::cmp::Reverse;
 

@@ -9,8 +9,8 @@ mod verdict;
 
 use super::Solver;
 use super::fault::Fault;
-use super::network::{Network, ScalarEquation};
-use super::order::{self, Ordering};
+use super::plan::network::{Network, ScalarEquation};
+use super::plan::order::{self, Ordering};
 use crate::{ElementId, PointId, Vec2};
 use std::collections::VecDeque;
 use verdict::{AllConstraints, RankVerdict};

@@ -3,8 +3,8 @@
 use super::rows::{RankPose, Rows};
 use super::spectrum::IndependentRows;
 use super::{MAX_UNKNOWNS, Redundancy};
-use crate::solver::network::{Network, ScalarEquation};
-use crate::solver::order;
+use crate::solver::plan::network::{Network, ScalarEquation};
+use crate::solver::plan::order;
 use crate::solver::state::{Condition, State};
 use crate::solver::{Order, Range, Solver};
 use crate::{ElementId, Vec2};

@@ -3,7 +3,7 @@
 
 use crate::solver::frame::Frame;
 use crate::solver::further_inputs::InputMotion;
-use crate::solver::network::{ClassId, GROUND, Network, ScalarEquation, ScalarUnknown};
+use crate::solver::plan::network::{ClassId, GROUND, Network, ScalarEquation, ScalarUnknown};
 use crate::{Body, Input, LinkId, PointId, SlideId, Vec2, angle};
 use nalgebra::DMatrix;
 

@@ -5,10 +5,10 @@
 //! of the end they cannot even decide whether it closes. The steps before the first coupled group
 //! are then run in double-double from the typed decimals, and the values are rounded once.
 
-use super::exact::Exact;
-use super::pruning::PlacedPart;
-use super::state::{Condition, LinkState, PointState, State, TravelState};
-use super::{Order, Solver, Workspace};
+use crate::solver::exact::Exact;
+use crate::solver::plan::pruning::PlacedPart;
+use crate::solver::state::{Condition, LinkState, PointState, State, TravelState};
+use crate::solver::{Order, Solver, Workspace};
 use crate::{Double, Lanes, Number};
 
 /// If the square of the sine of a transmission angle is below this limit, doubles lose three digits
@@ -18,7 +18,7 @@ const THIN: f64 = 1.0 / 1_048_576.0;
 impl State {
     /// Returns `true` if any dyad is near its limit.
     #[inline(always)]
-    pub(super) fn is_thin(&self) -> bool {
+    pub(in crate::solver) fn is_thin(&self) -> bool {
         self.measures.iter().any(|&measure| measure < THIN)
     }
 }
@@ -26,7 +26,7 @@ impl State {
 impl State<Lanes> {
     /// Returns `true` if any dyad is near its limit in any lane.
     #[inline(always)]
-    pub(super) fn is_thin(&self) -> bool {
+    pub(in crate::solver) fn is_thin(&self) -> bool {
         let mut lanes = self.measures.iter().flat_map(|measure| measure.0);
         lanes.any(|measure| measure < THIN)
     }
@@ -36,7 +36,12 @@ impl Solver {
     /// Solves at any coordinate, with the motion's knowledge of its ends, and in double-double
     /// where doubles do not suffice.
     #[cold]
-    pub(super) fn solve_closely(&self, at: f64, order: Order, workspace: &mut Workspace) {
+    pub(in crate::solver) fn solve_closely(
+        &self,
+        at: f64,
+        order: Order,
+        workspace: &mut Workspace,
+    ) {
         workspace.state.start(at, order);
         workspace.state.condition = Condition::NoAssembly;
         if !self.motion.covers(at) {
@@ -89,7 +94,7 @@ impl Solver {
     /// Solves the steps before the first coupled group again in double-double, if that improves
     /// them.
     #[cold]
-    pub(super) fn refine(&self, at: f64, order: Order, workspace: &mut Workspace) {
+    pub(in crate::solver) fn refine(&self, at: f64, order: Order, workspace: &mut Workspace) {
         let Some(exact) = self.exact.as_ref().filter(|_| !self.is_overridden(at)) else {
             return;
         };
@@ -117,7 +122,7 @@ impl Solver {
 
 impl Exact {
     /// Writes the results of the first `steps` steps, rounded to doubles.
-    pub(super) fn write(&self, steps: usize, from: &State<Double>, to: &mut State) {
+    pub(in crate::solver) fn write(&self, steps: usize, from: &State<Double>, to: &mut State) {
         let program = &self.engine.program;
         for step in &program.steps[..steps] {
             step.outputs(&program.coupled, &mut |part| match part {

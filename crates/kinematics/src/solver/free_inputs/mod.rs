@@ -1,10 +1,12 @@
 //! Moves every input of a mechanism by itself, without opening the solver again.
 
+pub(super) mod point_lead;
+
 use super::chain;
 use super::engine::Engine;
 use super::forces::Balance;
 use super::further_inputs::InputMotion;
-use super::network::Network;
+use super::plan::network::Network;
 use super::plan::{GroupId, Plan};
 use super::state::{Condition, State};
 use super::stops::turns_between;

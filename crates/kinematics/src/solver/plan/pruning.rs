@@ -1,13 +1,13 @@
 //! Removes the steps of a program that a demand does not need, walking backwards from the values
 //! read.
 
-use super::Demand;
-use super::plan::Program;
+use crate::solver::Demand;
+use crate::solver::plan::Program;
 use crate::{LinkId, PointId, SlideId};
 
 /// A subset of the points, links and slides of a program.
 #[derive(Clone, Debug)]
-pub(super) struct Marks {
+pub(in crate::solver) struct Marks {
     pub points: Vec<bool>,
     pub links: Vec<bool>,
     pub slides: Vec<bool>,
@@ -15,14 +15,14 @@ pub(super) struct Marks {
 
 /// An element placed by a step.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum PlacedPart {
+pub(in crate::solver) enum PlacedPart {
     Point(PointId),
     Link(LinkId),
     Slide(SlideId),
 }
 
 impl Marks {
-    pub(super) fn none(program: &Program, slides: usize) -> Marks {
+    pub(in crate::solver) fn none(program: &Program, slides: usize) -> Marks {
         Marks {
             points: vec![false; program.points.len()],
             links: vec![false; program.links.len()],
@@ -41,7 +41,7 @@ impl Marks {
 
 /// Removes the steps that `demand` does not need, and marks in `left_out` the elements that they
 /// place.
-pub(super) fn prune(program: &mut Program, demand: &Demand, left_out: &mut Marks) {
+pub(in crate::solver) fn prune(program: &mut Program, demand: &Demand, left_out: &mut Marks) {
     let mut needed = Marks::none(program, left_out.slides.len());
     let points = demand.points.iter().map(|&p| PlacedPart::Point(p));
     let links = demand.links.iter().map(|&l| PlacedPart::Link(l));

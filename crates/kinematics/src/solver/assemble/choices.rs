@@ -1,14 +1,14 @@
 //! Lists the alternative assemblies of a group and of the whole mechanism.
 
-use super::assemble::{Assembler, Placement, Request, handedness};
-use super::coupled::{EQUALITY_TOLERANCE, distance};
-use super::elements::Step;
-use super::engine::Engine;
-use super::fault::Fault;
-use super::network::Network;
-use super::plan::{AssemblyChoice, Group, GroupId};
-use super::state::{Condition, State};
-use super::{Order, Solver, Workspace};
+use crate::solver::assemble::{Assembler, Placement, Request, handedness};
+use crate::solver::coupled::{EQUALITY_TOLERANCE, distance};
+use crate::solver::elements::Step;
+use crate::solver::engine::Engine;
+use crate::solver::fault::Fault;
+use crate::solver::plan::network::Network;
+use crate::solver::plan::{AssemblyChoice, Group, GroupId};
+use crate::solver::state::{Condition, State};
+use crate::solver::{Order, Solver, Workspace};
 use crate::{ElementId, Mechanism, PointId, Vec2};
 
 /// The maximum number of whole assemblies listed.
@@ -254,7 +254,8 @@ impl Solver {
     fn side_pick(&self, group: usize, sign: f64) -> Option<AssemblyChoice> {
         // `signs` has one entry more than there are groups.
         self.plan.groups.get(group)?;
-        let steps = &self.engine.program.steps[super::assemble::steps_of(&self.engine, group)];
+        let steps =
+            &self.engine.program.steps[crate::solver::assemble::steps_of(&self.engine, group)];
         let key = steps.iter().find(|s| s.choice().is_some())?;
         Some(if sign * handedness(&self.mechanism, key) > 0.0 {
             AssemblyChoice::Plus
@@ -282,7 +283,7 @@ impl Solver {
 
     /// Returns the sign of every group at a coordinate, and the positions there; `None` if steps are
     /// left out or there is no assembly.
-    pub(super) fn assembly_at(&self, at: f64) -> Option<(Vec<f64>, State)> {
+    pub(in crate::solver) fn assembly_at(&self, at: f64) -> Option<(Vec<f64>, State)> {
         let present = self.present(at)?;
         Some((present.signs, present.state.into_state()))
     }
@@ -367,7 +368,7 @@ impl Present {
 
     /// Returns the distance of a group from one of its solutions.
     fn distance(&self, engine: &Engine, group: usize, way: &Placement) -> f64 {
-        let steps = &engine.program.steps[super::assemble::steps_of(engine, group)];
+        let steps = &engine.program.steps[crate::solver::assemble::steps_of(engine, group)];
         let index = steps.iter().find_map(Step::coupled);
         match (index.map(|i| &engine.program.coupled[i]), way) {
             (Some(own), Placement::Root(z)) => {

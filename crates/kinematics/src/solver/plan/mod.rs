@@ -1,13 +1,17 @@
 //! Defines the plan of a mechanism: groups in solving order for users, steps for the solver.
 
+pub(super) mod network;
+pub(super) mod order;
+pub(super) mod pruning;
+
 use super::coupled::Coupled;
 use super::elements::Step;
 use super::fault::Fault;
 use super::frame::Frame;
 use super::further_inputs::Following;
-use super::network::Network;
 use crate::mechanism::id;
 use crate::{Constant, ElementId, LinkId, Mechanism, PointId, SlideId, Vec2};
+use network::Network;
 
 /// How a group is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -131,7 +135,7 @@ impl Plan {
     /// Returns the reason why the structure of the mechanism is impossible: see [`Fault`].
     pub fn of(mechanism: &Mechanism) -> Result<Plan, Fault> {
         let network = Network::new(mechanism, Frame::of(mechanism));
-        let ordering = super::order::ordering(&network, &[])?;
+        let ordering = order::ordering(&network, &[])?;
         let dyads = super::chain::Dyads::Closed;
         let (plan, _) = super::chain::build(&network, &ordering, dyads)?;
         Ok(plan)

@@ -3,10 +3,14 @@
 //! This engine decides in double-double where doubles cannot: whether lengths are equal, on which
 //! side of an end a coordinate lies, and how far a dyad is from its limit.
 
+pub(super) mod double_double_reference;
+pub(super) mod edge;
+pub(super) mod proved_run;
+
 use super::elements::{ACCELERATION, POSITION, Step, StepOutcome, VELOCITY};
 use super::engine::Engine;
-use super::network::Network;
-use super::order::Ordering;
+use super::plan::network::Network;
+use super::plan::order::Ordering;
 use super::state::{Condition, State};
 use super::{Demand, Order, chain};
 use crate::{Double, Number};

@@ -1,8 +1,8 @@
 //! Orders the equations: which equation determines which unknown (matching), and in which order
 //! (strong components).
 
-use super::fault::Fault;
-use super::network::{Network, ScalarEquation, ScalarUnknown};
+use crate::solver::fault::Fault;
+use crate::solver::plan::network::{Network, ScalarEquation, ScalarUnknown};
 use crate::{ElementId, LinkId};
 use petgraph::algo::{kosaraju_scc, maximum_matching};
 use petgraph::graph::{DiGraph, NodeIndex, UnGraph};
@@ -10,14 +10,14 @@ use std::collections::{HashMap, HashSet};
 
 /// A minimal set of unknowns that must be solved together, with its equations.
 #[derive(Clone, Debug, Default)]
-pub(super) struct CoupledBlock {
+pub(in crate::solver) struct CoupledBlock {
     pub unknowns: Vec<ScalarUnknown>,
     pub rows: Vec<ScalarEquation>,
 }
 
 /// The blocks in solving order.
 #[derive(Clone, Debug)]
-pub(super) struct Ordering {
+pub(in crate::solver) struct Ordering {
     pub blocks: Vec<CoupledBlock>,
     /// Equations that repeat others.
     pub set_aside: Vec<ScalarEquation>,
@@ -149,7 +149,7 @@ fn matching(scalars: &Scalars) -> Matching {
 ///
 /// # Errors
 /// Returns [`Fault::Mobility`] if unknowns remain that no equation determines.
-pub(super) fn ordering(
+pub(in crate::solver) fn ordering(
     network: &Network<'_>,
     preferred: &[ScalarEquation],
 ) -> Result<Ordering, Fault> {
@@ -276,7 +276,7 @@ fn blocks(network: &Network<'_>, scalars: &Scalars, matched: &Matching) -> Vec<C
 }
 
 /// Returns the elements of a list of equations, without duplicates.
-pub(super) fn elements(rows: &[ScalarEquation]) -> Vec<ElementId> {
+pub(in crate::solver) fn elements(rows: &[ScalarEquation]) -> Vec<ElementId> {
     let mut elements = Vec::new();
     for row in rows {
         if !elements.contains(&row.element()) {

@@ -1,10 +1,10 @@
 //! Solves states again in double-double precision, as a reference for other results.
 
-use super::elements::{ACCELERATION, POSITION, VELOCITY};
-use super::engine::Engine;
-use super::state::{Condition, State};
-use super::{Order, Solver, Workspace};
 use crate::Double;
+use crate::solver::elements::{ACCELERATION, POSITION, VELOCITY};
+use crate::solver::engine::Engine;
+use crate::solver::state::{Condition, State};
+use crate::solver::{Order, Solver, Workspace};
 
 impl Solver {
     /// Creates a workspace in double-double precision.

@@ -4,8 +4,8 @@
 //! links locked on slides, which keep their angles to each other. A link with k joints gives 2 (k -
 //! 1) equations, a slot one. Points that are not joints have no equations: they ride on a link.
 
-use super::frame::Frame;
-use super::further_inputs::Following;
+use crate::solver::frame::Frame;
+use crate::solver::further_inputs::Following;
 use crate::{
     Body, Constant, ElementId, Input, Length, Link, LinkId, Mechanism, PointId, SlideId, Slider,
     Vec2,
@@ -13,14 +13,14 @@ use crate::{
 
 /// A class of links with constant angles between them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct ClassId(pub(super) usize);
+pub(in crate::solver) struct ClassId(pub(in crate::solver) usize);
 
 /// The class of the ground.
-pub(super) const GROUND: ClassId = ClassId(0);
+pub(in crate::solver) const GROUND: ClassId = ClassId(0);
 
 /// A scalar equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum ScalarEquation {
+pub(in crate::solver) enum ScalarEquation {
     /// The distance of a link's joint from the link's centre joint.
     Along { link: LinkId, end: PointId },
     /// The direction from the link's centre joint to one of its other joints.
@@ -35,7 +35,7 @@ pub(super) enum ScalarEquation {
 
 impl ScalarEquation {
     /// Returns the element to which the equation belongs.
-    pub(super) fn element(self) -> ElementId {
+    pub(in crate::solver) fn element(self) -> ElementId {
         match self {
             ScalarEquation::Along { link, .. } | ScalarEquation::Across { link, .. } => {
                 ElementId::Link(link)
@@ -48,7 +48,7 @@ impl ScalarEquation {
 
 /// A scalar unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum ScalarUnknown {
+pub(in crate::solver) enum ScalarUnknown {
     /// A coordinate of a joint.
     Point(PointId),
     /// The direction of a class of links.
@@ -57,7 +57,7 @@ pub(super) enum ScalarUnknown {
 
 /// Two locks that fix one link at two different angles.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct LockConflict {
+pub(in crate::solver) struct LockConflict {
     pub slide: SlideId,
     /// The sine of the angle between the two.
     pub misfit: f64,
@@ -65,7 +65,7 @@ pub(super) struct LockConflict {
 
 /// The constraint graph.
 #[derive(Clone, Debug)]
-pub(super) struct Network<'m> {
+pub(in crate::solver) struct Network<'m> {
     pub mechanism: &'m Mechanism,
     /// The frame in which the mechanism's numbers are read.
     pub frame: Frame,
@@ -96,7 +96,7 @@ pub(super) struct Network<'m> {
 }
 
 impl<'m> Network<'m> {
-    pub(super) fn new(mechanism: &'m Mechanism, frame: Frame) -> Self {
+    pub(in crate::solver) fn new(mechanism: &'m Mechanism, frame: Frame) -> Self {
         let bodies = mechanism.links().len() + 1;
         let mut network = Network {
             mechanism,
@@ -123,23 +123,23 @@ impl<'m> Network<'m> {
     }
 
     /// Returns the network with derivatives by one length: each position carries its slope.
-    pub(super) fn by_length(self, length: Length) -> Self {
+    pub(in crate::solver) fn by_length(self, length: Length) -> Self {
         Network {
             slopes: Some(self.mechanism.slopes(length)),
             ..self
         }
     }
 
-    /// Returns the network for variable lengths: see [`super::Varied`].
-    pub(super) fn varied(self) -> Self {
+    /// Returns the network for variable lengths: see [`crate::solver::Varied`].
+    pub(in crate::solver) fn varied(self) -> Self {
         Network {
             is_varied: true,
             ..self
         }
     }
 
-    /// Returns the network in which every input moves by itself: see [`super::FreeInputs`].
-    pub(super) fn free(self) -> Self {
+    /// Returns the network in which every input moves by itself: see [`crate::solver::FreeInputs`].
+    pub(in crate::solver) fn free(self) -> Self {
         let further = 1..=self.input_laws.len();
         Network {
             input_laws: further.map(Following::free).collect(),
@@ -150,19 +150,19 @@ impl<'m> Network<'m> {
 
     /// Returns `true` if the driver's coordinate is the link's direction, and the parameter of the
     /// motion.
-    pub(super) fn is_crank(&self, link: LinkId) -> bool {
+    pub(in crate::solver) fn is_crank(&self, link: LinkId) -> bool {
         self.mechanism.is_crank(link) && self.driver_law.is_none()
     }
 
     /// Returns the position of a point on a link, in the solver's unit; `None` if the link does not
     /// have it.
-    pub(super) fn local(&self, link: LinkId, point: PointId) -> Option<Vec2<Constant>> {
+    pub(in crate::solver) fn local(&self, link: LinkId, point: PointId) -> Option<Vec2<Constant>> {
         let position = self.frame.member(self.link(link)?.member(point)?);
         Some(self.sloped(position, |m| m.links().get(link.index())?.local(point)))
     }
 
     /// Returns all points of a link with their positions on it, without a search for each.
-    pub(super) fn places(
+    pub(in crate::solver) fn places(
         &self,
         link: LinkId,
     ) -> impl Iterator<Item = (PointId, Vec2<Constant>)> + '_ {
@@ -175,7 +175,7 @@ impl<'m> Network<'m> {
     }
 
     /// Returns the vector between two points of a link, in the link's frame.
-    pub(super) fn between(
+    pub(in crate::solver) fn between(
         &self,
         link: LinkId,
         from: PointId,
@@ -185,14 +185,14 @@ impl<'m> Network<'m> {
     }
 
     /// Returns the position of a ground point in the solver's frame; `None` for a moving point.
-    pub(super) fn fixed(&self, point: PointId) -> Option<Vec2<Constant>> {
+    pub(in crate::solver) fn fixed(&self, point: PointId) -> Option<Vec2<Constant>> {
         let fixed = |mechanism: &Mechanism| mechanism.point(point).ground;
         let position = self.frame.inner(fixed(self.mechanism)?);
         Some(self.sloped(position, fixed))
     }
 
     /// Returns the point through which a guide runs, in the frame of the guide's body.
-    pub(super) fn through(&self, slide: SlideId) -> Vec2<Constant> {
+    pub(in crate::solver) fn through(&self, slide: SlideId) -> Vec2<Constant> {
         let given = self.mechanism.slide(slide);
         let position = match (given.on, self.mechanism.polar_through(given)) {
             (Body::Ground, _) => self.frame.inner(given.through),
@@ -218,47 +218,50 @@ impl<'m> Network<'m> {
     }
 
     /// Returns the ground as a body: its index follows that of the last link.
-    pub(super) fn ground(&self) -> LinkId {
+    pub(in crate::solver) fn ground(&self) -> LinkId {
         LinkId::new(self.mechanism.links().len())
     }
 
     /// Returns the body of a guide.
-    pub(super) fn body(&self, body: Body) -> LinkId {
+    pub(in crate::solver) fn body(&self, body: Body) -> LinkId {
         match body {
             Body::Ground => self.ground(),
             Body::Link(link) => link,
         }
     }
 
-    pub(super) fn link(&self, link: LinkId) -> Option<&'m Link> {
+    pub(in crate::solver) fn link(&self, link: LinkId) -> Option<&'m Link> {
         self.mechanism.links().get(link.index())
     }
 
     /// Returns the joint from which a body's other joints are measured; `None` for the ground.
-    pub(super) fn centre(&self, body: LinkId) -> Option<PointId> {
+    pub(in crate::solver) fn centre(&self, body: LinkId) -> Option<PointId> {
         self.centre.get(body.index()).copied().flatten()
     }
 
-    pub(super) fn class(&self, link: LinkId) -> ClassId {
+    pub(in crate::solver) fn class(&self, link: LinkId) -> ClassId {
         self.class_of[link.index()]
     }
 
-    pub(super) fn is_joint(&self, point: PointId) -> bool {
+    pub(in crate::solver) fn is_joint(&self, point: PointId) -> bool {
         self.joint[point.index()]
     }
 
-    pub(super) fn is_ground(&self, point: PointId) -> bool {
+    pub(in crate::solver) fn is_ground(&self, point: PointId) -> bool {
         self.mechanism.point(point).ground.is_some()
     }
 
     /// Returns the joints of a link, with their local coordinates.
-    pub(super) fn joints(&self, link: LinkId) -> impl Iterator<Item = crate::Member> + '_ {
+    pub(in crate::solver) fn joints(
+        &self,
+        link: LinkId,
+    ) -> impl Iterator<Item = crate::Member> + '_ {
         let members = self.link(link).map_or(&[][..], |l| &l.members);
         members.iter().copied().filter(|m| self.is_joint(m.point))
     }
 
     /// Returns the direction of `link` relative to `other`, of the same class.
-    pub(super) fn turn_between(&self, link: LinkId, other: LinkId) -> Vec2<Constant> {
+    pub(in crate::solver) fn turn_between(&self, link: LinkId, other: LinkId) -> Vec2<Constant> {
         self.turn[link.index()].turned(self.turn[other.index()].conj())
     }
 
@@ -381,12 +384,12 @@ impl<'m> Network<'m> {
 
     /// Returns the two bodies between which an input sets the angle: the link it turns, and the one
     /// that carries its motor.
-    pub(super) fn elbow(&self, link: LinkId) -> [LinkId; 2] {
+    pub(in crate::solver) fn elbow(&self, link: LinkId) -> [LinkId; 2] {
         [link, self.body(self.mechanism.turned_from(link))]
     }
 
     /// Returns `true` if the direction of a class is known: that of the ground or of a driven link.
-    pub(super) fn is_given(&self, class: ClassId) -> bool {
+    pub(in crate::solver) fn is_given(&self, class: ClassId) -> bool {
         class == GROUND
             || self
                 .mechanism
@@ -405,7 +408,7 @@ impl<'m> Network<'m> {
     }
 
     /// Returns a link turned by an input relative to a body with which its angle is locked.
-    pub(super) fn locked_elbow(&self) -> Option<[LinkId; 2]> {
+    pub(in crate::solver) fn locked_elbow(&self) -> Option<[LinkId; 2]> {
         let elbows = self.mechanism.elbows().map(|(link, _)| self.elbow(link));
         let mut elbows = elbows.into_iter();
         elbows.find(|&[link, from]| self.class(link) == self.class(from))
@@ -413,7 +416,7 @@ impl<'m> Network<'m> {
 
     /// Returns a link whose direction is set by an input though another input sets it, or it cannot
     /// turn.
-    pub(super) fn given_twice(&self) -> Option<LinkId> {
+    pub(in crate::solver) fn given_twice(&self) -> Option<LinkId> {
         let mut given = vec![GROUND];
         self.mechanism
             .inputs()
@@ -432,7 +435,7 @@ impl<'m> Network<'m> {
 
     /// Returns how an input follows the driver; `None` for the driver itself, unless every input
     /// moves by itself.
-    pub(super) fn following(&self, input: Input) -> Option<&Following> {
+    pub(in crate::solver) fn following(&self, input: Input) -> Option<&Following> {
         if input == self.mechanism.driver().input {
             return self.driver_law.as_ref();
         }
@@ -443,7 +446,7 @@ impl<'m> Network<'m> {
 
     /// Returns the links that further inputs turn relative to the ground, with the way they follow
     /// the driver.
-    pub(super) fn timed_links(&self) -> impl Iterator<Item = (LinkId, &Following)> + '_ {
+    pub(in crate::solver) fn timed_links(&self) -> impl Iterator<Item = (LinkId, &Following)> + '_ {
         let timed = self.mechanism.timed().iter().zip(&self.input_laws);
         timed.filter_map(|(timed, following)| match timed.input {
             Input::Turn(link) if self.mechanism.is_directed(link) => Some((link, following)),
@@ -452,7 +455,7 @@ impl<'m> Network<'m> {
     }
 
     /// Returns the unknowns of an equation. Each point represents its two coordinates.
-    pub(super) fn unknowns(&self, row: ScalarEquation) -> Vec<ScalarUnknown> {
+    pub(in crate::solver) fn unknowns(&self, row: ScalarEquation) -> Vec<ScalarUnknown> {
         let (body, point) = match row {
             ScalarEquation::Along { link, end } | ScalarEquation::Across { link, end } => {
                 (link, end)
@@ -483,7 +486,7 @@ impl<'m> Network<'m> {
     /// of a bar inside another body, since it must repeat that body's lengths. The length of any
     /// other bar is second, and a slot is third, since the rest of the element can still be placed
     /// without it.
-    pub(super) fn readiness(&self, row: ScalarEquation) -> u8 {
+    pub(in crate::solver) fn readiness(&self, row: ScalarEquation) -> u8 {
         match row {
             ScalarEquation::Along { link, .. } if self.is_strut(link) => 4,
             ScalarEquation::Along { link, .. } if self.is_bar(link) => 3,
@@ -505,7 +508,7 @@ impl<'m> Network<'m> {
     }
 
     /// Returns `true` if a link is only a distance between two joints.
-    pub(super) fn is_bar(&self, link: LinkId) -> bool {
+    pub(in crate::solver) fn is_bar(&self, link: LinkId) -> bool {
         let carries_guide = self
             .mechanism
             .slides()

@@ -1,24 +1,24 @@
 //! Runs steps in double-double with error bounds, from the typed decimals, coupled groups included.
 
-use super::coupled::Views;
-use super::elements::{ACCELERATION, POSITION, Step, StepOutcome};
-use super::engine::Engine;
-use super::exact::Exact;
-use super::pruning::PlacedPart;
-use super::state::{LinkState, PointState, State};
-use super::workspace::Workspace;
 use crate::arithmetic::Sharp;
+use crate::solver::coupled::Views;
+use crate::solver::elements::{ACCELERATION, POSITION, Step, StepOutcome};
+use crate::solver::engine::Engine;
+use crate::solver::exact::Exact;
+use crate::solver::plan::pruning::PlacedPart;
+use crate::solver::state::{LinkState, PointState, State};
+use crate::solver::workspace::Workspace;
 use crate::{Ball, Number, Vec2};
 
 /// The memory of such a run, and its result.
-pub(super) struct ProvedRun<'e> {
-    pub(super) engine: &'e Engine,
-    pub(super) sharp: Workspace<Sharp>,
-    pub(super) balls: Workspace<Ball>,
+pub(in crate::solver) struct ProvedRun<'e> {
+    pub(in crate::solver) engine: &'e Engine,
+    pub(in crate::solver) sharp: Workspace<Sharp>,
+    pub(in crate::solver) balls: Workspace<Ball>,
 }
 
 impl<'e> ProvedRun<'e> {
-    pub(super) fn new(exact: &'e Exact, slides: usize) -> ProvedRun<'e> {
+    pub(in crate::solver) fn new(exact: &'e Exact, slides: usize) -> ProvedRun<'e> {
         let engine = &exact.engine;
         let mut balls: Workspace<Ball> = engine.state(slides);
         let work = engine.program.coupled.iter().map(|group| group.work());
@@ -32,7 +32,13 @@ impl<'e> ProvedRun<'e> {
 
     /// Runs the first `steps` steps, with derivatives if `has_rates`. Returns `true` if all could
     /// be proved. `state` contains the solution in doubles, near the coordinate.
-    pub(super) fn run(&mut self, steps: usize, at: Sharp, has_rates: bool, state: &State) -> bool {
+    pub(in crate::solver) fn run(
+        &mut self,
+        steps: usize,
+        at: Sharp,
+        has_rates: bool,
+        state: &State,
+    ) -> bool {
         for (sign, &of) in self.sharp.state.signs.iter_mut().zip(&state.signs) {
             *sign = Sharp::exactly(of);
         }
@@ -44,7 +50,7 @@ impl<'e> ProvedRun<'e> {
     }
 
     /// Returns a dyad's measure at a coordinate, from its inputs. The dyad itself may be open.
-    pub(super) fn measure(&mut self, step: usize, group: usize, at: Sharp) -> Sharp {
+    pub(in crate::solver) fn measure(&mut self, step: usize, group: usize, at: Sharp) -> Sharp {
         let (q, direction) = self.engine.coordinate(at);
         let step = &self.engine.program.steps[step];
         let _ = step.run_to(POSITION, (q, direction), &mut self.sharp.state);

@@ -7,12 +7,12 @@
 //! With J the derivatives of the leading coordinates x by the inputs q, the rates follow from
 //! J q' = x' and J q'' = x'' - a, with a the accelerations of the coordinates at q' alone.
 
-use super::free_inputs::{FreeInputs, InputMoment};
-use super::plan::GroupId;
-use super::state::{Condition, State};
-use super::{Order, Solver};
 use crate::mechanism::{PointLead, PointPath};
 use crate::numeric::{MinimumError, lowest};
+use crate::solver::free_inputs::{FreeInputs, InputMoment};
+use crate::solver::plan::GroupId;
+use crate::solver::state::{Condition, State};
+use crate::solver::{Order, Solver};
 use crate::{CoordinateAxis, Input, PointId, Vec2};
 use nalgebra::{DMatrix, DVector};
 
