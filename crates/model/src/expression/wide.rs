@@ -39,6 +39,15 @@ impl Wide {
         }
     }
 
+    /// Creates the numbers within `radius` of `mid`, both times 2^`exponent`.
+    pub(super) fn ball(mid: BigInt, radius: BigUint, exponent: i64) -> Wide {
+        Wide {
+            mid,
+            radius,
+            exponent,
+        }
+    }
+
     /// Converts a finite double, exactly.
     pub fn exactly(value: f64) -> Wide {
         let bits = value.abs().to_bits();
@@ -167,7 +176,7 @@ impl Wide {
     }
 
     /// Returns midpoint and radius in units of 2^`exponent`.
-    fn aligned(&self, exponent: i64) -> (BigInt, BigUint) {
+    pub(super) fn aligned(&self, exponent: i64) -> (BigInt, BigUint) {
         let shift = self.exponent - exponent;
         let by = shift.unsigned_abs();
         match shift < 0 {
