@@ -369,6 +369,12 @@ impl<T: Console> Session<T> {
             self.workbench.paint_rest(space)
         };
         self.tty.send(frame)?;
+        // Nothing is sent, so no answer will tell when it is visible.
+        let is_shown = frame.is_empty() && self.tty.drawn_at().is_some();
+        if is_shown {
+            let now = self.elapsed();
+            self.workbench.app().note_frame_shown(now);
+        }
         while let Some(still) = self.workbench.take_still() {
             self.tty.write_image(&still)?;
         }
@@ -385,7 +391,12 @@ impl<T: Console> Session<T> {
         if self.frame_is_due {
             return ready;
         }
-        let next = self.started + self.workbench.app().next_frame()?;
+        let app = self.workbench.app();
+        let Some(next) = app.next_frame() else {
+            // A terminal that answers nothing does not tell when a message is visible.
+            return ready.filter(|_| app.message_awaits_frame());
+        };
+        let next = self.started + next;
         Some(ready.map_or(next, |ready| ready.max(next)))
     }
 

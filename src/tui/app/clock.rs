@@ -58,6 +58,11 @@ impl App {
         [frame, message].into_iter().flatten().min()
     }
 
+    /// Returns `true` if there is a message that is not known to be on the screen yet.
+    pub(crate) fn message_awaits_frame(&self) -> bool {
+        self.shell.message_awaits_frame()
+    }
+
     /// Returns `true` if the playback alone changes the screen until the next key.
     pub(crate) fn only_moves(&self) -> bool {
         let is_playing = self.player.playback.is_playing() && self.shell.mode.is_normal();

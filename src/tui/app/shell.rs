@@ -99,6 +99,11 @@ impl Shell {
         }
     }
 
+    /// Returns `true` if the message is not known to be on the screen yet.
+    pub(super) fn message_awaits_frame(&self) -> bool {
+        self.message.is_some() && self.shown_message.is_none()
+    }
+
     /// Returns the time when the message expires; `None` while the user types, chooses or answers.
     pub(super) fn message_ends(&self) -> Option<Duration> {
         let (since, _) = self.shown_message.as_ref()?;

@@ -5,7 +5,7 @@ use crate::quantity::check_figures;
 use crate::scene::presets::Preset;
 use crate::scene::{Diagnostics, MAX_FILE_SIZE, Scene};
 use crate::solver::Solver;
-use crate::task_file::TaskFile;
+use crate::task_file::{ExampleTask, TaskFile};
 use crate::tui::{OpenedScene, Origin, TaskOrder};
 use crate::wording::words;
 use std::path::Path;
@@ -34,6 +34,13 @@ pub(crate) fn preset(preset: &Preset) -> Result<OpenedScene, String> {
     let origin = Origin::Preset(preset.name.to_owned());
     let fault = |d: Diagnostics| words().preset_cannot_be_opened(preset.name, &d.first_words());
     text(preset.text, origin).map_err(fault)
+}
+
+/// Opens a task that comes with krank. The error is a message; a test checks that all can be read.
+pub(crate) fn task(task: &ExampleTask) -> Result<TaskOrder, String> {
+    let file = TaskFile::parse(task.text, task.name);
+    let file = file.map_err(|d| d.first_words().to_owned())?;
+    Ok(TaskOrder::new(file, task.name.to_owned()))
 }
 
 /// The contents of an opened file.

@@ -2,6 +2,7 @@
 
 use crate::files::{directories, from_home};
 use crate::scene::presets;
+use crate::task_file::ExampleTask;
 use crate::tui::app::files::quitting::Pending;
 use crate::tui::app::{App, Effect, Mode};
 use crate::tui::commands::action::{Action, KeyContext, entry_of};
@@ -78,7 +79,28 @@ impl App {
             Some(ListEntry::OpenFile) if !self.is_blocked_by_staging(Action::Open) => {
                 self.open_named(argument)
             }
-            Some(ListEntry::SaveAndQuit | ListEntry::SaveTo | ListEntry::OpenFile) | None => {}
+            Some(ListEntry::Preset(at)) if !self.is_blocked_by_staging(Action::Open) => {
+                let preset = &presets::all()[*at];
+                self.clerk.submit(move || {
+                    let opened = opening::preset(preset).map(|o| OpenedFile::Scene(Box::new(o)));
+                    Box::new(move |app, _| app.opened_named(opened))
+                });
+            }
+            Some(ListEntry::Task(at)) if !self.is_blocked_by_staging(Action::Open) => {
+                let task = &ExampleTask::all()[*at];
+                match opening::task(task) {
+                    Ok(order) => self.synthesize(order),
+                    Err(why) => self.shell.set_message(why),
+                }
+            }
+            Some(
+                ListEntry::SaveAndQuit
+                | ListEntry::SaveTo
+                | ListEntry::OpenFile
+                | ListEntry::Preset(_)
+                | ListEntry::Task(_),
+            )
+            | None => {}
         }
         Effect::Show
     }

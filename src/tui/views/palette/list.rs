@@ -3,7 +3,8 @@
 
 use crate::document::with_ascii_letters;
 use crate::manual::SearchWords;
-use crate::scene::with_point;
+use crate::scene::{presets, with_point};
+use crate::task_file::ExampleTask;
 use crate::tui::appearance::palette::Theme;
 use crate::tui::commands::action::{self, Action, ActionRow};
 use crate::tui::commands::keywords::keywords;
@@ -27,6 +28,10 @@ pub(crate) enum ListEntry {
     GoTo,
     /// Switches the theme.
     Theme(Theme),
+    /// Opens the preset with this index.
+    Preset(usize),
+    /// Searches for the linkages of the task with this index.
+    Task(usize),
 }
 
 /// The cost of a keyword match, higher than that of any match in a command's name.
@@ -78,7 +83,8 @@ impl CommandList {
         let commands = commands.map(|row| ListEntry::Command(row.action));
         let topics = SearchWords::new(&typed).best_topics().into_iter();
         let mut listed = spelled(self.line.text());
-        let found = commands.chain(topics.map(ListEntry::Topic));
+        let found = commands.chain(files(typed.trim()));
+        let found = found.chain(topics.map(ListEntry::Topic));
         let others: Vec<ListEntry> = found.filter(|other| !listed.contains(other)).collect();
         listed.extend(others);
         self.list = List::new(listed);
@@ -103,7 +109,7 @@ fn spelled(typed: &str) -> Vec<ListEntry> {
         ("e", "") => vec![ListEntry::Command(Action::Open)],
         ("w", _) => vec![ListEntry::SaveTo],
         ("e", _) => vec![ListEntry::OpenFile],
-        ("theme", name) => {
+        ("theme" | "tema", name) => {
             let themes = Theme::ALL.into_iter();
             let intended = themes.filter(|theme| theme.name().starts_with(name));
             intended.map(ListEntry::Theme).collect()
@@ -112,6 +118,22 @@ fn spelled(typed: &str) -> Vec<ListEntry> {
         (_, rest) if is_number(typed) || is_number(rest) => vec![ListEntry::GoTo],
         _ => Vec::new(),
     }
+}
+
+/// Returns the presets and tasks in whose name a word begins with the typed text. The word for
+/// synthesis finds all tasks.
+fn files(typed: &str) -> impl Iterator<Item = ListEntry> {
+    let begins = move |name: &str| {
+        let mut starts = std::iter::once(name).chain(name.split('-'));
+        !typed.is_empty() && starts.any(|start| start.starts_with(typed))
+    };
+    let is_synthesis = keyword_cost(typed, words().synthesis_is_sought_by()).is_some();
+    let presets = presets::all().iter().enumerate();
+    let presets = presets.filter(move |(_, preset)| begins(preset.name));
+    let tasks = ExampleTask::all().iter().enumerate();
+    let tasks = tasks.filter(move |(_, task)| is_synthesis || begins(task.name));
+    let presets = presets.map(|(at, _)| ListEntry::Preset(at));
+    presets.chain(tasks.map(|(at, _)| ListEntry::Task(at)))
 }
 
 /// How a command's name or description matches the typed text, the best first.
@@ -297,10 +319,37 @@ mod tests {
             ("r7 45", ListEntry::GoTo),
             ("theme d", ListEntry::Theme(Theme::Dark)),
             ("theme", ListEntry::Theme(Theme::Auto)),
+            ("tema l", ListEntry::Theme(Theme::Light)),
         ] {
             assert_eq!(first(typed), Some(listed), "{typed}");
         }
         assert_eq!(first("theme qzx"), None);
+    }
+
+    #[test]
+    fn presets_and_tasks_are_found_by_name() {
+        Language::English.speak();
+        let listed = |typed: &str| {
+            let mut palette = CommandList::new();
+            typed.chars().for_each(|c| palette.line.push(c));
+            palette.narrow();
+            palette.list.listed().copied().collect::<Vec<_>>()
+        };
+        let preset = |name: &str| presets::all().iter().position(|p| p.name == name).unwrap();
+        let task = |name: &str| {
+            ExampleTask::all()
+                .iter()
+                .position(|t| t.name == name)
+                .unwrap()
+        };
+        let leg = ListEntry::Preset(preset("jansen-leg"));
+        assert!(listed("jansen").contains(&leg) && listed("leg").contains(&leg));
+        let line = ListEntry::Task(task("straight-line"));
+        assert!(listed("straight").contains(&line) && listed("synthesis").contains(&line));
+        assert!(!listed("").contains(&leg) && !listed("press").contains(&line));
+        Language::Turkish.speak();
+        assert!(listed("sentez").contains(&line));
+        Language::English.speak();
     }
 
     /// A name precedes every command whose description merely contains its letters.

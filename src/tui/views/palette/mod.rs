@@ -12,6 +12,8 @@ pub(crate) mod list;
 use super::popup;
 use super::{columns, cut, first_row, print, print_line, print_right};
 use crate::manual::TOPICS;
+use crate::scene::presets;
+use crate::task_file::ExampleTask;
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{self, entry_of};
@@ -79,6 +81,8 @@ fn describe_entry(listed: ListEntry, palette: &CommandList) -> String {
         ListEntry::OpenFile => words().open_named(palette.argument()),
         ListEntry::GoTo => words().go_to_coordinate(palette.line.text().trim()),
         ListEntry::Theme(theme) => words().theme_is(theme.name()),
+        ListEntry::Preset(at) => words().open_named(presets::all()[at].name),
+        ListEntry::Task(at) => words().search_for_task(ExampleTask::all()[at].name),
     }
 }
 
