@@ -180,6 +180,21 @@ fn path_out_of_reach_leaves_the_driver() {
     assert!(line.contains("125.00 deg"), "{line}");
 }
 
+/// A point of the driven link moves with one input only.
+#[test]
+fn point_that_the_inputs_do_not_move_independently_is_named() {
+    let text =
+        text("five-bar").to_owned() + "\n[lead]\nB = { over = [[0, -100, 90], [1, -90, 95]] }\n";
+    let mut session = Session::new(open(&text, Origin::Stdin), Glyphs::Ascii, 100, 30);
+    let screen = session.painted_text();
+    let why = "the inputs do not move it independently where the scene opens";
+    assert!(screen.contains(why), "{screen}");
+    let file = folder("lead").join("dependent.toml");
+    std::fs::write(&file, text).unwrap();
+    let (check, _) = krank(&["check", file.to_str().unwrap()]);
+    assert!(check.contains(why), "{check}");
+}
+
 /// Views of the driver's motion say that they do not show the leading point, and show the driver
 /// once it is taken by hand.
 #[test]

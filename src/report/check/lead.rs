@@ -21,6 +21,15 @@ pub fn followed_until(lead: &LeadingPoint, time: f64, unit: &str) -> String {
     words().lead_is_followed_until(&time, &format!("[{x}, {y}] {unit}"))
 }
 
+/// Says why the inputs cannot reach the first position of a leading point.
+#[must_use]
+pub fn unreached(is_independent: bool) -> &'static str {
+    match is_independent {
+        true => words().lead_is_not_reached(),
+        false => words().lead_is_dependent(),
+    }
+}
+
 impl CheckedScene<'_> {
     /// Returns the fact on the leading point; empty for a scene without one.
     pub(super) fn lead(&self) -> Fact {
@@ -31,6 +40,7 @@ impl CheckedScene<'_> {
         let Some(leader) = PointLeader::new(self.solver, lead.lead()) else {
             return fact;
         };
+        let is_independent = leader.is_independent();
         let reach = leader.reach(&lead.path, PIECES);
         let [first, last] = lead.path.span();
         let point = self.point_name(lead.point);
@@ -50,7 +60,7 @@ impl CheckedScene<'_> {
         if reach.is_complete {
             lines.push(words().lead_is_followed().to_owned());
         } else if reach.until == first {
-            lines.push(words().lead_is_not_reached().to_owned());
+            lines.push(unreached(is_independent).to_owned());
         } else {
             lines.push(followed_until(lead, reach.until, self.length));
         }

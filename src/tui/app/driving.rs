@@ -1,8 +1,9 @@
 //! Moves the driver to a coordinate or by steps.
 
 use super::{App, Mode};
-use crate::report::{followed_until, singularity_text};
+use crate::report::{followed_until, singularity_text, unreached};
 use crate::scene::with_point;
+use crate::solver::PointLeader;
 use crate::tui::commands::line::{EditLine, number_of};
 use crate::tui::figures::format::coordinate;
 use crate::tui::player::driver_range::OutOfRange;
@@ -61,7 +62,12 @@ impl App {
             return;
         }
         let message = match open_scene.led_motion() {
-            None => words().lead_is_not_reached().to_owned(),
+            None => {
+                let lead = open_scene.scene().lead.as_ref();
+                let leader =
+                    lead.and_then(|lead| PointLeader::new(open_scene.solver(), lead.lead()));
+                unreached(leader.is_none_or(|leader| leader.is_independent())).to_owned()
+            }
             Some(led) if led.is_complete() => return,
             Some(led) => self.lead_end(led),
         };
