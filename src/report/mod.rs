@@ -28,7 +28,7 @@ pub use accuracy::{
     Accuracy, StudyMeasure, TIME_DIGITS, accuracy_notes, error_text, method_name, time_text,
     unfit_text,
 };
-pub use check::{Check, near_misses, stop_before, stop_name};
+pub use check::{Check, followed_until, near_misses, stop_before, stop_name, unreached};
 pub use cycle::{CycleReport, FollowedColumn, WorstPlace, usual_columns};
 pub use designs::{
     goals::{BestReport, GoalReport, no_best},

@@ -56,6 +56,7 @@ static PRESETS: &[Preset] = presets! {
     "lift-table"
     "five-bar"
     "robot-arm"
+    "plotter"
     "excavator"
 };
 

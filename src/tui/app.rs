@@ -129,8 +129,11 @@ impl App {
             scenes: 1,
             now: Duration::ZERO,
         };
-        if let Some(at) = at {
-            app.jump(at, Duration::ZERO);
+        match at {
+            Some(at) => {
+                app.jump(at, Duration::ZERO);
+            }
+            None => app.report_lead(),
         }
         app.update_needs();
         app.meet();

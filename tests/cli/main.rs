@@ -220,7 +220,7 @@ fn every_preset_checks_prints_and_sweeps() {
     for preset in &presets {
         let inputs = match preset.as_str() {
             "excavator" => 3,
-            "five-bar" | "robot-arm" => 2,
+            "five-bar" | "robot-arm" | "plotter" => 2,
             _ => 1,
         };
         let mobility = format!("\nmobility   {inputs}");

@@ -54,7 +54,7 @@ const fn within(name: &'static str, low: f64, high: f64, groups: &'static [Group
 
 use GroupKind::{Coupled, Rpp, Rpr, Rrp, Rrr};
 
-const EXPECTED: [Expected; 38] = [
+const EXPECTED: [Expected; 39] = [
     turning("four-bar", &[Rrr]),
     turning("slider-crank", &[Rrp]),
     turning("press", &[Rrr, Rrr]),
@@ -128,6 +128,8 @@ const EXPECTED: [Expected; 38] = [
     // |AD|^2 = 36400. The two rods in line, |BD| = 280, at acos(-32000 / 200 |AD|) about the direction of D.
     within("five-bar", -120.0, 173.991_016_802_233_84, &[Rrr]),
     turning("robot-arm", &[]),
+    // As the five-bar.
+    within("plotter", -120.0, 173.991_016_802_233_84, &[Rrr]),
     // As the excavator's boom: |QP| - |QO| and |QP| + |QO|.
     within(
         "excavator",

@@ -32,6 +32,8 @@ mod habits;
 #[cfg(feature = "tui")]
 mod help;
 #[cfg(feature = "tui")]
+mod lead;
+#[cfg(feature = "tui")]
 mod light;
 #[cfg(feature = "tui")]
 mod motion;

@@ -254,7 +254,8 @@ fn plot_every_third_value(glyphs: Glyphs, first: usize) {
         let scene = Scene::parse(entry.text, entry.name).unwrap();
         let quantities = Catalogue::new(&scene).figures();
         let mut bench = Workbench::new(preset(entry.name), glyphs, Colours::Sixteen, 80, 24);
-        bench.press("3");
+        // Plots show the motion of the driver, so that a leading point gives way to it.
+        bench.press(if scene.lead.is_some() { "U 3" } else { "3" });
         let mut named = 0;
         for (k, quantity) in quantities.iter().skip(first).step_by(3).enumerate() {
             // Alternates between a single curve and a second one, and sometimes changes the x axis.

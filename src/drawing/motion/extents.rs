@@ -72,12 +72,16 @@ impl Extents {
     /// Returns the extents enlarged by some more states.
     #[must_use]
     pub fn with<'s>(&self, scene: &Scene, states: impl IntoIterator<Item = &'s State>) -> Extents {
+        let points = || scene.mechanism.point_ids();
+        let states = states.into_iter();
+        self.with_points(states.flat_map(|s| points().map(|point| s.known().position(point))))
+    }
+
+    /// Returns the extents enlarged by some more points of the linkage's motion.
+    #[must_use]
+    pub fn with_points(&self, points: impl IntoIterator<Item = Vec2>) -> Extents {
         let mut space = Bounds::default();
-        for state in states {
-            for point in scene.mechanism.point_ids() {
-                space.include(state.known().position(point));
-            }
-        }
+        points.into_iter().for_each(|point| space.include(point));
         let mut extents = self.without_cache();
         extents.moving = extents.moving.with(space);
         extents.poses = extents.poses.with_extents(|_| space);

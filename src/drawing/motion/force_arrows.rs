@@ -50,16 +50,39 @@ impl ForceArrows {
         tips: &mut Vec<(f64, Bounds)>,
     ) -> ForceArrows {
         let mut state = solver.state();
+        let found = course.into_iter().filter_map(|driver_state| {
+            match has_rates(driver_state.solve(solver, Order::Force, &mut state)) {
+                true => Some((driver_state.at, found(&scene.mechanism, solver, &state))),
+                false => None,
+            }
+        });
+        ForceArrows::scaled(scene, found, extents, tips)
+    }
+
+    /// Computes one scale for states solved with forces; appends the extents of the arrows' tips to
+    /// `tips`.
+    pub(in crate::drawing) fn of_states<'s>(
+        (scene, solver): (&Scene, &Solver),
+        states: impl Iterator<Item = &'s State>,
+        extents: &Extents,
+        tips: &mut Vec<(f64, Bounds)>,
+    ) -> ForceArrows {
+        let found = states.map(|state| (state.at(), found(&scene.mechanism, solver, state)));
+        ForceArrows::scaled(scene, found, extents, tips)
+    }
+
+    fn scaled(
+        scene: &Scene,
+        found: impl Iterator<Item = (f64, StateForces)>,
+        extents: &Extents,
+        tips: &mut Vec<(f64, Bounds)>,
+    ) -> ForceArrows {
         let mut all: Vec<MovingArrow> = Vec::new();
         let mut most_moment: f64 = 0.0;
-        for driver_state in course {
-            if has_rates(driver_state.solve(solver, Order::Force, &mut state)) {
-                let at = driver_state.at;
-                let StateForces { forces, moments } = found(&scene.mechanism, solver, &state);
-                all.extend(forces.into_iter().map(|(from, force)| (at, from, force)));
-                let sizes = moments.iter().map(|(_, moment)| moment.abs());
-                most_moment = sizes.fold(most_moment, f64::max);
-            }
+        for (at, StateForces { forces, moments }) in found {
+            all.extend(forces.into_iter().map(|(from, force)| (at, from, force)));
+            let sizes = moments.iter().map(|(_, moment)| moment.abs());
+            most_moment = sizes.fold(most_moment, f64::max);
         }
         let scale = ArrowScale::of_motion(&all, scale::longest(extents), tips);
         let lever = extents.bounds().size().norm() * scene.unit.metres();

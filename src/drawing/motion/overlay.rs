@@ -99,6 +99,68 @@ impl Overlay {
         overlay
     }
 
+    /// Computes the requested overlay of a motion that is not the driver's, from its states: solved
+    /// to accelerations, and to forces if these are requested. `path` replaces the trace of its
+    /// point, and is added if that point has none.
+    #[must_use]
+    pub fn along<'s>(
+        (scene, solver): (&Scene, &Solver),
+        states: impl IntoIterator<Item = &'s State>,
+        (leading, path): (PointId, &Arc<[Vec2]>),
+        extents: &Extents,
+        wanted: &OverlayRequest,
+    ) -> Overlay {
+        let states: Vec<&State> = states.into_iter().collect();
+        let trace = |&point: &PointId| match point == leading {
+            true => Arc::clone(path),
+            false => states.iter().map(|s| s.known().position(point)).collect(),
+        };
+        let mut traces: Vec<Arc<[Vec2]>> = wanted.traces.iter().map(trace).collect();
+        if !traces.is_empty() && !wanted.traces.contains(&leading) {
+            traces.push(Arc::clone(path));
+        }
+        let moving = states.iter().filter(|state| has_rates(state.condition()));
+        let rates = |points: &[PointId], rate: fn(Known<'_>, PointId) -> Vec2| {
+            let of = |state: &&State| {
+                let (at, known) = (state.at(), state.known());
+                let arrows = points.iter();
+                let arrows = arrows.map(|&p| (at, known.position(p), rate(known, p)));
+                arrows.collect::<Vec<MovingArrow>>()
+            };
+            moving.clone().flat_map(of).collect::<Vec<MovingArrow>>()
+        };
+        let mut tips = Vec::new();
+        let longest = scale::longest(extents);
+        let mut arrows = |points: &[PointId], rates: &[MovingArrow]| Arrows {
+            points: points.to_vec(),
+            scale: ArrowScale::of_motion(rates, longest, &mut tips),
+        };
+        let velocities = rates(&wanted.velocities, |state, p| state.velocity(p));
+        let velocities = arrows(&wanted.velocities, &velocities);
+        let accelerations = rates(&wanted.accelerations, |state, p| state.acceleration(p));
+        let accelerations = arrows(&wanted.accelerations, &accelerations);
+        let forces = match wanted.forces {
+            true => {
+                let states = moving.clone().copied();
+                ForceArrows::of_states((scene, solver), states, extents, &mut tips)
+            }
+            false => ForceArrows::default(),
+        };
+        let count = usize::from(wanted.ghosts);
+        let ghosts = (0..count).filter_map(|k| states.get(k * states.len() / count));
+        Overlay {
+            traces,
+            ghosts: ghosts.map(|state| (*state).clone()).collect(),
+            velocities,
+            accelerations,
+            forces,
+            tips,
+            unit: scene.unit.symbol(),
+            count: scene.mechanism.points().len(),
+            ..Overlay::default()
+        }
+    }
+
     /// Returns the traces as chains of straight lines, in world units.
     pub(in crate::drawing) fn traces(&self) -> &[Arc<[Vec2]>] {
         &self.traces

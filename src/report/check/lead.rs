@@ -4,12 +4,31 @@ use super::{CheckedScene, Fact, PLACES};
 use crate::Input;
 use crate::report::sweep::lead::singularity_text;
 use crate::report::text::number::concise;
+use crate::scene::LeadingPoint;
 use crate::solver::{LeadSingularity, LedReach, PointLeader};
 use crate::wording::words;
 use serde_json::{Value, json};
 
 /// Number of pieces in which the path is followed.
 const PIECES: u16 = 360;
+
+/// Says up to which time and place, in the scene's length unit, the inputs can follow a leading
+/// point.
+#[must_use]
+pub fn followed_until(lead: &LeadingPoint, time: f64, unit: &str) -> String {
+    let [at, ..] = lead.path.at(time);
+    let [time, x, y] = [time, at.x, at.y].map(|number| concise(number, PLACES));
+    words().lead_is_followed_until(&time, &format!("[{x}, {y}] {unit}"))
+}
+
+/// Says why the inputs cannot reach the first position of a leading point.
+#[must_use]
+pub fn unreached(is_independent: bool) -> &'static str {
+    match is_independent {
+        true => words().lead_is_not_reached(),
+        false => words().lead_is_dependent(),
+    }
+}
 
 impl CheckedScene<'_> {
     /// Returns the fact on the leading point; empty for a scene without one.
@@ -21,6 +40,7 @@ impl CheckedScene<'_> {
         let Some(leader) = PointLeader::new(self.solver, lead.lead()) else {
             return fact;
         };
+        let is_independent = leader.is_independent();
         let reach = leader.reach(&lead.path, PIECES);
         let [first, last] = lead.path.span();
         let point = self.point_name(lead.point);
@@ -40,13 +60,9 @@ impl CheckedScene<'_> {
         if reach.is_complete {
             lines.push(words().lead_is_followed().to_owned());
         } else if reach.until == first {
-            lines.push(words().lead_is_not_reached().to_owned());
+            lines.push(unreached(is_independent).to_owned());
         } else {
-            let [at, ..] = lead.path.at(reach.until);
-            let [time, x, y] = [reach.until, at.x, at.y].map(|number| concise(number, PLACES));
-            lines.push(
-                words().lead_is_followed_until(&time, &format!("[{x}, {y}] {}", self.length)),
-            );
+            lines.push(followed_until(lead, reach.until, self.length));
         }
         for (&input, range) in inputs.iter().zip(&reach.ranges) {
             if range[0] <= range[1] {

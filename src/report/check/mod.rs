@@ -15,6 +15,7 @@ mod stops;
 
 pub(super) use driver::inputs_given;
 pub(super) use first_loop::loop_name;
+pub use lead::{followed_until, unreached};
 pub(super) use motion::{TimedMotion, describe_out_of_range};
 pub use range::near_misses;
 pub(super) use stops::stops_json;

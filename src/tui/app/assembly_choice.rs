@@ -10,6 +10,7 @@ impl App {
     /// Lists the assemblies next to the drawing and pauses playback.
     pub(super) fn list_assemblies(&mut self) {
         self.player.playback.pause();
+        self.take_by_hand();
         match AssemblyList::new(&self.player.open_scene) {
             Some(assemblies) => {
                 self.shell.mode = Mode::Assemblies(Box::new(assemblies));

@@ -229,6 +229,7 @@ impl App {
         } else if edited.started {
             self.shell.set_message(words().start_follows());
         }
+        self.report_lead();
         self.keep();
     }
 

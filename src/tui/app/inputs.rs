@@ -4,18 +4,21 @@ use super::{App, Mode};
 use crate::Input;
 use crate::scene::{Value, with_point};
 use crate::tui::document::history::Deed;
+use crate::tui::player::led_motion::LedMotion;
 use crate::tui::player::steps::StepLadder;
 use crate::wording::words;
 use std::time::Duration;
 
 impl App {
-    /// Selects the next input for the step keys: the driver, then each held input.
+    /// Selects the next input for the step keys: the driver, then each held input. With a leading
+    /// point, its time comes first.
     pub(super) fn select_next_input(&mut self) {
         let scene = self.player.open_scene.scene();
+        let driver = self.player.open_scene.led_motion();
+        let driver = driver.map(|_| scene.input_name(scene.mechanism.driver().input).to_owned());
         let held = self.held_values().into_iter();
-        let held: Vec<String> = held
-            .map(|(input, _)| scene.input_name(input).to_owned())
-            .collect();
+        let held = held.map(|(input, _)| scene.input_name(input).to_owned());
+        let held: Vec<String> = driver.into_iter().chain(held).collect();
         if held.is_empty() {
             self.shell.set_message(words().no_held_inputs());
             return;
@@ -25,14 +28,34 @@ impl App {
             None => held.first(),
             Some(at) => held.get(at + 1),
         };
-        self.select_input(next.cloned());
+        let next = next.cloned();
+        if next.is_none()
+            && let Some(time) = self.player.open_scene.led_motion().map(LedMotion::time)
+        {
+            self.player.lead_to_time(time, self.now);
+            self.shell.set_message(words().keys_step_the_time());
+            return;
+        }
+        self.select_input(next);
     }
 
-    /// Selects a held input for the step keys, or the driver.
+    /// Takes the inputs by hand where the scene opens, if a point leads.
+    pub(in crate::tui::app) fn take_by_hand(&mut self) {
+        if self.player.open_scene.led().is_some() {
+            let at = self.player.open_scene.at();
+            self.player.move_to_coordinate(at, self.now);
+        }
+    }
+
+    /// Selects a held input for the step keys, or the driver. A leading point stops leading.
     fn select_input(&mut self, name: Option<String>) {
+        self.take_by_hand();
         let found = name.and_then(|name| self.held_value(&name));
         let Some((input, value)) = found else {
-            self.player.input = None;
+            let scene = self.player.open_scene.scene();
+            let driver = scene.input_name(scene.mechanism.driver().input);
+            let has_lead = self.player.open_scene.led_motion().is_some();
+            self.player.input = has_lead.then(|| driver.to_owned());
             self.player.reset_steps();
             let scene = self.player.open_scene.scene();
             let driver = scene.input_name(scene.mechanism.driver().input);
@@ -77,7 +100,14 @@ impl App {
     pub(super) fn step_selected(&mut self, sense: f64, now: Duration) {
         let selected = self.player.input.as_deref();
         let held = selected.and_then(|name| self.held_value(name));
-        if held.is_none() && self.player.input.take().is_some() {
+        if self.player.open_scene.led().is_some() {
+            let by = sense * self.player.steps.size();
+            return self.step_time(by, now);
+        }
+        let scene = self.player.open_scene.scene();
+        let driver = scene.input_name(scene.mechanism.driver().input);
+        let is_driver = self.player.input.as_deref() == Some(driver);
+        if held.is_none() && !is_driver && self.player.input.take().is_some() {
             // An edit or undo has removed its value: the step is one of the driver.
             self.player.reset_steps();
         }
@@ -129,6 +159,7 @@ impl App {
             self.accept_driver_coordinate(number.trim(), now);
             return true;
         };
+        self.take_by_hand();
         match value.typed(number) {
             Ok(text) => {
                 let edit = Deed::Other(value.name.clone());
@@ -139,6 +170,14 @@ impl App {
             Err(why) => self.shell.set_message(why.to_string()),
         }
         true
+    }
+
+    /// Returns the unit of a step.
+    pub(crate) fn step_unit(&self) -> &'static str {
+        match self.player.open_scene.led() {
+            Some(_) => "s",
+            None => self.player.open_scene.unit(),
+        }
     }
 
     /// Returns the selected held input with its coordinate, such as `r7 45 deg`; `None` for the

@@ -30,6 +30,7 @@ impl App {
     /// Selects a view and reports why it is empty, if it is.
     fn select_view_from_tabs(&mut self, view: View) {
         self.select_view(view);
+        // While a point leads, an empty view itself says why.
         if let Some(why) = view.pane().nothing(self) {
             self.shell.set_message(why);
         }
@@ -115,7 +116,7 @@ impl App {
             .iter()
             .position(|method| Some(*method) == self.views.method.method);
         self.watch_method(all.get(here.map_or(0, |index| index + 1)).copied());
-        if let Some(why) = View::Accuracy.pane().nothing(self) {
+        if let Some(why) = View::Accuracy.pane_in(self).nothing(self) {
             self.shell.set_message(why);
         }
     }
@@ -192,7 +193,7 @@ impl App {
 
     /// Moves to the next or previous part of the current view, or reports that there is none.
     pub(super) fn go_to_part(&mut self, forward: bool) {
-        match self.shell.view.pane().list() {
+        match self.shell.view.pane_in(self).list() {
             Listing::Values => self.document.editor.go_to_part(forward),
             Listing::Figures => self.place_cursor(|cursor, table| cursor.in_part(table, forward)),
             Listing::Lines => {
@@ -218,7 +219,7 @@ impl App {
         let scroll = match &mut self.shell.mode {
             Mode::Help(help) => &mut help.scroll,
             Mode::Assemblies(assemblies) => return assemblies.list.move_by(lines),
-            _ => match self.shell.view.pane().list() {
+            _ => match self.shell.view.pane_in(self).list() {
                 Listing::Lines => &mut self.views.scroll[self.shell.view as usize],
                 Listing::Figures => {
                     return self.place_cursor(|cursor, table| cursor.moved(table, lines));

@@ -14,7 +14,7 @@ use crate::wording::words;
 impl App {
     /// Opens the search line, in the views that have rows or lines.
     pub(super) fn search(&mut self) {
-        let from = match self.shell.view.pane().list() {
+        let from = match self.shell.view.pane_in(self).list() {
             Listing::Figures => SearchOrigin::Tables(self.views.cursor),
             Listing::Values => SearchOrigin::Scene(self.document.editor.cursor()),
             Listing::Lines if views::current_view_lines(self).is_empty() => {
@@ -159,7 +159,7 @@ impl App {
         }
         self.views.searched = Some(self.shell.view);
         let query = self.views.sought.clone();
-        let found = match self.shell.view.pane().list() {
+        let found = match self.shell.view.pane_in(self).list() {
             Listing::Figures => {
                 let (tables, here) = (self.player.open_scene.tables(), self.views.cursor);
                 let next = search::next(tables, &query, here, forward);

@@ -1,14 +1,18 @@
 //! Results at the driver's position, kept only while a view shows them.
 
 use crate::quantity::DriverState;
+use crate::tui::player::led_motion::LedMotion;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::player::scene_version::SceneRevision;
+
+/// The driver's state, and the time of a point that leads.
+type Position = (DriverState, Option<f64>);
 
 /// A result at the driver's position.
 #[derive(Debug)]
 pub(crate) struct LiveResult<R> {
-    /// The result, with the scene and the driver state to which it belongs.
-    kept: Option<(SceneRevision, DriverState, R)>,
+    /// The result, with the scene and the position to which it belongs.
+    kept: Option<(SceneRevision, Position, R)>,
 }
 
 impl<R> Default for LiveResult<R> {
@@ -27,17 +31,19 @@ impl<R> LiveResult<R> {
         create: impl FnOnce(&OpenScene) -> Option<R>,
         move_on: fn(&mut R, &OpenScene),
     ) {
-        let (scene, driver_state) = (open_scene.edition(), *open_scene.driver_state());
+        let scene = open_scene.edition();
+        let time = open_scene.led().map(LedMotion::time);
+        let position = (*open_scene.driver_state(), time);
         match &mut self.kept {
             Some((of, at, result)) if wanted && of == scene => {
-                if *at != driver_state {
+                if *at != position {
                     move_on(result, open_scene);
-                    *at = driver_state;
+                    *at = position;
                 }
             }
             kept => {
                 let created = wanted.then(|| create(open_scene)).flatten();
-                *kept = created.map(|result| (scene.clone(), driver_state, result));
+                *kept = created.map(|result| (scene.clone(), position, result));
             }
         }
     }

@@ -5,6 +5,7 @@ pub(crate) mod compared_scene;
 pub(crate) mod cost;
 pub(crate) mod current_results;
 pub(crate) mod driver_range;
+pub(crate) mod led_motion;
 pub(crate) mod next_singularity;
 pub(crate) mod open_scene;
 pub(crate) mod playback;
@@ -17,6 +18,7 @@ pub(crate) mod watched_method;
 use super::OpenedScene;
 use crate::tui::figures::format::rounded;
 use driver_range::OutOfRange;
+use led_motion::LedMotion;
 use open_scene::OpenScene;
 use playback::{Playback, Track};
 use scene_version::SceneRevision;
@@ -33,7 +35,8 @@ const STEP_DECIMALS: usize = 9;
 pub(crate) struct Player {
     pub(crate) open_scene: OpenScene,
     pub(crate) steps: StepLadder,
-    /// The name of the held input that the step keys move; `None` for the driver.
+    /// The name of the input that the step keys move; `None` for the time of a leading point, or
+    /// for the driver.
     pub(crate) input: Option<String>,
     pub(crate) playback: Playback,
     /// The time when the last frame was due.
@@ -61,9 +64,27 @@ impl Player {
     pub(crate) fn exchange(&mut self, open_scene: OpenScene, now: Duration) -> OpenScene {
         let (at, turned) = (self.open_scene.at(), self.turns());
         let time = self.open_scene.time();
+        let led = self.open_scene.led().map(LedMotion::time);
+        let mut open_scene = open_scene;
+        if self.open_scene.led_motion().is_some() && led.is_none() {
+            open_scene.take_by_hand();
+        }
         let before = std::mem::replace(&mut self.open_scene, open_scene);
         // A reread file may have a slide as its driver instead of a link.
         if turned != self.turns() {
+            self.reset_steps();
+        }
+        if self.open_scene.led().is_some() {
+            match led {
+                Some(time) => {
+                    self.lead_to_time(time, now);
+                }
+                // The edit has added the leading point.
+                None => self.reset_steps(),
+            }
+            return before;
+        }
+        if led.is_some() {
             self.reset_steps();
         }
         match time.filter(|_| self.open_scene.timetable().is_some()) {
@@ -84,10 +105,40 @@ impl Player {
 
     // ---- the driver's position
 
-    /// Moves the driver to a coordinate and continues playback from it.
+    /// Moves the driver to a coordinate and continues playback from it. A point that leads stops
+    /// leading.
     pub(crate) fn move_to_coordinate(&mut self, at: f64, now: Duration) {
+        let was_led = self.open_scene.led().is_some();
         self.open_scene.go(at);
+        if was_led {
+            self.playback.pause();
+            self.reset_steps();
+        }
         self.rebase(now);
+    }
+
+    /// Lets the leading point lead, at a time of its motion or the nearest one, and continues
+    /// playback from it. Returns `false` if there is no such motion.
+    pub(crate) fn lead_to_time(&mut self, time: f64, now: Duration) -> bool {
+        let was_led = self.open_scene.led().is_some();
+        let is_led = self.open_scene.lead_to_time(time);
+        if is_led && !was_led {
+            self.input = None;
+            self.reset_steps();
+        }
+        self.rebase(now);
+        is_led
+    }
+
+    /// Moves the leading point by a step of time. Returns `true` if the whole step was possible.
+    pub(crate) fn step_time(&mut self, by: f64, now: Duration) -> bool {
+        let Some(led) = self.open_scene.led() else {
+            return false;
+        };
+        let wanted = rounded(led.time() + by, STEP_DECIMALS);
+        let reached = led.within(wanted);
+        let is_whole = led.is_closed() || reached == wanted;
+        self.lead_to_time(reached, now) && is_whole
     }
 
     /// Moves the driver to a time of its motion and continues playback from it.
@@ -105,6 +156,9 @@ impl Player {
 
     /// Returns the playback track: the motion over time, or the driver coordinate.
     pub(crate) fn track(&self) -> Track {
+        if let Some(led) = self.open_scene.led() {
+            return led.track();
+        }
         match self.open_scene.timetable() {
             Some(timetable) => Track {
                 span: timetable.period(),
@@ -117,6 +171,9 @@ impl Player {
 
     /// Returns the position on the track; 0 if the driver is outside its motion over time.
     fn place(&self) -> f64 {
+        if let Some(led) = self.open_scene.led() {
+            return led.time();
+        }
         match self.open_scene.timetable() {
             Some(_) => self.open_scene.time().unwrap_or(0.0),
             None => self.open_scene.at(),
@@ -130,8 +187,11 @@ impl Player {
         Ok(reached)
     }
 
-    /// Moves to the scene's initial position.
+    /// Moves to the scene's initial position: that of a leading point, if the scene has one.
     pub(crate) fn go_to_opening(&mut self, now: Duration) {
+        if self.lead_to_time(f64::NEG_INFINITY, now) {
+            return;
+        }
         if self.open_scene.timetable().is_some() {
             return self.move_to_time(0.0, now);
         }
@@ -154,6 +214,9 @@ impl Player {
         if self.playback.is_playing() {
             self.playback.pause();
         } else {
+            if let Some(time) = self.open_scene.led_motion().map(LedMotion::time) {
+                self.lead_to_time(time, now);
+            }
             self.playback.play(now, self.place());
             self.frame = now;
         }
@@ -192,6 +255,11 @@ impl Player {
             return;
         };
         self.frame = now;
+        if let Some(led) = self.open_scene.led() {
+            let time = led.on_grid(place);
+            self.open_scene.lead_to_time(time);
+            return;
+        }
         match self.open_scene.timetable() {
             Some(timetable) => {
                 let time = timetable.on_grid(place);
@@ -224,8 +292,11 @@ impl Player {
     }
 }
 
-/// Returns the step sizes for the scene's driver.
+/// Returns the step sizes for the time of a leading point, or for the scene's driver.
 fn steps_of(open_scene: &OpenScene) -> StepLadder {
+    if let Some(led) = open_scene.led() {
+        return StepLadder::of_length(led.track().span);
+    }
     if open_scene.driver_range().turns() {
         StepLadder::of_angle()
     } else {

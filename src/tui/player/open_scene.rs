@@ -11,6 +11,7 @@ use crate::solver::{AssemblyChoice, Condition, GroupId, Order, Solver, State, Wo
 use crate::tui::figures::sheet::Sheet;
 use crate::tui::player::cost::Cost;
 use crate::tui::player::driver_range::DriverRange;
+use crate::tui::player::led_motion::LedMotion;
 use crate::tui::player::scene_version::SceneRevision;
 use crate::tui::player::timetable::Timetable;
 use crate::tui::{OpenedScene, Origin};
@@ -22,7 +23,7 @@ const SAMPLES: u16 = 72;
 const MIN_SAMPLES: u16 = 6;
 const MAX_ROWS: usize = 20_000;
 
-/// An open scene at one driver coordinate.
+/// An open scene at one driver coordinate, or at a time of its leading point.
 #[derive(Debug)]
 pub(crate) struct OpenScene {
     edition: SceneRevision,
@@ -37,6 +38,10 @@ pub(crate) struct OpenScene {
     driver_state: DriverState,
     time: Option<f64>,
     timetable: Option<Timetable>,
+    /// The motion of the leading point, and whether it leads at present. Without it, the driver
+    /// state is the present one.
+    led_motion: Option<LedMotion>,
+    is_led: bool,
     state: Workspace,
     enclosure: Workspace<Ball>,
     tables: Tables,
@@ -49,14 +54,21 @@ impl OpenScene {
     /// Opens a scene at its initial position.
     pub(crate) fn new(opened: OpenedScene) -> Self {
         let driver_range = DriverRange::new(&opened.scene, &opened.solver);
-        let extents = Extents::of(&opened.scene, &opened.solver);
+        let mut extents = Extents::of(&opened.scene, &opened.solver);
+        let led_motion = LedMotion::new(&opened.scene, &opened.solver);
+        if let Some(led) = &led_motion {
+            extents = extents.with(&opened.scene, led.states());
+            extents = extents.with_points(led.planned().iter().copied());
+        }
         let mut state = opened.solver.state();
         let timetable = Timetable::new(&opened.scene, opened.solver.motion().range);
         let places = places(&opened.scene, &driver_range, timetable.as_ref());
-        let samples = samples(&opened, &places, &mut state);
+        let mut samples = samples(&opened, &places, &mut state);
+        let led = led_motion.iter().flat_map(LedMotion::states);
+        samples.extend(led.map(|state| Tables::new(&opened.scene, state)));
         let driver_state = places[0];
         let mut enclosure = opened.solver.enclosure();
-        OpenScene {
+        let mut open_scene = OpenScene {
             edition: SceneRevision::default(),
             verdict: Verdict::new(&opened.scene, &opened.solver),
             sheet: Sheet::new(&samples),
@@ -77,8 +89,12 @@ impl OpenScene {
             driver_state,
             time: timetable.is_some().then_some(0.0),
             timetable,
+            is_led: false,
+            led_motion,
             state,
-        }
+        };
+        open_scene.lead_to_time(f64::NEG_INFINITY);
+        open_scene
     }
 
     /// Returns the revision, the key for cached results on this scene.
@@ -120,6 +136,13 @@ impl OpenScene {
     pub(crate) fn replace_text(&mut self, scene: Scene) {
         self.opened.scene = scene;
         self.timetable = Timetable::new(&self.opened.scene, self.opened.solver.motion().range);
+        let time = self.led().map(LedMotion::time);
+        self.led_motion = LedMotion::new(&self.opened.scene, &self.opened.solver);
+        if let Some(time) = time
+            && !self.lead_to_time(time)
+        {
+            self.take_by_hand();
+        }
         self.driver_range = DriverRange::new(&self.opened.scene, &self.opened.solver);
     }
 
@@ -147,7 +170,48 @@ impl OpenScene {
         }
     }
 
+    /// Moves the leading point to its position at a time, or the nearest one that the inputs can
+    /// follow. Returns `false` if there is no such motion.
+    pub(crate) fn lead_to_time(&mut self, time: f64) -> bool {
+        let Some(led) = &mut self.led_motion else {
+            return false;
+        };
+        let time = led.within(time);
+        // Where the inputs cannot follow, the last position remains.
+        led.go(time, self.order);
+        self.tables = Tables::new(&self.opened.scene, led.state());
+        self.is_led = true;
+        true
+    }
+
+    /// Returns to the driver's position: the leading point stops leading.
+    pub(crate) fn take_by_hand(&mut self) {
+        self.set_driver(self.driver_state, self.time);
+    }
+
+    /// Solves the present state again.
+    fn solve_again(&mut self) {
+        match self.led().map(LedMotion::time) {
+            Some(time) => {
+                self.lead_to_time(time);
+            }
+            None => self.set_driver(self.driver_state, self.time),
+        }
+    }
+
+    /// Returns the motion of the leading point, if the inputs can follow it at all.
+    pub(crate) fn led_motion(&self) -> Option<&LedMotion> {
+        self.led_motion.as_ref()
+    }
+
+    /// Returns the motion of the leading point while it leads: the state is then that at its time,
+    /// and the driver state that of the last position without it.
+    pub(crate) fn led(&self) -> Option<&LedMotion> {
+        self.led_motion.as_ref().filter(|_| self.is_led)
+    }
+
     fn set_driver(&mut self, driver_state: DriverState, time: Option<f64>) {
+        self.is_led = false;
         (self.driver_state, self.time) = (driver_state, time);
         let (state, enclosure) = (&mut self.state, &mut self.enclosure);
         self.tables = solved(&self.opened, &driver_state, self.order, state, enclosure);
@@ -161,7 +225,7 @@ impl OpenScene {
         };
         if order != self.order {
             self.order = order;
-            self.set_driver(self.driver_state, self.time);
+            self.solve_again();
         }
     }
 
@@ -181,9 +245,9 @@ impl OpenScene {
         });
     }
 
-    /// Returns the last measured cost.
+    /// Returns the last measured cost; `None` while a point leads, whose states cost more.
     pub(crate) fn cost(&self) -> Option<String> {
-        self.cost.text()
+        self.led().is_none().then(|| self.cost.text()).flatten()
     }
 
     /// Returns the largest error bound of a point's coordinates; `None` if any bound is missing.
@@ -262,16 +326,16 @@ impl OpenScene {
     }
 
     pub(crate) fn state(&self) -> &State {
-        &self.state
+        self.led().map_or(&self.state, LedMotion::state)
     }
 
-    /// Returns the error bounds of the state.
-    pub(crate) fn enclosure(&self) -> &State<Ball> {
-        &self.enclosure
+    /// Returns the error bounds of the state; `None` while a point leads.
+    pub(crate) fn enclosure(&self) -> Option<&State<Ball>> {
+        (!self.is_led).then_some(&*self.enclosure)
     }
 
     pub(crate) fn condition(&self) -> Condition {
-        self.state.condition()
+        self.state().condition()
     }
 
     pub(crate) fn tables(&self) -> &Tables {

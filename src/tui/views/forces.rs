@@ -24,6 +24,7 @@ use crate::tui::app::{App, View};
 use crate::tui::figures::copying;
 use crate::tui::figures::force_figures::{ForceFigures, Formats};
 use crate::tui::figures::format::Format;
+use crate::tui::player::led_motion::LedMotion;
 use crate::tui::player::open_scene::OpenScene;
 use crate::wording::words;
 use crate::{Mechanism, Vec2};
@@ -95,7 +96,11 @@ pub(super) fn balance(open_scene: &OpenScene) -> Option<ForceFigures> {
         let _ = driver_state.solve(solver, Order::Force, &mut state);
         Forces::new(scene, solver, &state, None)
     });
-    Some(ForceFigures::new(forces, &samples.collect::<Vec<_>>()))
+    let led = open_scene.led_motion().into_iter();
+    let led = led.flat_map(LedMotion::states);
+    let led = led.filter_map(|state| Forces::new(scene, solver, state, None));
+    let samples: Vec<Forces> = samples.chain(led).collect();
+    Some(ForceFigures::new(forces, &samples))
 }
 
 /// Updates the forces for another driver state.
@@ -105,7 +110,7 @@ pub(super) fn follow(force_figures: &mut ForceFigures, open_scene: &OpenScene) {
 
 fn current(open_scene: &OpenScene) -> Option<Forces> {
     let (scene, solver) = (open_scene.scene(), open_scene.solver());
-    let enclosure = Some(open_scene.enclosure());
+    let enclosure = open_scene.enclosure();
     Forces::new(scene, solver, open_scene.state(), enclosure)
 }
 

@@ -16,6 +16,7 @@ mod compact;
 pub(crate) mod forces;
 pub(crate) mod help;
 pub(crate) mod layout;
+mod led;
 pub(crate) mod lengths;
 pub(crate) mod motion;
 pub(crate) mod motor;
@@ -79,6 +80,15 @@ impl View {
             View::Polygons => &polygons::PolygonsView,
         }
     }
+
+    /// Returns the pane that shows this view at present: while a point leads, views of the driver's
+    /// motion show nothing.
+    pub(crate) fn pane_in(self, app: &App) -> &'static dyn Pane {
+        match app.open_scene().led() {
+            Some(_) => led::pane(self),
+            None => self.pane(),
+        }
+    }
 }
 
 /// Updates the sketch, which persists from frame to frame.
@@ -88,7 +98,7 @@ pub(crate) fn prepare(app: &App, sketch: &mut Sketch) {
     }
     sketch.start_frame();
     for PlacedView { view, title, area } in placed(app) {
-        let pane = pane_of(view, title.is_some());
+        let pane = pane_of(app, view, title.is_some());
         pane.prepare(app, sketch, area);
     }
 }
@@ -192,7 +202,7 @@ fn draw(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
 fn render_panes(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     let placed = placed(app);
     for (n, &PlacedView { view, title, area }) in placed.iter().enumerate() {
-        let pane = pane_of(view, title.is_some());
+        let pane = pane_of(app, view, title.is_some());
         let is_looked_at = view == app.view();
         let heading = |space| pane.heading(app, space);
         match app.mode() {
@@ -218,10 +228,10 @@ fn render_panes(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
 
 /// Returns the pane of a view. Among other panes the drawing has no tables, which have a pane of
 /// their own.
-fn pane_of(view: View, is_among_others: bool) -> &'static dyn Pane {
+fn pane_of(app: &App, view: View, is_among_others: bool) -> &'static dyn Pane {
     match view {
         View::Motion if is_among_others => &motion::DrawingPane,
-        _ => view.pane(),
+        _ => view.pane_in(app),
     }
 }
 
@@ -235,7 +245,7 @@ fn placed(app: &App) -> Vec<PlacedView> {
 pub(crate) fn extents(app: &App) -> Vec<(View, usize, usize)> {
     let placed = placed(app).into_iter();
     let extent = |pane: PlacedView| {
-        let (lines, visible) = pane_of(pane.view, pane.title.is_some()).extent(app, pane.area);
+        let (lines, visible) = pane_of(app, pane.view, pane.title.is_some()).extent(app, pane.area);
         (pane.view, lines, visible)
     };
     placed.map(extent).collect()
@@ -245,8 +255,8 @@ pub(crate) fn extents(app: &App) -> Vec<(View, usize, usize)> {
 fn current_pane(app: &App) -> (&'static dyn Pane, Rect) {
     let placed = placed(app);
     let own = placed.iter().find(|pane| pane.view == app.view());
-    own.map_or((app.view().pane(), Rect::ZERO), |own| {
-        (pane_of(own.view, own.title.is_some()), own.area)
+    own.map_or((app.view().pane_in(app), Rect::ZERO), |own| {
+        (pane_of(app, own.view, own.title.is_some()), own.area)
     })
 }
 
@@ -281,7 +291,10 @@ pub(crate) fn under(app: &App, sketch: &Sketch, at: Position) -> CellTarget {
     if let Some(seen) = sketch.place(at) {
         return CellTarget::Drawing(view, seen);
     }
-    CellTarget::Pane(view, pane_of(view, title.is_some()).under(app, area, at))
+    CellTarget::Pane(
+        view,
+        pane_of(app, view, title.is_some()).under(app, area, at),
+    )
 }
 
 /// Returns the maximum scroll offset of the topmost element, in lines.

@@ -27,6 +27,7 @@ struct PlacementKey {
     language: Language,
     scene: SceneRevision,
     is_compared: bool,
+    is_led: bool,
     /// The number of vectors, of points, of values of the scene and of panels of the plot.
     rows: [usize; 4],
 }
@@ -43,6 +44,7 @@ impl PlacementKey {
             language: Language::current_language(),
             scene: app.open_scene().edition().clone(),
             is_compared: app.compared().is_some(),
+            is_led: app.open_scene().led().is_some(),
             rows: [
                 sheet.row_count(SheetPart::Vectors),
                 sheet.row_count(SheetPart::Points),
@@ -81,7 +83,9 @@ impl PaneNeeds for Contents<'_> {
             View::Scene => {
                 // The lines that are no values are those that a pane does not count as visible.
                 let height = u16::MAX / 2;
-                let (values, visible) = view.pane().extent(app, Rect::new(0, 0, width, height));
+                let (values, visible) = view
+                    .pane_in(self.0)
+                    .extent(app, Rect::new(0, 0, width, height));
                 values + usize::from(height).saturating_sub(visible)
             }
             View::Plots => {

@@ -58,7 +58,7 @@ fn render_tab(app: &App, tab: &Tab, (x, y): (u16, u16), buffer: &mut Buffer) -> 
     let is_looked_at = tab.view == app.view();
     let part = |usual| match is_looked_at {
         true => ScreenPart::Mode,
-        false if tab.view.pane().nothing(app).is_some() => ScreenPart::Quiet,
+        false if tab.view.pane_in(app).nothing(app).is_some() => ScreenPart::Quiet,
         false => usual,
     };
     let blank = if tab.name.is_empty() { "" } else { " " };

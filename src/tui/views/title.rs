@@ -168,10 +168,10 @@ fn settings(app: &App) -> Vec<String> {
     let mut settings: Vec<String> = app.views.viewport.lens.enlarged().into_iter().collect();
     let (seconds, backwards) = (playback.seconds(), playback.is_backwards());
     settings.extend([
-        words().step_of(&step, open_scene.unit()),
-        match open_scene.timetable() {
-            Some(_) => words().plays_period_in(&seconds, backwards),
-            None => words().plays_in(open_scene.driver_range().turns(), &seconds, backwards),
+        words().step_of(&step, app.step_unit()),
+        match open_scene.timetable().is_some() || open_scene.led().is_some() {
+            true => words().plays_period_in(&seconds, backwards),
+            false => words().plays_in(open_scene.driver_range().turns(), &seconds, backwards),
         },
     ]);
     settings.push(match playback.ratio(&app.track()) {

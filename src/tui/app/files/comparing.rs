@@ -43,6 +43,8 @@ impl App {
         name: String,
         opened: OpenedScene,
     ) -> Result<(), String> {
+        // The scenes are compared at one coordinate of their drivers.
+        self.take_by_hand();
         self.comparison = Comparison {
             compared: Some(ComparedScene::new(name, opened, &self.player.open_scene)?),
             last: Some(place),
@@ -80,9 +82,11 @@ impl App {
         compared
     }
 
-    /// Returns the scene compared with the open one.
+    /// Returns the scene compared with the open one; `None` while a point leads, which has no
+    /// common coordinate with the other scene.
     pub(crate) fn compared(&self) -> Option<&ComparedScene> {
-        self.comparison.compared()
+        let is_led = self.player.open_scene.led().is_some();
+        self.comparison.compared().filter(|_| !is_led)
     }
 
     /// Returns the columns of the tables: values, or differences during a comparison.

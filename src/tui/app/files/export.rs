@@ -3,8 +3,8 @@
 use super::super::views::{self, Copied};
 use crate::capability::{Detected, PictureProtocol};
 use crate::quantity::{Catalogue, Clock};
-use crate::report::{Columns, Report, RowFormat, Steps, Sweep, WrittenDecimal};
-use crate::solver::Order;
+use crate::report::{Columns, LeadSweep, Report, RowFormat, Steps, Sweep, WrittenDecimal};
+use crate::solver::{Order, PointLeader};
 use crate::tui::Origin;
 use crate::tui::app::{App, Effect, Mode};
 use crate::tui::commands::action::Action;
@@ -12,6 +12,7 @@ use crate::tui::commands::key::Key;
 use crate::tui::document::writing::{SavedContent, Text};
 use crate::tui::figures::copying::ShownTables;
 use crate::tui::figures::format::coordinate;
+use crate::tui::player::led_motion::LedMotion;
 use crate::tui::player::solution_cache::{DIGITS, Explained};
 use crate::tui::terminal::clipboard;
 use crate::wording::words;
@@ -65,7 +66,7 @@ impl App {
                 .set_message(self.with_alternative(words().no_clipboard().into()));
             return Effect::Show;
         }
-        match self.shell.view.pane().copy(self) {
+        match self.shell.view.pane_in(self).copy(self) {
             Copied::Text(text) => return self.send(&text),
             Copied::Lines => {
                 let lines = views::current_view_lines(self);
@@ -134,12 +135,12 @@ impl App {
     /// Asks for a file for the current values or the plotted curves; in a view of text lines, for
     /// all its lines.
     fn prompt_for_csv(&mut self) {
-        if let Some((what, page)) = self.shell.view.pane().page(self) {
+        if let Some((what, page)) = self.shell.view.pane_in(self).page(self) {
             let text = Text::of_page(what, page, self.row_of_sweep().ok());
             let proposal = self.proposal("txt");
             return self.prompt_for_file(SavedContent::Text(text), &proposal);
         }
-        let text = self.shell.view.pane().csv(self);
+        let text = self.shell.view.pane_in(self).csv(self);
         self.offer_file(text, words().the_figures(), "csv");
     }
 
@@ -159,6 +160,9 @@ impl App {
     /// Formats all values at the current position as a sweep of one row.
     pub(crate) fn row_of_sweep(&self) -> Result<String, String> {
         let open_scene = &self.player.open_scene;
+        if let Some(led) = open_scene.led() {
+            return self.row_of_lead(led);
+        }
         let scene = open_scene.scene();
         // Over time, the row is identified by its time instead of the coordinate.
         let time = open_scene
@@ -188,6 +192,31 @@ impl App {
         String::from_utf8(text).map_err(|e| e.to_string())
     }
 
+    /// Formats all values at the present time of a leading point as a sweep of one row.
+    fn row_of_lead(&self, led: &LedMotion) -> Result<String, String> {
+        let (scene, solver) = (
+            self.player.open_scene.scene(),
+            self.player.open_scene.solver(),
+        );
+        let catalogue = Catalogue::new(scene);
+        let broken = || words().no_figures_to_write().to_owned();
+        let leader = PointLeader::new(solver, led.lead().lead()).ok_or_else(broken)?;
+        let here = WrittenDecimal::of(led.time()).ok_or_else(broken)?;
+        let step = WrittenDecimal::of(1.0).ok_or_else(broken)?;
+        let sweep = LeadSweep {
+            scene,
+            leader: &leader,
+            lead: led.lead(),
+            columns: &Columns::new(catalogue.driver(), catalogue.all(), true).over_time(),
+            steps: &Steps::new(here, here, step).map_err(|e| e.to_string())?,
+            format: RowFormat::Csv(self.csv_dialect()),
+        };
+        let mut text = Vec::new();
+        let written = sweep.write(&mut text, &mut |_| {});
+        written.map_err(|e| e.to_string())?;
+        String::from_utf8(text).map_err(|e| e.to_string())
+    }
+
     /// Asks for a file for the screen as it was when the key was pressed.
     pub(crate) fn prompt_for_picture(&mut self, text: String) {
         self.offer_file(Ok(text), words().the_screen(), "txt");
@@ -195,7 +224,7 @@ impl App {
 
     /// Asks for an SVG file of the drawing or plot as shown.
     fn prompt_for_svg(&mut self) {
-        match self.shell.view.pane().svg(self) {
+        match self.shell.view.pane_in(self).svg(self) {
             Ok((what, text)) => self.offer_file(Ok(text), what, "svg"),
             Err(why) => self.shell.set_message(why),
         }
@@ -206,6 +235,9 @@ impl App {
     fn prompt_for_report(&mut self) {
         let open_scene = &self.player.open_scene;
         let (scene, solver) = (open_scene.scene(), open_scene.solver());
+        if open_scene.led().is_some() {
+            return self.shell.set_message(words().shows_the_driver_only());
+        }
         if !Explained::is_possible(scene) {
             return self.shell.set_message(words().too_many_links_to_report());
         }
@@ -232,11 +264,15 @@ impl App {
         let complete = self
             .shell
             .view
-            .pane()
+            .pane_in(self)
             .file_part()
             .filter(|_| !matches!(ending, "txt" | "html"));
-        let place =
-            complete.map_or_else(|| coordinate(self.player.open_scene.at(), 0), str::to_owned);
+        let open_scene = &self.player.open_scene;
+        let place = || match open_scene.led() {
+            Some(led) => format!("{}s", led.text(led.time())),
+            None => coordinate(open_scene.at(), 0),
+        };
+        let place = complete.map_or_else(place, str::to_owned);
         format!("{stem}-{place}.{ending}")
     }
 }

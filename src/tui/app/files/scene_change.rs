@@ -33,6 +33,7 @@ impl App {
         self.scenes += 1;
         self.views.open();
         self.select_view(self.shell.view);
+        self.report_lead();
         self.meet();
     }
 

@@ -11,6 +11,7 @@ use crate::solver::Range;
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::figures::format::{plain, rounded};
+use crate::tui::player::led_motion::LedMotion;
 use crate::tui::player::next_singularity::{SingularityKind, singularities};
 use crate::wording::words;
 use ratatui::buffer::Buffer;
@@ -43,6 +44,9 @@ struct CycleLine {
 impl CycleLine {
     fn of(app: &App) -> CycleLine {
         let open_scene = app.open_scene();
+        if let Some(led) = open_scene.led() {
+            return CycleLine::led(led);
+        }
         if let (Some(timetable), Some(time)) = (open_scene.timetable(), open_scene.time()) {
             let period = timetable.period();
             let since = time.rem_euclid(period);
@@ -102,6 +106,35 @@ impl CycleLine {
             is_closed,
             position: place,
             next: format!("{next:<width$}", width = width.unwrap_or(0)),
+        }
+    }
+
+    /// Returns the line of a leading point: its time, its singular positions, and the end of the
+    /// motion if the inputs cannot follow the whole path.
+    fn led(led: &LedMotion) -> CycleLine {
+        let [first, end] = led.span();
+        let (span, is_closed) = (end - first, led.is_closed());
+        let share = |time: f64| match span > 0.0 {
+            true => ((time - first) / span).clamp(0.0, 1.0),
+            false => 0.0,
+        };
+        let inside = led.singular().iter().map(|(time, _)| share(*time));
+        let limit = || format!("{} {}", words().limit(), led.text(end));
+        CycleLine {
+            share: share(led.time()),
+            marks: inside
+                .filter(|share| *share > 0.0 && *share < 1.0)
+                .collect(),
+            is_closed,
+            position: match is_closed && first == 0.0 {
+                true => within(led.time(), span, decimals(span), "s"),
+                false => between(led.time(), first, end, decimals(span), "s"),
+            },
+            next: if led.is_complete() {
+                String::new()
+            } else {
+                limit()
+            },
         }
     }
 

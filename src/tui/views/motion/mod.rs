@@ -81,6 +81,8 @@ impl PolygonSketch {
 struct DrawnStage {
     scene: SceneRevision,
     setting: ViewportSetting,
+    /// Whether a point leads.
+    is_led: bool,
     /// The driver coordinate at which the stage was drawn first, and the window then.
     at: f64,
     view: WorldView,
@@ -90,7 +92,7 @@ struct DrawnStage {
 impl DrawnStage {
     /// Returns `true` if the scene and its layers are the same.
     fn is_of(&self, other: &DrawnStage) -> bool {
-        self.scene == other.scene && self.setting == other.setting
+        self.scene == other.scene && self.setting == other.setting && self.is_led == other.is_led
     }
 }
 
@@ -148,7 +150,7 @@ impl Sketch {
 
     /// Draws the linkage's current state for an area of the screen.
     pub(super) fn draw_in(&mut self, app: &App, area: Rect) {
-        let highlighted = app.view().pane().subject(app);
+        let highlighted = app.view().pane_in(app).subject(app);
         let view = arrangement::window(app, area);
         self.window = Some((area, view));
         self.place_labels(app, &view, highlighted);
@@ -171,6 +173,7 @@ impl Sketch {
         let now = DrawnStage {
             scene: open_scene.edition().clone(),
             setting: viewport.setting(),
+            is_led: open_scene.led().is_some(),
             at,
             view: *view,
             highlighted,

@@ -82,11 +82,11 @@ impl On {
     }
 
     /// Returns the state of a layer when a scene opens: guides are shown, and traces if the scene
-    /// names their points.
+    /// names their points or a point leads.
     fn usual(scene: &Scene, layer: Layer) -> bool {
         match layer {
             Layer::Guides => true,
-            Layer::Traces => !scene.traces.is_empty(),
+            Layer::Traces => !scene.traces.is_empty() || scene.lead.is_some(),
             _ => false,
         }
     }
@@ -118,8 +118,9 @@ pub(crate) struct Viewport {
     overlay: Overlay,
     /// The extents of the linkage with its arrows, if there are arrows.
     reach: Option<Extents>,
-    /// The scene revision and the request for which the overlay was computed.
-    computed_for: Option<(SceneRevision, OverlayRequest)>,
+    /// The scene revision and the request for which the overlay was computed, and whether it is the
+    /// motion of a leading point.
+    computed_for: Option<(SceneRevision, OverlayRequest, bool)>,
     /// The legend's text on the traced points.
     traced: String,
 }
@@ -183,15 +184,27 @@ impl Viewport {
         if wanted.is_empty() && self.computed_for.is_none() {
             return;
         }
+        let is_led = open_scene.led().is_some();
         if self
             .computed_for
             .as_ref()
-            .is_some_and(|(scene, made)| scene == open_scene.edition() && *made == wanted)
+            .is_some_and(|(scene, made, led)| {
+                scene == open_scene.edition() && *made == wanted && *led == is_led
+            })
         {
             return;
         }
         let (scene, extents) = (open_scene.scene(), open_scene.extents());
-        self.overlay = Overlay::of(scene, open_scene.solver(), extents, &wanted);
+        self.overlay = match open_scene.led() {
+            None => Overlay::of(scene, open_scene.solver(), extents, &wanted),
+            Some(led) => Overlay::along(
+                (scene, open_scene.solver()),
+                led.states(),
+                (led.lead().point, led.planned()),
+                extents,
+                &wanted,
+            ),
+        };
         self.reach = self.overlay.extents(extents);
         let names = wanted.traces.iter().filter_map(|&p| scene.point_name(p));
         let names: Vec<&str> = names.collect();
@@ -199,7 +212,8 @@ impl Viewport {
             0..=MAX_NAMES => words().trace_of(&names.join(",")),
             more => words().traces_of(more),
         };
-        self.computed_for = (!wanted.is_empty()).then_some((open_scene.edition().clone(), wanted));
+        self.computed_for =
+            (!wanted.is_empty()).then_some((open_scene.edition().clone(), wanted, is_led));
     }
 
     fn wanted(&self, open_scene: &OpenScene, followed: &FollowedPoints) -> OverlayRequest {
@@ -310,8 +324,14 @@ impl Viewport {
         let extents = self.extents(open_scene, maximum);
         let of_rows = |rows| self.view(open_scene, extents, (cols, rows), PICTURE_ASPECT);
         let view = WorldView::lowest_window(maximum, of_rows);
-        let at = open_scene.driver_range().on_grid(open_scene.at());
-        let title = words().drawing_of(&open_scene.scene().title(), &at, open_scene.unit());
+        let (at, unit) = match open_scene.led() {
+            Some(led) => (led.time(), "s"),
+            None => {
+                let at = open_scene.driver_range().on_grid(open_scene.at());
+                (at, open_scene.unit())
+            }
+        };
+        let title = words().drawing_of(&open_scene.scene().title(), &at, unit);
         drawing::svg(
             &self.figure(open_scene, None),
             &view,

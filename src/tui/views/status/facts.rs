@@ -1,17 +1,22 @@
 //! The facts of the status line.
 
-use crate::report::stop_name;
+use crate::Input;
+use crate::report::{singularity_text, stop_name};
 use crate::solver::Condition;
 use crate::tui::Origin;
 use crate::tui::app::{App, Mode, Unsaved};
 use crate::tui::appearance::theme::ScreenPart;
 use crate::tui::commands::action::{Action, entry_of};
 use crate::tui::document::writing::{Prompt, Question, SavedContent};
-use crate::tui::figures::format::{coordinate, rounded};
+use crate::tui::figures::format::{coordinate, plain, rounded};
+use crate::tui::player::led_motion::LedMotion;
 use crate::tui::player::next_singularity::ahead;
 use crate::tui::player::open_scene::{OpenScene, shown};
 use crate::tui::views::scene_picker::list::Purpose;
 use crate::wording::words;
+
+/// Minimum width of a screen whose status line shows the inputs that follow a point.
+const MIN_WIDTH_OF_INPUTS: u16 = 80;
 
 /// Numbers of turns from here on are shown with an exponent.
 const MANY_TURNS: f64 = 1e7;
@@ -101,13 +106,16 @@ pub(super) fn driver_in_time(app: &App) -> String {
     if let Some(input) = app.selected_input() {
         return shown(&input, app.glyphs()).into_owned();
     }
+    if let Some(led) = open_scene.led() {
+        return led_in_time(app, led);
+    }
     let driver = driver(open_scene);
     let Some(timetable) = open_scene.timetable() else {
         return driver;
     };
     let time = open_scene
         .time()
-        .filter(|_| app.view().pane().is_timed(app));
+        .filter(|_| app.view().pane_in(app).is_timed(app));
     let when = match time {
         Some(time) => words().time_of_motion(&timetable.text(time)),
         None => words().at_driver_speed(match open_scene.driver_range().turns() {
@@ -118,10 +126,32 @@ pub(super) fn driver_in_time(app: &App) -> String {
     format!("{driver}  {when}")
 }
 
+/// Returns the time of a leading point, and the inputs that follow if the screen is wide enough.
+fn led_in_time(app: &App, led: &LedMotion) -> String {
+    let time = words().time_of_motion(&led.text(led.time()));
+    if app.size().width < MIN_WIDTH_OF_INPUTS {
+        return time;
+    }
+    let scene = app.open_scene().scene();
+    let inputs = scene.mechanism.inputs().zip(led.inputs()).enumerate();
+    let inputs = inputs.filter(|(index, _)| led.lead().inputs.contains(index));
+    let inputs = inputs.map(|(_, (input, at))| {
+        let (decimals, unit) = match input {
+            Input::Turn(_) => (2, "deg"),
+            Input::Push(_) => (4, scene.unit.symbol()),
+        };
+        let name = shown(scene.input_name(input), app.glyphs());
+        format!("  {name} {} {unit}", plain(rounded(at, decimals), decimals))
+    });
+    inputs.fold(time, |all, one| all + &one)
+}
+
 /// Returns the progress of the view's work, which then replaces the driver.
 pub(super) fn progress(app: &App) -> Option<String> {
     let is_normal = app.mode().is_normal();
-    is_normal.then(|| app.view().pane().progress(app)).flatten()
+    is_normal
+        .then(|| app.view().pane_in(app).progress(app))
+        .flatten()
 }
 
 /// Returns the state in one word, or with its consequences if the line is not `narrow`.
@@ -142,6 +172,9 @@ pub(in crate::tui::views) fn state(
 /// Returns `true` if the motion has a limit or a change point that the driver can approach.
 pub(super) fn can_come_near(app: &App) -> bool {
     let open_scene = app.open_scene();
+    if open_scene.led().is_some() {
+        return false;
+    }
     open_scene.driver_range().shuttle().is_some()
         || !open_scene.solver().motion().change_points.is_empty()
 }
@@ -150,6 +183,11 @@ pub(super) fn can_come_near(app: &App) -> bool {
 /// near.
 pub(super) fn near(app: &App) -> Option<String> {
     let open_scene = app.open_scene();
+    if let Some(led) = open_scene.led() {
+        let (scene, solver) = (open_scene.scene(), open_scene.solver());
+        let singularity = led.singularity()?;
+        return Some(singularity_text(scene, solver, singularity));
+    }
     if app.condition() != Condition::Ok {
         return None;
     }
@@ -174,6 +212,6 @@ pub(super) fn near(app: &App) -> Option<String> {
 pub(super) fn trust(app: &App, space: u16) -> Option<String> {
     let shows_figures = app.mode().is_normal() && app.condition() == Condition::Ok;
     shows_figures
-        .then(|| app.view().pane().trust(app, space))
+        .then(|| app.view().pane_in(app).trust(app, space))
         .flatten()
 }

@@ -56,7 +56,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
             line.hint(&key, name);
         }
         if action == Action::Help
-            && let Some((mark, meaning)) = app.view().pane().legend()
+            && let Some((mark, meaning)) = app.view().pane_in(app).legend()
         {
             line.hint(&mark.to_string(), meaning);
         }
@@ -96,7 +96,7 @@ fn offered(app: &App) -> &'static [Action] {
         Mode::Tour(_) => &[Action::Back, Action::StepForward, Action::StepBack],
         Mode::Assemblies(_) => &[Action::Back, Action::LineDown, Action::Save, Action::Help],
         Mode::AssemblyChoice(_) | Mode::Candidates => &[Action::Back],
-        _ => app.view().pane().hints(app),
+        _ => app.view().pane_in(app).hints(app),
     }
 }
 

@@ -47,6 +47,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
 fn coordinate(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     let unit = app.open_scene().unit();
     let what = match app.open_scene().driver_range().turns() {
+        _ if app.open_scene().led_motion().is_some() => words().time_in().to_owned(),
         true => words().angle_in(unit),
         false => words().position_in(unit),
     };

@@ -121,6 +121,8 @@ pub struct PointLeader {
     reached: Vec<f64>,
     /// The worst direction there, in which the point moves least, and the maximum distance in it.
     worst: Option<(DVector<f64>, f64)>,
+    /// Whether the inputs move the coordinates independently where the scene opens.
+    is_independent: bool,
     /// The time of the last kept position on a path.
     time: Option<f64>,
     /// The time from which a path cannot be followed.
@@ -151,14 +153,24 @@ impl PointLeader {
             size,
             reached,
             worst: None,
+            is_independent: true,
             time: None,
             stopped: None,
         };
         let opening: Vec<InputMoment> = start.into_iter().map(InputMoment::at_rest).collect();
         if let Some(slopes) = leader.slopes(&opening) {
             leader.worst = Some(leader.worst_direction(&slopes));
+            let ways = leader.comparable(slopes).singular_values();
+            leader.is_independent = ways.min() > ON_EDGE * size;
         }
         Some(leader)
+    }
+
+    /// Returns `true` if the inputs move the coordinates independently where the scene opens, so that
+    /// these can move in every direction.
+    #[must_use]
+    pub fn is_independent(&self) -> bool {
+        self.is_independent
     }
 
     /// Returns the state of the last position.
