@@ -300,6 +300,17 @@ fn silent_terminal_still_gets_frames() {
     }
 }
 
+/// Regression test: a message stayed until the next key, because no answer told when it was visible.
+#[test]
+fn message_expires_on_silent_terminal() {
+    let mut slow = Slow::open(1_000_000);
+    slow.line().silent = true;
+    let shows = |rows: &[String]| rows.iter().any(|row| row.contains("velocity arrows"));
+    slow.until("v", shows);
+    slow.settle();
+    assert!(!shows(&rows(&slow.terminal)), "{:#?}", rows(&slow.terminal));
+}
+
 #[test]
 fn screen_is_complete_after_key_repeat() {
     let mut slow = Slow::open(SLOW_LINE_RATE);
