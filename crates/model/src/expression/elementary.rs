@@ -59,7 +59,7 @@ fn series(x: &Wide, turn: i32, bits: u64) -> [Wide; 2] {
         n += 1;
         // Two roundings of less than 1, and at most half of the error of the term before: less than 4.
         term = ((term * &x) >> bits) / n;
-        if n % 2 == 0 {
+        if n.is_multiple_of(2) {
             term *= turn;
         }
         sums[usize::from(n % 2 == 1)] += &term;

@@ -61,6 +61,25 @@ const SIDES: [Side; 9] = [
     Side::Hidden,
 ];
 
+/// The position in `SIDES` of the side of each seat.
+const SEAT_SIDES: [usize; SEATS.len()] = {
+    let mut sides = [0; SEATS.len()];
+    let mut seat = 0;
+    while seat < SEATS.len() {
+        let right = match SEATS[seat].align {
+            Align::Start => 1,
+            Align::Middle => 0,
+            Align::End => -1,
+        };
+        let below = SEATS[seat].row.signum();
+        while !matches!(SIDES[sides[seat]], Side::At(x, y) if x == right && y as i32 == below) {
+            sides[seat] += 1;
+        }
+        seat += 1;
+    }
+    sides
+};
+
 impl Side {
     /// Returns the side of a place.
     pub(super) fn of(place: LabelPlace) -> Side {
@@ -71,13 +90,7 @@ impl Side {
     }
 
     fn of_seat(seat: usize) -> Side {
-        let right = match SEATS[seat].align {
-            Align::Start => 1,
-            Align::Middle => 0,
-            Align::End => -1,
-        };
-        let below = SEATS[seat].row.signum();
-        Side::At(right, i8::try_from(below).unwrap_or(0))
+        SIDES[SEAT_SIDES[seat]]
     }
 
     /// Returns the best place of a name on this side: a free one, or one on bars. Close to the best
@@ -401,11 +414,11 @@ impl SeatCosts {
                 let Some(cost) = cost else { continue };
                 let own = span(name, seat);
                 let is_taken = others.iter().any(|other| touch(own, *other));
-                let side = SIDES.iter().position(|side| *side == Side::of_seat(seat));
-                if let (Some(side), false) = (side, is_taken) {
+                if !is_taken {
                     let is_on_bar = *cost >= OVER_BAR;
                     let cost = 2 * cost + i32::from(is_on_bar) * BLOCKED;
-                    sides[side] = sides[side].min(cost);
+                    let side = &mut sides[SEAT_SIDES[seat]];
+                    *side = cost.min(*side);
                 }
             }
             sides
