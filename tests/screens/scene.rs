@@ -170,8 +170,13 @@ fn edit_keeps_driver_angle_unless_out_of_reach() {
         .press("Enter")
         .last_line();
     assert!(line.contains("180.00 deg is out of reach now"), "{line}");
+    // Undo brings the driver back, unless it was moved since.
+    let line = session.press("u").last_line();
+    assert!(line.contains("180.00 deg"), "{line}");
+    let line = session.press("Ctrl-R , u").last_line();
+    assert!(!line.contains("180.00 deg"), "{line}");
     // Editing the driver's own angle moves the linkage.
-    session.press("u").find("driver angle").press("Enter");
+    session.find("driver angle").press("Enter");
     let line = session
         .type_in("1.5707963267948966 rad")
         .press("Enter")

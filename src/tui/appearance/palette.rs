@@ -99,6 +99,16 @@ const fn shade(index: u8, r: u8, g: u8, b: u8) -> Shade {
 }
 
 impl Hue {
+    /// The hues of links and of the driver, which are the brightest.
+    const OF_LINKS: [Hue; 6] = [
+        Hue::Red,
+        Hue::Blue,
+        Hue::Green,
+        Hue::Violet,
+        Hue::Orange,
+        Hue::Teal,
+    ];
+
     /// Returns the hue of a palette name. Bright names have hues of their own.
     fn hue_of_name(named: Color) -> Option<Hue> {
         Some(match named {
@@ -296,7 +306,8 @@ impl Palette {
     /// background.
     fn ink(self) -> Color {
         let [light, dark] = match self.colours {
-            Colours::None | Colours::Sixteen => [Color::Black, Color::White],
+            // Bold black is grey in many terminals; the terminal's text is not.
+            Colours::None | Colours::Sixteen => [Color::Reset, Color::White],
             Colours::Indexed | Colours::True => [Color::Indexed(16), Color::Indexed(231)],
         };
         match self.theme {
@@ -304,6 +315,14 @@ impl Palette {
             Theme::Light => light,
             Theme::Dark => dark,
         }
+    }
+
+    /// Returns `true` if a colour of the terminal's own palette must be bold where there is no faint
+    /// text: links would look like guides and hatching.
+    pub(crate) fn is_bold_without_faint(self, named: Color) -> bool {
+        let is_link = |hue| Hue::OF_LINKS.contains(&hue);
+        let few = matches!(self.colours, Colours::None | Colours::Sixteen);
+        few && Hue::hue_of_name(named).is_some_and(is_link)
     }
 
     /// Replaces faint text by a colour, if that is better than the terminal's own faint style.
@@ -450,14 +469,7 @@ mod tests {
         assert!(worst(false, &[SOFT_BLACK, SOFT_WHITE]) >= 3.5);
     }
 
-    const BRIGHT: [Hue; 6] = [
-        Hue::Red,
-        Hue::Blue,
-        Hue::Green,
-        Hue::Violet,
-        Hue::Orange,
-        Hue::Teal,
-    ];
+    const BRIGHT: [Hue; 6] = Hue::OF_LINKS;
     const NORMAL: [Hue; 5] = [Hue::Yellow, Hue::Lime, Hue::Cyan, Hue::Magenta, Hue::Brown];
     const DIM: [Hue; 2] = [Hue::Grey, Hue::Moss];
 

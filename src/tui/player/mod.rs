@@ -39,6 +39,8 @@ pub(crate) struct Player {
     /// for the driver.
     pub(crate) input: Option<String>,
     pub(crate) playback: Playback,
+    /// The coordinate that an edit put out of reach, and where the driver stands since then.
+    out_of_reach: Option<(f64, f64)>,
     /// The time when the last frame was due.
     frame: Duration,
     /// The time, scene and coordinate of the last cost measurement; `None` before the first one.
@@ -54,15 +56,19 @@ impl Player {
             input: None,
             playback: Playback::new(),
             open_scene,
+            out_of_reach: None,
             frame: Duration::ZERO,
             cost_measured: None,
         }
     }
 
     /// Replaces the scene by an edited form of it and returns the previous form. The driver keeps
-    /// its coordinate or time as far as the new form can reach it.
+    /// its coordinate or time as far as the new form can reach it, and returns to it with the first
+    /// form that can, for example after undo, unless it is moved in between.
     pub(crate) fn exchange(&mut self, open_scene: OpenScene, now: Duration) -> OpenScene {
         let (at, turned) = (self.open_scene.at(), self.turns());
+        let out_of_reach = self.out_of_reach.take().filter(|(_, since)| *since == at);
+        let at = out_of_reach.map_or(at, |(wanted, _)| wanted);
         let time = self.open_scene.time();
         let led = self.open_scene.led().map(LedMotion::time);
         let mut open_scene = open_scene;
@@ -89,7 +95,11 @@ impl Player {
         }
         match time.filter(|_| self.open_scene.timetable().is_some()) {
             Some(time) => self.move_to_time(time, now),
-            None => self.move_to_coordinate(self.open_scene.driver_range().clamp(at), now),
+            None => {
+                self.move_to_coordinate(self.open_scene.driver_range().clamp(at), now);
+                let reached = self.open_scene.at();
+                self.out_of_reach = (reached != at).then_some((at, reached));
+            }
         }
         before
     }

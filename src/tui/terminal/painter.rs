@@ -301,6 +301,29 @@ mod tests {
         assert!(!bytes(false).contains("[2m"), "{}", bytes(false));
     }
 
+    /// Without faint text, guides are plain: only bold makes links stand out.
+    #[test]
+    fn links_are_bold_on_console() {
+        let mut link = text(&["bar|guide"]);
+        let blue = Style::new().fg(Color::Blue);
+        link.set_style(Rect::new(0, 0, 3, 1), blue);
+        for (colours, modern, bold) in [
+            (Colours::None, false, true),
+            (Colours::Sixteen, false, true),
+            (Colours::Sixteen, true, false),
+            (Colours::Indexed, false, false),
+        ] {
+            let frame = painter(colours, modern).full_frame(link.clone()).to_vec();
+            let frame = frame.escape_ascii().to_string();
+            let shown = frame.contains("[1mbar") || frame.contains("[1;");
+            assert_eq!(shown, bold, "{colours:?}, {modern}: {frame}");
+            assert!(
+                frame.ends_with("|guide") || frame.contains("m|guide"),
+                "{frame}"
+            );
+        }
+    }
+
     #[test]
     fn changes_use_shortest_sequences() {
         let mut painter = painter(Colours::Sixteen, false);

@@ -50,15 +50,17 @@ impl CellStyle {
             return sgr;
         }
         let (fg, modifier) = self.palette.faint(sgr.fg, sgr.modifier);
-        let none = if self.has_faint {
-            Modifier::empty()
-        } else {
-            Modifier::DIM
+        let modifier = match self.has_faint {
+            true => modifier,
+            false if self.palette.is_bold_without_faint(fg) => {
+                Modifier::BOLD | modifier - Modifier::DIM
+            }
+            false => modifier - Modifier::DIM,
         };
         Sgr {
             fg: self.palette.colour(fg),
             bg: self.palette.colour(sgr.bg),
-            modifier: modifier - none,
+            modifier,
         }
     }
 
