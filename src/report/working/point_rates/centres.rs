@@ -293,11 +293,12 @@ pub(in crate::report::working) fn named<'c>(
 /// first; `None` if that angle is too small.
 fn crossing(context: &Context<'_>, lines: &[CentreLine]) -> Option<(Vec2, [CentreLine; 2])> {
     // The lines of a joint follow one another, and may be many: every link on it has one.
-    let by_joint = || lines.chunk_by(|one, other| one.joint == other.joint);
-    let pairs = by_joint().zip(1..).flat_map(|(own, next)| {
-        let others = by_joint().skip(next);
+    let by_joint = lines.chunk_by(|one, other| one.joint == other.joint);
+    let by_joint: Vec<&[CentreLine]> = by_joint.collect();
+    let pairs = by_joint.iter().zip(1..).flat_map(|(own, next)| {
+        let others = by_joint[next..].iter().copied().flatten();
         own.iter()
-            .flat_map(move |one| others.clone().flatten().map(move |other| [*one, *other]))
+            .flat_map(move |one| others.clone().map(move |other| [*one, *other]))
     });
     let sine = |pair: &[CentreLine; 2]| pair[0].u.cross(pair[1].u).abs();
     let best = pairs.max_by(|a, b| sine(a).total_cmp(&sine(b)))?;
