@@ -75,6 +75,9 @@ fn joint(row: &[String], place: &str) -> Option<(ReadJoint, bool)> {
     let [name, x, y, links, kind, is_fixed, rest @ ..] = row else {
         return None;
     };
+    // Some addresses have a comma at the end of each joint.
+    let end = rest.iter().rposition(|cell| !cell.trim().is_empty());
+    let rest = &rest[..end.map_or(0, |last| last + 1)];
     let kind = JointKind::parse(kind)?;
     let at = [number(x)?, number(y)?];
     // The angle is in radians; joints without one have `Null`.

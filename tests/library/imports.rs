@@ -614,6 +614,17 @@ fn parts_that_krank_does_not_model_are_reported() {
     );
 }
 
+/// Regression test: a comma at the end of each joint hid its mark, and another link was driven.
+#[test]
+fn commas_at_the_ends_of_joints_change_nothing() {
+    let address = String::from_utf8(file("four-bar.pmks-plus.txt")).unwrap();
+    let with_commas = address.replace("t%0A", "t,%0A").replace("f%0A", "f,%0A");
+    assert_ne!(address, with_commas);
+    let read = |text: &str| import(text.as_bytes(), "x").unwrap();
+    let (one, other) = (read(&address), read(&with_commas));
+    assert_eq!(one.text, other.text);
+}
+
 #[test]
 fn files_without_a_mechanism_are_refused() {
     let refused = |text: &str| import(text.as_bytes(), "x").unwrap_err().to_string();
