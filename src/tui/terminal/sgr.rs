@@ -53,7 +53,7 @@ impl CellStyle {
         let modifier = match self.has_faint {
             true => modifier,
             false if self.palette.is_bold_without_faint(fg) => {
-                Modifier::BOLD | modifier - Modifier::DIM
+                Modifier::BOLD | (modifier - Modifier::DIM)
             }
             false => modifier - Modifier::DIM,
         };
