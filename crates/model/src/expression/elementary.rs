@@ -49,16 +49,17 @@ fn arctangent_of_inverse(n: i32) -> Wide {
 ///
 /// The terms are integers in units of the last bit: they become shorter as they become smaller.
 fn series(x: &Wide, turn: i32, bits: u64) -> [Wide; 2] {
-    // A small x keeps all its digits.
-    let bits = bits + x.top().min(0).unsigned_abs();
-    let (x, off) = x.aligned(-bits.cast_signed());
-    let mut term = BigInt::from(1) << bits;
+    // The last bit of the terms: a small x keeps all its digits.
+    let last = x.top().min(0) - bits.cast_signed();
+    let places = last.unsigned_abs();
+    let (x, off) = x.aligned(last);
+    let mut term = BigInt::from(1) << places;
     let mut sums = [term.clone(), BigInt::ZERO];
     let mut n = 0_u32;
     while term != BigInt::ZERO {
         n += 1;
         // Two roundings of less than 1, and at most half of the error of the term before: less than 4.
-        term = ((term * &x) >> bits) / n;
+        term = ((term * &x) >> places) / n;
         if n.is_multiple_of(2) {
             term *= turn;
         }
@@ -66,7 +67,7 @@ fn series(x: &Wide, turn: i32, bits: u64) -> [Wide; 2] {
     }
     // The remainder is less than the last term, which is less than 5. The derivative is less than 2.
     let radius = off * 2_u8 + (4 * n + 8);
-    sums.map(|sum| Wide::ball(sum, radius.clone(), -bits.cast_signed()).rounded(bits))
+    sums.map(|sum| Wide::ball(sum, radius.clone(), last).rounded(bits))
 }
 
 /// Returns the cosine and sine of an angle in degrees; `None` if the angle is too large or its
