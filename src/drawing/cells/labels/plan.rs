@@ -32,7 +32,7 @@ const HIDDEN: i32 = 500;
 /// Cost of a change of sides.
 const CHANGE: i32 = 600;
 /// Cost of another side than the one that is shown when the plan begins.
-const EXAMINED_FRACTIONS: i32 = 2000;
+const OTHER_THAN_SHOWN: i32 = 2000;
 /// Cost per character of a planned name that hides part of a bar.
 const OVER_BAR: i32 = 100;
 /// Number of steps around those without a place for a name, over which it is left out.
@@ -469,7 +469,7 @@ impl Planning {
                 .iter_mut()
                 .zip(&SIDES)
                 .filter(|(_, side)| **side != shown);
-            others.for_each(|(cost, _)| *cost += EXAMINED_FRACTIONS);
+            others.for_each(|(cost, _)| *cost += OTHER_THAN_SHOWN);
         }
         let hidden = PlannedName::HIDDEN;
         let mut best = (i32::MAX, hidden);

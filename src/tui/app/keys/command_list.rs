@@ -1,7 +1,7 @@
 //! Lists all commands, filters the list and runs one.
 
 use crate::files::{directories, from_home};
-use crate::scene::presets;
+use crate::scene::presets::{self, Preset};
 use crate::task_file::ExampleTask;
 use crate::tui::app::files::quitting::Pending;
 use crate::tui::app::{App, Effect, Mode};
@@ -81,10 +81,7 @@ impl App {
             }
             Some(ListEntry::Preset(at)) if !self.is_blocked_by_staging(Action::Open) => {
                 let preset = &presets::all()[*at];
-                self.clerk.submit(move || {
-                    let opened = opening::preset(preset).map(|o| OpenedFile::Scene(Box::new(o)));
-                    Box::new(move |app, _| app.opened_named(opened))
-                });
+                self.open_with(move || preset_of(preset));
             }
             Some(ListEntry::Task(at)) if !self.is_blocked_by_staging(Action::Open) => {
                 let task = &ExampleTask::all()[*at];
@@ -109,17 +106,24 @@ impl App {
     fn open_named(&mut self, name: &str) {
         self.shell.set_message(words().reading(name));
         let (name, path) = (name.to_owned(), from_home(name, directories::environment));
-        self.clerk.submit(move || {
-            let opened = match presets::find(&name).filter(|_| !path.exists()) {
-                Some(preset) => opening::preset(preset).map(|o| OpenedFile::Scene(Box::new(o))),
+        self.open_with(
+            move || match presets::find(&name).filter(|_| !path.exists()) {
+                Some(preset) => preset_of(preset),
                 None => opening::file(&path).map_err(OpenFileError::first_words),
-            };
-            Box::new(move |app, _| app.opened_named(opened))
+            },
+        );
+    }
+
+    /// Opens a file in the background.
+    fn open_with(&mut self, open: impl FnOnce() -> Result<OpenedFile, String> + Send + 'static) {
+        self.clerk.submit(move || {
+            let opened = open();
+            Box::new(move |app, _| app.show_opened(opened))
         });
     }
 
     /// Shows the opened scene or starts the opened task, unless the user does something else.
-    fn opened_named(&mut self, opened: Result<OpenedFile, String>) {
+    fn show_opened(&mut self, opened: Result<OpenedFile, String>) {
         self.shell.message = None;
         match opened {
             _ if !self.shell.mode.is_normal() => {}
@@ -128,4 +132,8 @@ impl App {
             Err(why) => self.shell.set_message(why),
         }
     }
+}
+
+fn preset_of(preset: &Preset) -> Result<OpenedFile, String> {
+    opening::preset(preset).map(|opened| OpenedFile::Scene(Box::new(opened)))
 }

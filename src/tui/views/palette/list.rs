@@ -142,7 +142,7 @@ enum NameRank {
     /// The text is the command's name.
     Name,
     /// The text begins the name or the description.
-    TrackingStart,
+    Start,
     /// The text begins a word.
     Word,
     /// The letters only occur in this order.
@@ -159,7 +159,7 @@ impl NameRank {
         if typed == name {
             NameRank::Name
         } else if texts.iter().any(|text| text.starts_with(typed)) {
-            NameRank::TrackingStart
+            NameRank::Start
         } else if texts.iter().any(begins_word) {
             NameRank::Word
         } else {
