@@ -60,6 +60,26 @@ fn going_to_an_angle_pauses() {
     }
 }
 
+/// Digits show views at once, so a count is typed behind `:`, with the key of the step or without it.
+#[test]
+fn counts_repeat_steps() {
+    let mut session = four_bar(80, 24);
+    for (typed, keys, at) in [
+        ("10.", "", "110.00 deg"),
+        ("3,", "", "95.00 deg"),
+        ("2", "Down", "105.00 deg"),
+    ] {
+        session.press(":").type_in(typed).press(keys).press("Enter");
+        assert!(
+            session.last_line().contains(at),
+            "{typed}: {}",
+            session.last_line()
+        );
+    }
+    session.press(":").type_in("9,").press("Enter");
+    assert!(session.last_line().contains("60.00 deg"));
+}
+
 #[test]
 fn first_key_replaces_a_proposed_name() {
     let mut session = four_bar(80, 24);
@@ -107,7 +127,7 @@ fn commands_of_vi_save_open_and_quit() {
     assert!(session.last_line().contains("peaucellier "));
     let gone = session.press(":").type_in("e nowhere.toml").press("Enter");
     assert!(
-        gone.last_line().contains("cannot be read"),
+        gone.last_line().contains("nowhere.toml cannot be read"),
         "{}",
         gone.painted_text()
     );

@@ -14,6 +14,7 @@
 
 use crate::capability::Colours;
 use crate::drawing::Hue;
+use crate::wording::words;
 use ratatui::style::{Color, Modifier};
 
 /// The set of colours for the names.
@@ -43,6 +44,13 @@ impl Theme {
             Theme::Dark => "dark",
             Theme::Plain => "plain",
         }
+    }
+
+    /// Returns the name in the user's language.
+    pub(crate) fn shown_name(self) -> &'static str {
+        let own = Theme::ALL.iter().position(|theme| *theme == self);
+        let mut names = words().names_of_themes().split(' ');
+        own.and_then(|at| names.nth(at)).unwrap_or(self.name())
     }
 }
 

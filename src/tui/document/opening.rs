@@ -20,6 +20,14 @@ pub(crate) enum OpenFileError {
 }
 
 impl OpenFileError {
+    /// Returns the first error message, with the typed name of a file that cannot be read.
+    pub(crate) fn naming(self, name: &str) -> String {
+        match self {
+            OpenFileError::Unread(why) => words().name_cannot_be_read(name, &why),
+            OpenFileError::Wrong(_) => self.first_words(),
+        }
+    }
+
     /// Returns the first error message.
     pub(crate) fn first_words(self) -> String {
         match self {

@@ -368,7 +368,7 @@ fn check(app: &App) {
         "{at} is out of reach"
     );
     match app.mode() {
-        Mode::Tour(number) => assert!(*number < SCREENS),
+        Mode::Tour(page) => assert!(page.screen < SCREENS),
         Mode::Assemblies(assemblies) => {
             let (cursor, (rows, _)) = (assemblies.list.cursor(), assemblies.list.count());
             assert!(cursor < rows, "assembly {cursor} of {rows}");

@@ -6,7 +6,7 @@ use crate::Vec2;
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::scene::presets;
-use crate::tui::app::{Effect, View};
+use crate::tui::app::{Effect, Mode, View};
 use crate::tui::commands::mouse::{Mouse, MouseEventKind};
 use crate::tui::config::Config;
 use crate::tui::document::opening;
@@ -107,6 +107,40 @@ fn clicks_select_tab_row_and_value() {
     let y = row(&mut workbench, "r3 length");
     point(&mut workbench, MouseEventKind::Press, Position::new(8, y));
     assert_eq!(workbench.app().editor().value().unwrap().name, "r3 length");
+    // A second click edits it.
+    let last = |workbench: &mut Workbench| workbench.text().lines().last().unwrap().to_owned();
+    assert!(!last(&mut workbench).contains("r3 length"));
+    point(&mut workbench, MouseEventKind::Press, Position::new(8, y));
+    assert!(last(&mut workbench).contains("r3 length"));
+}
+
+/// A click on a hint is its key: in the first line, in the status line and in a prompt.
+#[test]
+fn clicks_on_hints_press_their_keys() {
+    let mut workbench = bench_on("four-bar", "M Esc", Size::new(120, 40));
+    let at = |workbench: &mut Workbench, text: &str| {
+        let y = row(workbench, text);
+        let screen = workbench.text();
+        let line = screen.lines().nth(y.into()).unwrap();
+        let bytes = line.find(text).unwrap();
+        Position::new(u16::try_from(line[..bytes].chars().count()).unwrap(), y)
+    };
+    let click = |workbench: &mut Workbench, text: &str| {
+        let at = at(workbench, text);
+        point(workbench, MouseEventKind::Press, at);
+    };
+    click(&mut workbench, "space play");
+    assert!(workbench.app().playback().is_playing());
+    click(&mut workbench, "pause");
+    assert!(!workbench.app().playback().is_playing());
+    click(&mut workbench, ": commands");
+    assert!(matches!(workbench.app().mode(), Mode::Palette(_)));
+    workbench.press("Esc g");
+    workbench.paint();
+    click(&mut workbench, "Esc");
+    assert!(workbench.app().mode().is_normal());
+    click(&mut workbench, "? help");
+    assert!(matches!(workbench.app().mode(), Mode::Help(_)));
 }
 
 #[test]
@@ -285,7 +319,7 @@ fn ground_pins_can_be_dragged_next_to_scene_pane() {
             .contains("D = [400, 0]")
     );
     // In any other view, the same drag turns the crank.
-    let mut workbench = bench_on("four-bar", "M", Size::new(120, 40));
+    let mut workbench = bench_on("four-bar", "M Esc", Size::new(120, 40));
     let (from, _) = cell(&workbench, Vec2::new(400.0, 0.0));
     point(&mut workbench, MouseEventKind::Press, from);
     let (to, _) = cell(&workbench, Vec2::new(300.0, 150.0));

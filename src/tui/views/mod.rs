@@ -46,6 +46,7 @@ use crate::document::ascii_letter;
 use crate::drawing::Raster;
 use crate::page::{Line, TextRole, cut};
 use crate::tui::appearance::theme::{self, ScreenPart};
+use crate::tui::commands::key::Key;
 use crate::tui::figures::sheet::TableLine;
 use crate::wording::words;
 use layout::PlacedView;
@@ -117,7 +118,7 @@ pub(crate) fn urgent(app: &App) -> [Rect; 2] {
     }
     let overlay = match app.mode() {
         Mode::Help(help) => help::placed(app, help, body(area)),
-        Mode::Tour(number) => tour::placed(app, *number, body(area)),
+        Mode::Tour(page) => tour::placed(app, *page, body(area)),
         Mode::Recovery(found) => recovery_offer::placed(found, body(area)),
         Mode::Unsaved(_) | Mode::Confirm(_) => question::placed(app, body(area)),
         Mode::Palette(_) => palette::placed(body(area)),
@@ -186,7 +187,7 @@ fn draw(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     render_panes(app, sketch, buffer);
     match app.mode() {
         Mode::Help(help) => help::render(app, help, body(area), buffer),
-        Mode::Tour(number) => tour::render(app, *number, body(area), buffer),
+        Mode::Tour(page) => tour::render(app, *page, body(area), buffer),
         Mode::Recovery(found) => recovery_offer::render(app, found, body(area), buffer),
         Mode::Unsaved(_) | Mode::Confirm(_) => {
             question::render(app, status::mode(app), body(area), buffer);
@@ -266,6 +267,8 @@ pub(crate) enum CellTarget {
     Nothing,
     /// The tab of a view.
     Tab(View),
+    /// The hint of a key.
+    Hint(Key),
     /// The drawing in the pane of a view, and the place in the scene.
     Drawing(View, DrawnPlace),
     /// The pane of a view, and the spot in it.
@@ -277,8 +280,15 @@ pub(crate) fn under(app: &App, sketch: &Sketch, at: Position) -> CellTarget {
     if !fits_views(app.size()) {
         return CellTarget::Nothing;
     }
+    let screen = area(app);
+    let last = row(screen, screen.height - 1);
+    if last.contains(at) {
+        return status::key_at(app, last, at.x).map_or(CellTarget::Nothing, CellTarget::Hint);
+    }
     if at.y == 0 {
-        return tabs::at(app, area(app), at.x).map_or(CellTarget::Nothing, CellTarget::Tab);
+        let hint = || tabs::key_at(app, screen, at.x).map(CellTarget::Hint);
+        let tab = tabs::at(app, screen, at.x).map(CellTarget::Tab);
+        return tab.or_else(hint).unwrap_or(CellTarget::Nothing);
     }
     let placed = placed(app);
     let own = placed.iter().find(|pane| {
@@ -397,6 +407,23 @@ fn body(area: Rect) -> Rect {
         height: middle.height.saturating_sub(1),
         ..middle
     }
+}
+
+/// Returns the area of the panes: the body without the strip of the tour.
+fn pane_area(app: &App) -> Rect {
+    let body = body(full_area(app.size()));
+    match app.mode() {
+        Mode::Tour(page) => Rect {
+            height: body.height - tour::placed(app, *page, body).height,
+            ..body
+        },
+        _ => body,
+    }
+}
+
+/// Returns the number of parts of a screen of the tour on this terminal.
+pub(crate) fn tour_parts(app: &App, screen: usize) -> usize {
+    tour::part_count(screen, app.keymap(), body(full_area(app.size())))
 }
 
 /// Returns the area of tables within a pane: one blank to their left, their margin to their right.

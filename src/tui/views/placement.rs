@@ -2,7 +2,7 @@
 //! it depends on changes.
 
 use super::layout::{Composition, PaneNeeds, PlacedView};
-use super::{body, full_area, tables};
+use super::{pane_area, tables};
 use crate::drawing::Glyphs;
 use crate::tui::app::{App, View};
 use crate::tui::figures::sheet::SheetPart;
@@ -22,6 +22,7 @@ struct PlacementKey {
     composition: Composition,
     view: View,
     size: Size,
+    body: Rect,
     aspect: f64,
     glyphs: Glyphs,
     language: Language,
@@ -39,6 +40,7 @@ impl PlacementKey {
             composition: *app.composition(),
             view: app.view(),
             size: app.size(),
+            body: pane_area(app),
             aspect: app.aspect(),
             glyphs: app.glyphs(),
             language: Language::current_language(),
@@ -65,8 +67,7 @@ impl Placement {
             return placed.clone();
         }
         let (view, size) = (app.view(), app.size());
-        let body = body(full_area(size));
-        let placed = (app.composition()).placed(view, size, body, &Contents(app));
+        let placed = (app.composition()).placed(view, size, key.body, &Contents(app));
         self.kept.replace(Some((key, placed.clone())));
         placed
     }

@@ -11,6 +11,7 @@ use super::{columns, print, print_right};
 use crate::tui::app::{App, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, entry_of};
+use crate::tui::commands::key::Key;
 use crate::wording::{Language, words};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -50,6 +51,22 @@ pub(super) fn at(app: &App, area: Rect, x: u16) -> Option<View> {
         start = end - 1 + gap;
     }
     None
+}
+
+/// Returns the key whose hint is at a column, right of the tabs.
+pub(super) fn key_at(app: &App, area: Rect, x: u16) -> Option<Key> {
+    let (tabs, gap) = fitted(app, area.width);
+    let end = area.x + needed(&tabs, gap) + gap;
+    let start = area.right().checked_sub(1 + columns(&hints(app)))?;
+    if end + GAP > start {
+        return None;
+    }
+    let mut ends = HINTS.iter().scan(start, |at, action| {
+        *at += hint(app, *action).map_or(0, |hint| columns(&hint)) + HINT_GAP;
+        Some((*action, *at))
+    });
+    let (action, _) = ends.find(|(_, end)| (start..*end).contains(&x))?;
+    app.keymap().key(action)
 }
 
 /// Renders a tab with a blank or bracket on both sides and returns its end. The second one is
@@ -143,15 +160,22 @@ fn capitalised(name: &str) -> String {
     Language::current_language().capitalised(name)
 }
 
-/// Returns the hints for help and commands, through which everything else is found.
+/// The actions of the hints for help and commands, through which everything else is found.
+const HINTS: [Action; 2] = [Action::Help, Action::Palette];
+/// Blanks between them.
+const HINT_GAP: u16 = 2;
+
+/// Returns the hints.
 fn hints(app: &App) -> String {
-    let hint = |action| {
-        let key = app.keymap().key(action)?;
-        Some(format!("{key} {}", (entry_of(action).hint)(words())))
-    };
-    let hints: Vec<String> = [Action::Help, Action::Palette]
+    let hints: Vec<String> = HINTS
         .into_iter()
-        .filter_map(hint)
+        .filter_map(|action| hint(app, action))
         .collect();
-    hints.join("  ")
+    hints.join(&" ".repeat(HINT_GAP.into()))
+}
+
+/// Returns the hint of an action that has a key.
+fn hint(app: &App, action: Action) -> Option<String> {
+    let key = app.keymap().key(action)?;
+    Some(format!("{key} {}", (entry_of(action).hint)(words())))
 }

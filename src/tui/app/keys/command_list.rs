@@ -7,7 +7,7 @@ use crate::tui::app::files::quitting::Pending;
 use crate::tui::app::{App, Effect, Mode};
 use crate::tui::commands::action::{Action, KeyContext, entry_of};
 use crate::tui::commands::key::Key;
-use crate::tui::document::opening::{self, OpenFileError, OpenedFile};
+use crate::tui::document::opening::{self, OpenedFile};
 use crate::tui::document::saving::Leave;
 use crate::tui::document::writing::SavedContent;
 use crate::tui::views::help::text::Help;
@@ -64,9 +64,11 @@ impl App {
                 self.player.playback.pause();
                 self.accept_coordinate(&palette.line, now);
             }
+            Some(ListEntry::Steps(count)) => self.step_selected((*count).into(), now),
             Some(ListEntry::Theme(theme)) => {
                 self.shell.theme = *theme;
-                self.shell.set_message(words().theme_is(theme.name()));
+                self.shell
+                    .set_message(words().theme_is(theme.shown_name(), theme.name()));
             }
             Some(ListEntry::SaveAndQuit) if !self.is_blocked_by_staging(Action::Save) => {
                 self.save_own();
@@ -109,7 +111,7 @@ impl App {
         self.open_with(
             move || match presets::find(&name).filter(|_| !path.exists()) {
                 Some(preset) => preset_of(preset),
-                None => opening::file(&path).map_err(OpenFileError::first_words),
+                None => opening::file(&path).map_err(|error| error.naming(&name)),
             },
         );
     }

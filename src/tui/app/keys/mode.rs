@@ -11,6 +11,7 @@ use crate::tui::views::palette::list::CommandList;
 use crate::tui::views::plots::list::PlotList;
 use crate::tui::views::recovery_offer::list::Offer;
 use crate::tui::views::scene_picker::list::Picker;
+use crate::tui::views::tour::screens::TourPage;
 
 /// The input mode, which receives the keys.
 #[derive(Debug, Default)]
@@ -20,8 +21,8 @@ pub(crate) enum Mode {
     Normal,
     /// The help overlay.
     Help(Help),
-    /// The tour, with the index of its screen.
-    Tour(usize),
+    /// A page of the tour.
+    Tour(TourPage),
     /// The input line for a driver coordinate.
     GoTo(EditLine),
     /// The input line for the initial guess of a method.

@@ -2,6 +2,7 @@
 
 use super::dragging::TypedPlace;
 use crate::tui::app::{App, Effect, Mode, View};
+use crate::tui::commands::action::SceneAction;
 use crate::tui::commands::key::Key;
 use crate::tui::commands::mouse::{Mouse, MouseEventKind};
 use crate::tui::figures::cursor::Cursor;
@@ -63,6 +64,8 @@ impl App {
             (MouseEventKind::WheelDown, under) => return self.roll(WHEEL, &under, now),
             // A release ends the drag, even if another mode has opened meanwhile.
             (MouseEventKind::Release, _) => self.end_drag(),
+            // Hints of lists and prompts too.
+            (MouseEventKind::Press, CellTarget::Hint(key)) => return self.key(key, now),
             // Lists and prompts take keys only.
             _ if !self.shell.mode.is_normal() => {}
             (MouseEventKind::Press, under) => self.press(under, now),
@@ -80,7 +83,7 @@ impl App {
                 self.select_view(view);
                 self.scroll_by(lines);
             }
-            (Mode::Normal, CellTarget::Nothing | CellTarget::Tab(_)) => {}
+            (Mode::Normal, CellTarget::Nothing | CellTarget::Tab(_) | CellTarget::Hint(_)) => {}
             (Mode::Help(_) | Mode::Assemblies(_), _) => self.scroll_by(lines),
             // Other lists handle arrow keys themselves, independently of the key bindings.
             _ => {
@@ -98,7 +101,7 @@ impl App {
         self.shell.before = None;
         self.end_drag();
         match under {
-            CellTarget::Nothing => {}
+            CellTarget::Nothing | CellTarget::Hint(_) => {}
             CellTarget::Tab(view) => self.select_view_by_key(view),
             CellTarget::Drawing(view, seen) => {
                 self.pause(now);
@@ -118,11 +121,17 @@ impl App {
                 }
             }
             CellTarget::Pane(view, spot) => {
+                let was_looked_at = self.shell.view == view;
                 self.select_view(view);
                 match spot {
                     None => {}
                     Some(PaneSpot::Figure(part, row)) => {
                         self.place_cursor(|_, _| Cursor::at(part, row));
+                    }
+                    Some(PaneSpot::Value(row))
+                        if was_looked_at && self.document.editor.cursor() == row =>
+                    {
+                        self.edit(SceneAction::Edit, now);
                     }
                     Some(PaneSpot::Value(row)) => self.document.editor.go_to(row),
                     Some(PaneSpot::PlotAxis(at)) => {

@@ -3,12 +3,13 @@
 use crate::files::directories;
 use crate::tui::app::{App, Effect, Mode};
 use crate::tui::commands::key::Key;
-use crate::tui::views::tour::screens::{SCREENS, is_first_start};
+use crate::tui::views;
+use crate::tui::views::tour::screens::{SCREENS, TourPage, is_first_start};
 
 impl App {
     /// Starts the tour.
     pub(in crate::tui::app) fn tour(&mut self) {
-        self.shell.mode = Mode::Tour(0);
+        self.shell.mode = Mode::Tour(TourPage::default());
     }
 
     /// Starts the tour if the state folder shows no earlier start of krank.
@@ -26,15 +27,31 @@ impl App {
 
     /// Handles the keys that turn the tour's pages. Returns `None` for all others.
     pub(in crate::tui::app) fn turn_page(&mut self, key: Key) -> Option<Effect> {
-        let Mode::Tour(number) = self.shell.mode else {
+        let Mode::Tour(page) = self.shell.mode else {
             return None;
         };
+        let parts = |screen| views::tour_parts(self, screen);
         self.shell.mode = match key {
-            Key::Enter | Key::Right | Key::Char(' ') if number + 1 < SCREENS => {
-                Mode::Tour(number + 1)
+            Key::Enter | Key::Right | Key::Char(' ') if page.part + 1 < parts(page.screen) => {
+                let part = page.part + 1;
+                Mode::Tour(TourPage { part, ..page })
+            }
+            Key::Enter | Key::Right | Key::Char(' ') if page.screen + 1 < SCREENS => {
+                let screen = page.screen + 1;
+                Mode::Tour(TourPage { screen, part: 0 })
             }
             Key::Enter | Key::Right | Key::Char(' ') => Mode::Normal,
-            Key::Left | Key::Backspace => Mode::Tour(number.saturating_sub(1)),
+            Key::Left | Key::Backspace if page.part > 0 => {
+                // A larger terminal has fewer parts.
+                let part = page.part.min(parts(page.screen)) - 1;
+                Mode::Tour(TourPage { part, ..page })
+            }
+            Key::Left | Key::Backspace if page.screen > 0 => {
+                let screen = page.screen - 1;
+                let part = parts(screen) - 1;
+                Mode::Tour(TourPage { screen, part })
+            }
+            Key::Left | Key::Backspace => Mode::Tour(page),
             _ => return None,
         };
         self.shell.message = None;

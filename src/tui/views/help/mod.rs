@@ -16,7 +16,7 @@ use super::table::UNPROVED_DIGIT;
 use super::{columns, cut, print, print_line, print_right, split_columns};
 use crate::capability::Colours;
 use crate::manual::{SearchWords, TOPICS};
-use crate::tui::app::App;
+use crate::tui::app::{App, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, entries};
 use crate::tui::figures::sheet::COMPUTED_MARK;
@@ -57,7 +57,7 @@ pub(super) fn render(app: &App, help: &Help, area: Rect, buffer: &mut Buffer) {
     if let Some(topic) = help.topic() {
         return page::render(help, topic, area, buffer);
     }
-    let lines = help.lines(app.view(), app.keymap());
+    let lines = lines(app, help);
     let place = popup::centred(area, width(area), height(area, lines.len()));
     let end = popup::frame(app.glyphs(), place, words().help_title(), buffer);
     match help.words() {
@@ -82,18 +82,24 @@ pub(super) fn render(app: &App, help: &Help, area: Rect, buffer: &mut Buffer) {
     }
 }
 
+fn lines(app: &App, help: &Help) -> Vec<HelpLine> {
+    let has_drawing = app.visible_views().contains(&View::Motion);
+    help.lines(app.view(), has_drawing, app.keymap())
+}
+
 fn show(line: &HelpLine, x: u16, y: u16, buffer: &mut Buffer) {
     let (keys, after) = split_columns(Rect::new(x, y, line_columns(), 1), KEYS);
-    match line {
-        HelpLine::Blank => {}
-        HelpLine::Title(title) => print_line(buffer, keys.union(after), title, ScreenPart::Title),
-        HelpLine::Keys(of, help) => {
-            let of = cut(of, usize::from(KEYS) - 1);
-            // Bold keys would account for a third of the bytes that the help sends over a slow line.
-            print_line(buffer, keys, &of, ScreenPart::Text);
-            print_line(buffer, after, help, ScreenPart::Text);
+    // Bold keys would account for a third of the bytes that the help sends over a slow line.
+    let (of, help, part) = match line {
+        HelpLine::Blank => return,
+        HelpLine::Title(title) => {
+            return print_line(buffer, keys.union(after), title, ScreenPart::Title);
         }
-    }
+        HelpLine::Keys(of, help) => (of, help, ScreenPart::Text),
+        HelpLine::KeysElsewhere(of, help) => (of, help, ScreenPart::Quiet),
+    };
+    print_line(buffer, keys, &cut(of, usize::from(KEYS) - 1), part);
+    print_line(buffer, after, help, part);
 }
 
 /// Prints the searched words in the upper border. If they are too long, prints their end.
@@ -154,7 +160,7 @@ pub(super) fn placed(app: &App, help: &Help, area: Rect) -> Rect {
     if help.topic().is_some() {
         return area;
     }
-    let lines = help.lines(app.view(), app.keymap()).len();
+    let lines = lines(app, help).len();
     popup::centred(area, width(area), height(area, lines))
 }
 
@@ -163,7 +169,7 @@ pub(super) fn extent(app: &App, help: &Help, area: Rect) -> (usize, usize) {
     if help.topic().is_some() {
         return page::extent(help, area);
     }
-    let lines = help.lines(app.view(), app.keymap()).len();
+    let lines = lines(app, help).len();
     let rows = popup::within(placed(app, help, area)).height;
     (lines, usize::from(rows) * usize::from(count(area)))
 }

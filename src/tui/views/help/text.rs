@@ -4,7 +4,8 @@ use super::keys::groups;
 use super::{page, search};
 use crate::manual::{self, SearchWords, TOPICS, Topic};
 use crate::tui::app::View;
-use crate::tui::commands::action;
+use crate::tui::commands::action::{self, Action, ActionRow, KeyContext, entry_of};
+use crate::tui::commands::key::Key;
 use crate::tui::commands::keymap::Keymap;
 use crate::tui::commands::keywords::keywords;
 use crate::tui::commands::line::EditLine;
@@ -52,6 +53,8 @@ pub(crate) enum HelpLine {
     Title(&'static str),
     /// Keys, and a description of their action.
     Keys(String, &'static str),
+    /// Keys that do nothing in the current view, and their action in another one.
+    KeysElsewhere(String, &'static str),
 }
 
 impl Help {
@@ -210,32 +213,138 @@ impl Help {
         self.search.as_ref().map(|search| search.line.text())
     }
 
-    /// Returns the list of keys for a view; empty if the search matches no action with a key.
-    pub(crate) fn lines(&self, view: View, keymap: &Keymap) -> Vec<HelpLine> {
+    /// Returns the list of keys for a view; empty if the search matches no action with a key. `has_drawing` says
+    /// whether a drawing is visible, whose keys then work too.
+    pub(crate) fn lines(&self, view: View, has_drawing: bool, keymap: &Keymap) -> Vec<HelpLine> {
         let wanted = self.words().filter(|text| !text.trim().is_empty());
         let wanted = wanted.map(SearchWords::new);
         let mut lines = Vec::new();
-        for (title, entries) in groups(Some(view)) {
-            let rows = entries.into_iter().filter_map(|entry| {
-                let keys = keymap.keys(entry.action);
-                let row = (action::listed(keys), (entry.help)(words()));
-                let query = keywords(entry.action);
-                let texts = [&row.0, row.1, (entry.hint)(words()), title, query];
+        let groups = match self.returns_to_candidates {
+            true => candidate_groups(keymap),
+            false => view_groups(view, has_drawing, keymap),
+        };
+        for (title, rows) in groups {
+            let mut rows = rows.into_iter().filter(|row| {
+                let texts = [&row.keys, row.help, row.hint, title, row.query];
                 let is_meant = wanted.as_ref().is_none_or(|it| it.are_in(&texts));
-                (is_meant && !keys.is_empty()).then_some(row)
+                is_meant && !row.keys.is_empty()
             });
-            let mut rows = rows.peekable();
-            if rows.peek().is_none() {
+            let Some(first) = rows.next() else {
                 continue;
-            }
+            };
             if !lines.is_empty() {
                 lines.push(HelpLine::Blank);
             }
             lines.push(HelpLine::Title(title));
-            lines.extend(rows.map(|(keys, help)| HelpLine::Keys(keys, help)));
+            let rows = std::iter::once(first).chain(rows);
+            lines.extend(rows.map(|row| match row.works_here {
+                true => HelpLine::Keys(row.keys, row.help),
+                false => HelpLine::KeysElsewhere(row.keys, row.help),
+            }));
         }
         lines
     }
+}
+
+/// The keys of an action, with its texts.
+struct KeyRow {
+    keys: String,
+    help: &'static str,
+    hint: &'static str,
+    /// Further words that a search finds.
+    query: &'static str,
+    works_here: bool,
+}
+
+impl KeyRow {
+    fn of(entry: &ActionRow, works_here: bool, keymap: &Keymap) -> KeyRow {
+        KeyRow {
+            keys: action::listed(keymap.keys(entry.action)),
+            help: (entry.help)(words()),
+            hint: (entry.hint)(words()),
+            query: keywords(entry.action),
+            works_here,
+        }
+    }
+
+    fn new(keys: String, help: &'static str) -> KeyRow {
+        KeyRow {
+            keys,
+            help,
+            hint: "",
+            query: "",
+            works_here: true,
+        }
+    }
+}
+
+type KeyGroups = Vec<(&'static str, Vec<KeyRow>)>;
+
+/// Returns the keys of all views, those of `view` first.
+fn view_groups(view: View, has_drawing: bool, keymap: &Keymap) -> KeyGroups {
+    let works = |place: KeyContext| {
+        place.covers(view) || (has_drawing && place == KeyContext::In(View::Motion))
+    };
+    let rows = |entries: Vec<&'static ActionRow>| {
+        let rows = entries.into_iter();
+        let rows = rows.map(|entry| KeyRow::of(entry, works(entry.place), keymap));
+        rows.collect()
+    };
+    let groups = groups(Some(view)).into_iter();
+    groups
+        .map(|(title, entries)| (title, rows(entries)))
+        .collect()
+}
+
+/// Returns the keys of the list of linkages that a synthesis has found.
+fn candidate_groups(keymap: &Keymap) -> KeyGroups {
+    let keys = |actions: &[Action]| {
+        let keys: Vec<Key> = actions
+            .iter()
+            .flat_map(|action| keymap.keys(*action))
+            .copied()
+            .collect();
+        action::listed(&keys)
+    };
+    let own = vec![
+        KeyRow::new(Key::Enter.to_string(), words().open_the_linkage()),
+        KeyRow::new(
+            keys(&[Action::NextView, Action::PreviousView]),
+            words().pages_of_candidates(),
+        ),
+        KeyRow::new(keys(&[Action::StepForward]), words().next_point_of_task()),
+        KeyRow::new(keys(&[Action::StepBack]), words().point_before_of_task()),
+    ];
+    let rows = |actions: &[Action]| {
+        let rows = actions
+            .iter()
+            .map(|action| KeyRow::of(entry_of(*action), true, keymap));
+        rows.collect::<Vec<KeyRow>>()
+    };
+    let title = words().in_the_candidates();
+    let own = own.into_iter().chain(rows(&[Action::Play]));
+    let lists = rows(&[
+        Action::LineUp,
+        Action::LineDown,
+        Action::PageUp,
+        Action::PageDown,
+        Action::HalfUp,
+        Action::HalfDown,
+        Action::Top,
+        Action::End,
+    ]);
+    let program = rows(&[
+        Action::Help,
+        Action::Back,
+        Action::Redraw,
+        Action::Suspend,
+        Action::Leave,
+    ]);
+    vec![
+        (title, own.collect()),
+        (words().lists(), lists),
+        (words().the_program(), program),
+    ]
 }
 
 #[cfg(test)]
@@ -247,14 +356,14 @@ mod tests {
         help.search();
         let line = help.typed().unwrap();
         words.chars().for_each(|c| line.push(c));
-        help.lines(View::Motion, &Keymap::default())
+        help.lines(View::Motion, false, &Keymap::default())
     }
 
     #[test]
     fn keys_of_current_view_come_first() {
-        let lines = Help::default().lines(View::Scene, &Keymap::default());
+        let lines = Help::default().lines(View::Scene, false, &Keymap::default());
         assert_eq!(lines[0], HelpLine::Title("In the scene view"));
-        let lines = Help::default().lines(View::Working, &Keymap::default());
+        let lines = Help::default().lines(View::Working, false, &Keymap::default());
         assert_eq!(lines[0], HelpLine::Title("The motion"));
     }
 
@@ -262,7 +371,7 @@ mod tests {
     fn search_requires_all_words_in_any_order() {
         let keys = |lines: Vec<HelpLine>| -> Vec<String> {
             let keys = lines.into_iter().filter_map(|line| match line {
-                HelpLine::Keys(keys, _) => Some(keys),
+                HelpLine::Keys(keys, _) | HelpLine::KeysElsewhere(keys, _) => Some(keys),
                 HelpLine::Blank | HelpLine::Title(_) => None,
             });
             keys.collect()
@@ -271,6 +380,47 @@ mod tests {
         assert_eq!(keys(searched("f2")), ["I F2"]);
         assert!(keys(searched("scene")).len() > 3, "the group counts too");
         assert_eq!(searched("coffee"), []);
+    }
+
+    #[test]
+    fn keys_of_other_views_are_marked() {
+        let works = |lines: Vec<HelpLine>, keys: &str| {
+            let of = |own: &String| own == keys;
+            let found = lines.iter().find_map(|line| match line {
+                HelpLine::Keys(own, _) if of(own) => Some(true),
+                HelpLine::KeysElsewhere(own, _) if of(own) => Some(false),
+                _ => None,
+            });
+            found.unwrap()
+        };
+        let keymap = Keymap::default();
+        let lines = |view, has_drawing| Help::default().lines(view, has_drawing, &keymap);
+        for (view, has_drawing, keys, is_working) in [
+            (View::Motion, true, "v", true),
+            (View::Plots, false, "v", false),
+            (View::Plots, true, "v", true),
+            (View::Scene, true, "{", true),
+            (View::Motion, true, "{", false),
+            (View::Motion, true, ".", true),
+        ] {
+            let keys = match keys {
+                "." => ". Right l",
+                _ => keys,
+            };
+            assert_eq!(works(lines(view, has_drawing), keys), is_working, "{keys}");
+        }
+    }
+
+    #[test]
+    fn help_over_candidates_lists_their_keys_only() {
+        let lines = Help::over_candidates().lines(View::Motion, true, &Keymap::default());
+        assert_eq!(lines[0], HelpLine::Title("In the list of linkages"));
+        let has = |text: &str| {
+            let mut lines = lines.iter();
+            lines.any(|line| matches!(line, HelpLine::Keys(_, help) if *help == text))
+        };
+        assert!(has("play or pause") && has("open the linkage"));
+        assert!(!has("undo the last edit") && !has("zoom in"), "{lines:?}");
     }
 
     /// A key can change the language while a topic is open.
@@ -291,9 +441,9 @@ mod tests {
     #[test]
     fn actions_without_keys_are_not_listed() {
         let mut keymap = Keymap::default();
-        let before = Help::default().lines(View::Motion, &keymap).len();
+        let before = Help::default().lines(View::Motion, false, &keymap).len();
         keymap.set(action::Action::Reverse, Vec::new());
-        let after = Help::default().lines(View::Motion, &keymap).len();
+        let after = Help::default().lines(View::Motion, false, &keymap).len();
         assert_eq!(after, before - 1);
     }
 }

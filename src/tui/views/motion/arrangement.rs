@@ -129,7 +129,11 @@ fn below(app: &App, area: Rect) -> [Rect; 3] {
     let [vectors, all] = [placed.vector_lines(), placed.lines().len()]
         .map(|lines| u16::try_from(lines).unwrap_or(u16::MAX))
         .map(|lines| lines.saturating_add(table::title_lines(app)));
-    let share = (area.height / TABLE_SHARE).max(MIN_TABLE_HEIGHT);
+    // Next to the tour of a low screen, there is no space for both.
+    let share = match area.height < MIN_DRAWING_HEIGHT + MIN_TABLE_HEIGHT {
+        true => 0,
+        false => (area.height / TABLE_SHARE).max(MIN_TABLE_HEIGHT),
+    };
     let rule = u16::from(area.height >= MIN_HEIGHT_WITH_RULE);
     let drawing = area.height.saturating_sub(vectors.min(share) + rule);
     // If the width limits the drawing's scale, the unused rows show more of the tables.

@@ -26,6 +26,8 @@ pub(crate) enum ListEntry {
     OpenFile,
     /// Moves the driver to the typed coordinate.
     GoTo,
+    /// Moves the selected input by this number of steps.
+    Steps(i16),
     /// Switches the theme.
     Theme(Theme),
     /// Opens the preset with this index.
@@ -62,8 +64,9 @@ impl CommandList {
     }
 
     /// Lists the matching commands: exact names, then beginnings of words, then the closest, then
-    /// the shortest, and in the table's order if they are equal. Commands that the text spells out,
-    /// such as `w` or `135`, come first.
+    /// the shortest, and in the table's order if they are equal. Presets and tasks precede commands
+    /// that merely contain the letters. Commands that the text spells out, such as `w` or `135`, come
+    /// first.
     pub(crate) fn narrow(&mut self) {
         let typed = plain(self.line.text());
         let costs = rows().enumerate().filter_map(|(at, row)| {
@@ -79,11 +82,17 @@ impl CommandList {
         if !typed.trim().is_empty() {
             costs.sort_unstable();
         }
-        let commands = costs.into_iter().filter_map(|(.., at)| rows().nth(at));
-        let commands = commands.map(|row| ListEntry::Command(row.action));
+        let loose = costs.partition_point(|(rank, ..)| *rank < NameRank::Loose);
+        let commands = |costs: &[(NameRank, (usize, usize), usize)]| {
+            let rows = costs.iter().filter_map(|(.., at)| rows().nth(*at));
+            let commands = rows.map(|row| ListEntry::Command(row.action));
+            commands.collect::<Vec<ListEntry>>()
+        };
         let topics = SearchWords::new(&typed).best_topics().into_iter();
         let mut listed = spelled(self.line.text());
-        let found = commands.chain(files(typed.trim()));
+        let found = commands(&costs[..loose]).into_iter();
+        let found = found.chain(files(typed.trim()));
+        let found = found.chain(commands(&costs[loose..]));
         let found = found.chain(topics.map(ListEntry::Topic));
         let others: Vec<ListEntry> = found.filter(|other| !listed.contains(other)).collect();
         listed.extend(others);
@@ -107,17 +116,41 @@ fn spelled(typed: &str) -> Vec<ListEntry> {
         ("wq", "") => vec![ListEntry::SaveAndQuit],
         ("q", "") => vec![ListEntry::Command(Action::Quit)],
         ("e", "") => vec![ListEntry::Command(Action::Open)],
+        ("W", "") => vec![ListEntry::Command(Action::SaveAs)],
         ("w", _) => vec![ListEntry::SaveTo],
         ("e", _) => vec![ListEntry::OpenFile],
         ("theme" | "tema", name) => {
-            let themes = Theme::ALL.into_iter();
-            let intended = themes.filter(|theme| theme.name().starts_with(name));
+            let name = plain(name);
+            let is_begun = |theme: &Theme| {
+                let names = [theme.name(), theme.shown_name()];
+                names.iter().any(|own| plain(own).starts_with(&name))
+            };
+            let intended = Theme::ALL.into_iter().filter(is_begun);
             intended.map(ListEntry::Theme).collect()
+        }
+        // A number of steps with the key of a step behind it, as after a count in vi.
+        (count, "") if let Some(steps) = counted(count) => vec![steps, ListEntry::GoTo],
+        (count, "") if let Ok(count @ 1..) = count.parse::<i16>() => {
+            vec![
+                ListEntry::GoTo,
+                ListEntry::Steps(count),
+                ListEntry::Steps(-count),
+            ]
         }
         // A coordinate, or the name of an input and its coordinate.
         (_, rest) if is_number(typed) || is_number(rest) => vec![ListEntry::GoTo],
         _ => Vec::new(),
     }
+}
+
+/// Returns the steps of a count that ends with the usual key of a step: `10.` or `10,`.
+fn counted(typed: &str) -> Option<ListEntry> {
+    let (count, sign) = match typed.strip_suffix('.') {
+        Some(count) => (count, 1),
+        None => (typed.strip_suffix(',')?, -1),
+    };
+    let count = count.parse::<i16>().ok().filter(|count| *count > 0)?;
+    Some(ListEntry::Steps(sign * count))
 }
 
 /// Returns the presets and tasks in whose name a word begins with the typed text. The word for
@@ -316,6 +349,10 @@ mod tests {
             ("e press", ListEntry::OpenFile),
             ("135", ListEntry::GoTo),
             ("-12.5", ListEntry::GoTo),
+            ("10.", ListEntry::Steps(10)),
+            ("3,", ListEntry::Steps(-3)),
+            ("0.", ListEntry::GoTo),
+            ("W", ListEntry::Command(Action::SaveAs)),
             ("r7 45", ListEntry::GoTo),
             ("theme d", ListEntry::Theme(Theme::Dark)),
             ("theme", ListEntry::Theme(Theme::Auto)),
@@ -346,9 +383,17 @@ mod tests {
         assert!(listed("jansen").contains(&leg) && listed("leg").contains(&leg));
         let line = ListEntry::Task(task("straight-line"));
         assert!(listed("straight").contains(&line) && listed("synthesis").contains(&line));
+        assert!(
+            matches!(listed("syn")[0], ListEntry::Task(_)),
+            "before loose matches"
+        );
         assert!(!listed("").contains(&leg) && !listed("press").contains(&line));
         Language::Turkish.speak();
         assert!(listed("sentez").contains(&line));
+        for typed in ["tema koyu", "theme dark", "tema d"] {
+            assert_eq!(listed(typed)[0], ListEntry::Theme(Theme::Dark), "{typed}");
+        }
+        assert_eq!(listed("tema acik")[0], ListEntry::Theme(Theme::Light));
         Language::English.speak();
     }
 

@@ -80,7 +80,11 @@ fn describe_entry(listed: ListEntry, palette: &CommandList) -> String {
         ListEntry::SaveTo => words().save_to(palette.argument()),
         ListEntry::OpenFile => words().open_named(palette.argument()),
         ListEntry::GoTo => words().go_to_coordinate(palette.line.text().trim()),
-        ListEntry::Theme(theme) => words().theme_is(theme.name()),
+        ListEntry::Steps(count) => match count.signum() {
+            -1 => words().steps_back(count.unsigned_abs()),
+            _ => words().steps_forward(count.unsigned_abs()),
+        },
+        ListEntry::Theme(theme) => words().theme_is(theme.shown_name(), theme.name()),
         ListEntry::Preset(at) => words().open_named(presets::all()[at].name),
         ListEntry::Task(at) => words().search_for_task(ExampleTask::all()[at].name),
     }

@@ -133,7 +133,7 @@ fn hints(keys: &[String], width: usize) -> Vec<String> {
 /// Returns the generations of edits, scrolled to the cursor, and the other open sessions.
 fn listed(offer: &Offer, columns: u16, maximum: u16) -> Vec<OfferLine> {
     let elsewhere = offer.others.alive.iter().flat_map(|other| {
-        let lines = wrapped(&elsewhere(other), columns.into(), false);
+        let lines = wrapped(&elsewhere(other), columns.into());
         lines.into_iter().map(|line| (line, ScreenPart::Warning))
     });
     let mut after: Vec<OfferLine> = elsewhere.collect();

@@ -16,6 +16,7 @@ use super::{columns, cut, row};
 use crate::solver::Condition;
 use crate::tui::app::{App, Mode};
 use crate::tui::appearance::theme::ScreenPart;
+use crate::tui::commands::key::Key;
 use crate::tui::player::open_scene::shown;
 use crate::wording::words;
 pub(super) use facts::{mode, state};
@@ -57,6 +58,16 @@ pub(super) fn placed_above(app: &App, screen: Rect) -> Rect {
 
 /// Renders the status line alone. Returns the message if it is too long for the line.
 pub(super) fn line(app: &App, area: Rect, buffer: &mut Buffer) -> Option<String> {
+    written(app, area, buffer).take_message()
+}
+
+/// Returns the key whose hint is at a column of the status line.
+pub(super) fn key_at(app: &App, area: Rect, x: u16) -> Option<Key> {
+    written(app, area, &mut Buffer::empty(area)).key_at(x)
+}
+
+/// Renders the status line and returns its writer.
+fn written<'a>(app: &App, area: Rect, buffer: &'a mut Buffer) -> Writer<'a> {
     let mut line = Writer::new(area, buffer);
     line.write_text(&format!(" {} ", facts::mode(app)), ScreenPart::Mode);
     if !prompts::render(app, &mut line) {
@@ -68,7 +79,7 @@ pub(super) fn line(app: &App, area: Rect, buffer: &mut Buffer) -> Option<String>
             with_hints(app, narrow, &mut line);
         }
     }
-    line.take_message()
+    line
 }
 
 /// Returns scene, driver and state for a screen that shows nothing else.

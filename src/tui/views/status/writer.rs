@@ -2,16 +2,20 @@
 
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
+use crate::tui::commands::key::Key;
 use crate::tui::player::open_scene::shown;
 use crate::tui::views::{columns, print};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use std::ops::Range;
 
 /// A cursor that writes along a line.
 pub(super) struct Writer<'a> {
     buffer: &'a mut Buffer,
     x: u16,
     area: Rect,
+    /// The keys of the hints, with the columns of each hint.
+    keys: Vec<(Range<u16>, Key)>,
     /// The message that does not fit into the line.
     pending_message: Option<String>,
 }
@@ -22,6 +26,7 @@ impl<'a> Writer<'a> {
             buffer,
             x: area.x,
             area,
+            keys: Vec::new(),
             pending_message: None,
         }
     }
@@ -88,6 +93,13 @@ impl<'a> Writer<'a> {
         self.pending_message = Some(message.to_owned());
     }
 
+    /// Returns the key whose hint is at a column.
+    pub(super) fn key_at(&self, x: u16) -> Option<Key> {
+        let mut keys = self.keys.iter();
+        let found = keys.find(|(columns, _)| columns.contains(&x));
+        found.map(|(_, key)| *key)
+    }
+
     /// Returns the message that does not fit into the line.
     pub(super) fn take_message(self) -> Option<String> {
         self.pending_message
@@ -118,9 +130,15 @@ impl<'a> Writer<'a> {
             self.x = self.area.right();
             return;
         }
+        let start = self.x;
         self.write_text(key, ScreenPart::Key);
         self.gap(1);
         self.write_text(name, ScreenPart::Quiet);
+        // A hint of several keys, such as `n N`, stands for the first one.
+        let first = key.split(' ').next().map(str::parse::<Key>);
+        if let Some(Ok(key)) = first {
+            self.keys.push((start..self.x, key));
+        }
         self.gap(2);
     }
 }

@@ -1,65 +1,84 @@
-//! Renders a screen of the tour: a panel at the right, so that the linkage stays visible, or over
-//! the full width of a narrow screen.
+//! Renders a screen of the tour in a strip below the panes, which get the other rows, so that nothing
+//! that the tour describes is covered.
 //!
 //! ```text
-//!  drawing      +- Tour 2/5: Moving the crank -+
-//!               | . and , step: try it now.    |
-//!               +- Enter next  Left back ------+
+//!  drawing                         | tables
+//! =[Tour 2/5: Moving the crank]==== Enter next  Left back  Esc end =
+//!  . and , step: try it now.
 //! ```
 
 pub(crate) mod screens;
 
-use super::popup::{self, BORDER};
-use super::{print_line, print_right};
+use super::{columns, print_line, title};
 use crate::tui::app::App;
-use crate::tui::appearance::theme::{self, ScreenPart};
-use crate::tui::views::tour::screens::{SCREENS, TourScreen, screen, wrapped};
+use crate::tui::appearance::theme::ScreenPart;
+use crate::tui::commands::keymap::Keymap;
+use crate::tui::views::tour::screens::{SCREENS, TourPage, screen, wrapped};
 use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Width of the text; it is wider if the panel covers the full width.
-const TEXT: u16 = 32;
-/// Minimum width for a drawing next to the text.
-const MIN_WIDTH_WITH_DRAWING: u16 = 70;
+/// Blanks on both sides of the text.
+const INDENT: u16 = 1;
+/// Maximum width of the text; longer lines are hard to read.
+const MAX_TEXT: u16 = 96;
+/// Rows that the panes keep, at least.
+const MIN_ROWS_OF_PANES: u16 = 4;
 
-pub(super) fn render(app: &App, number: usize, area: Rect, buffer: &mut Buffer) {
-    let screen = screen(number, app.keymap());
-    let (place, text) = laid_out(&screen, area);
-    let title = words().tour_title(number + 1, SCREENS, screen.title);
-    popup::frame(app.glyphs(), place, &title, buffer);
-    let inner = popup::within(place);
-    for (row, line) in inner.rows().zip(&text) {
+pub(super) fn render(app: &App, page: TourPage, body: Rect, buffer: &mut Buffer) {
+    let parts = parts(page.screen, app.keymap(), body);
+    let place = placed(app, page, body);
+    let part = page.part.min(parts.len() - 1);
+    let last = page.screen + 1 == SCREENS && part + 1 == parts.len();
+    let next = if last { words().done() } else { words().next() };
+    let heading = |space| {
+        let own = screen(page.screen, app.keymap()).title;
+        let title = words().tour_title(page.screen + 1, SCREENS, own);
+        let keys = words().tour_keys(next);
+        let has_room = columns(&title) + columns(&keys) < space;
+        (title, if has_room { keys } else { String::new() })
+    };
+    let top = Rect { height: 1, ..place };
+    title::over_pane(app, true, heading, top, buffer);
+    for (row, line) in place.rows().skip(1).zip(&parts[part]) {
+        let row = Rect {
+            x: row.x + INDENT,
+            width: row.width.saturating_sub(2 * INDENT),
+            ..row
+        };
         print_line(buffer, row, line, ScreenPart::Text);
     }
-    let next = match number + 1 < SCREENS {
-        true => words().next(),
-        false => words().done(),
-    };
-    let keys = format!(" {} ", words().tour_keys(next));
-    let style = theme::part(ScreenPart::Quiet);
-    print_right(buffer, place.right() - 1, place.bottom() - 1, &keys, style);
 }
 
-/// Returns the area of a screen of the tour.
-pub(super) fn placed(app: &App, number: usize, area: Rect) -> Rect {
-    laid_out(&screen(number, app.keymap()), area).0
-}
-
-/// Returns the area of a screen of the tour and its lines.
-fn laid_out(screen: &TourScreen, area: Rect) -> (Rect, Vec<String>) {
-    let side = area.width >= MIN_WIDTH_WITH_DRAWING;
-    let width = if side { TEXT + BORDER.0 } else { area.width };
-    let text = wrapped(&screen.text, (width - BORDER.0).into(), side);
-    let rows = u16::try_from(text.len()).unwrap_or(u16::MAX);
-    let height = rows.saturating_add(BORDER.1).min(area.height);
-    // On a narrow screen the panel is at the bottom, below the drawing.
-    let y = if side { area.y } else { area.bottom() - height };
-    let place = Rect {
-        x: area.right() - width,
-        y,
-        width,
+/// Returns the area of a page of the tour: the last rows of the body. The parts of a screen have the
+/// same height, so that the panes stand still.
+pub(super) fn placed(app: &App, page: TourPage, body: Rect) -> Rect {
+    let parts = parts(page.screen, app.keymap(), body);
+    let rows = parts.iter().map(Vec::len).max().unwrap_or(0);
+    let height = u16::try_from(rows + 1).unwrap_or(u16::MAX).min(body.height);
+    Rect {
+        y: body.bottom() - height,
         height,
-    };
-    (place, text)
+        ..body
+    }
+}
+
+/// Returns the number of parts into which a screen of the tour is divided in a body of this size.
+pub(crate) fn part_count(screen: usize, keymap: &Keymap, body: Rect) -> usize {
+    parts(screen, keymap, body).len()
+}
+
+/// Divides the lines of a screen into parts that leave the panes their rows; there is at least one.
+fn parts(number: usize, keymap: &Keymap, body: Rect) -> Vec<Vec<String>> {
+    let width = body.width.saturating_sub(2 * INDENT).min(MAX_TEXT);
+    let lines = wrapped(&screen(number, keymap).text, width.into());
+    let most = body.height.saturating_sub(MIN_ROWS_OF_PANES + 1).max(1);
+    // Parts of equal height, none with a single left-over line.
+    let count = lines.len().div_ceil(most.into()).max(1);
+    let rows = lines.len().div_ceil(count).max(1);
+    let parts: Vec<Vec<String>> = lines.chunks(rows).map(<[String]>::to_vec).collect();
+    match parts.is_empty() {
+        true => vec![Vec::new()],
+        false => parts,
+    }
 }

@@ -1,5 +1,5 @@
 //! The texts of the tour: five screens that explain krank's display and its keys. They are shown
-//! next to the workbench, whose keys for the motion keep working.
+//! below the panes; the keys of the motion and of the views keep working.
 
 use crate::files::directories;
 use crate::page;
@@ -15,6 +15,13 @@ pub(crate) const SCREENS: usize = 5;
 
 /// Name of the file that records that the tour was shown.
 const MARK: &str = "tour-shown";
+
+/// A page of the tour: a screen, or a part of one on a small terminal. Both are counted from 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct TourPage {
+    pub(crate) screen: usize,
+    pub(crate) part: usize,
+}
 
 /// A screen of the tour.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -110,16 +117,12 @@ pub(crate) fn allows(action: Action) -> bool {
     )
 }
 
-/// Wraps text at words, with blank lines between paragraphs if `roomy`.
-pub(crate) fn wrapped(text: &str, width: usize, roomy: bool) -> Vec<String> {
-    let mut lines = Vec::new();
-    for (n, paragraph) in text.split('\n').enumerate() {
-        if n > 0 && roomy {
-            lines.push(String::new());
-        }
-        lines.extend(page::wrapped(paragraph, width));
-    }
-    lines
+/// Wraps text at words; a line feed begins a new line.
+pub(crate) fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let paragraphs = text.split('\n');
+    paragraphs
+        .flat_map(|paragraph| page::wrapped(paragraph, width))
+        .collect()
 }
 
 /// Returns `true` at the first start and records it. Returns `false` if it cannot be recorded,
@@ -137,12 +140,12 @@ mod tests {
     use crate::tui::commands::key::Key;
 
     #[test]
-    fn screens_fit_smallest_terminal_without_scrolling() {
+    fn screens_fit_smallest_terminal_in_two_parts() {
         for number in 0..SCREENS {
             let screen = screen(number, &Keymap::default());
-            let lines = wrapped(&screen.text, 36, false);
+            let lines = wrapped(&screen.text, 38);
             assert!(lines.len() <= 8, "{number}: {lines:#?}");
-            assert!(lines.iter().all(|line| line.len() <= 36 && line.is_ascii()));
+            assert!(lines.iter().all(|line| line.len() <= 38 && line.is_ascii()));
             assert!(screen.title.len() <= 20, "the border cuts it");
         }
     }
