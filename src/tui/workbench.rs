@@ -173,15 +173,18 @@ impl Workbench {
         self.painter.frame(&views::urgent(&self.app), space)
     }
 
-    /// Paints a frame of the playback for a slow line: only the drawing and the lines with the
-    /// driver's position. The rest of the screen stays as it is until the next
-    /// [`Workbench::paint_within`].
+    /// Paints a frame of the playback for a slow line: only the drawing, simplified and without
+    /// styles, and the lines with the driver's position. The rest of the screen stays as it is until
+    /// the next [`Workbench::paint_within`].
     pub(super) fn paint_motion(&mut self, space: usize) -> &[u8] {
-        let only_moved = self.only_moves;
+        let only_moves = self.only_moves && self.app.only_moves();
+        self.sketch.is_simple = only_moves;
         self.compose();
-        if only_moved && self.only_moves {
+        self.sketch.is_simple = false;
+        if only_moves {
             let moving = views::moving(&self.app, &self.sketch);
-            if !moving.is_empty() {
+            if let Some(drawing) = self.sketch.area().filter(|_| !moving.is_empty()) {
+                self.painter.drop_styles(drawing);
                 self.painter.keep_outside(&moving);
             }
         }

@@ -26,6 +26,7 @@ use crossterm::terminal::{BeginSynchronizedUpdate, Clear, ClearType, EndSynchron
 use pen::CellPen;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::style::Style;
 
 /// Maximum length of a frame's start: synchronized mode, and clearing the screen.
 const MAX_FRAME_START: usize = 16;
@@ -136,6 +137,13 @@ impl Painter {
         }
     }
 
+    /// Makes all text of an area plain in the wanted screen.
+    pub(crate) fn drop_styles(&mut self, area: Rect) {
+        for at in area.intersection(self.wanted.area).positions() {
+            self.wanted[at].set_style(Style::reset());
+        }
+    }
+
     /// Returns the bytes that update the terminal, `urgent` parts first; none if it is up to date.
     /// About `room` bytes at most: [`Painter::is_cut`] says whether that was enough.
     pub(crate) fn frame(&mut self, urgent: &[Rect], space: usize) -> &[u8] {
@@ -230,7 +238,6 @@ mod tests {
     use crate::capability::Colours;
     use crate::drawing::Glyphs;
     use proptest::prelude::*;
-    use ratatui::style::Style;
     use ratatui::style::{Color, Modifier};
     use std::num::NonZeroU16;
 

@@ -38,6 +38,8 @@ pub(crate) struct Sketch {
     window: Option<(Rect, drawing::WorldView)>,
     /// The visible polygons.
     polygons: Vec<PolygonSketch>,
+    /// Whether links are drawn with line characters, which take fewer bytes than dots.
+    pub(crate) is_simple: bool,
 }
 
 /// A polygon of a loop, kept so that labels stay on the same sides from frame to frame.
@@ -130,7 +132,7 @@ impl Sketch {
     }
 
     /// Returns the drawing's area on the screen, if it is visible.
-    pub(super) fn area(&self) -> Option<Rect> {
+    pub(crate) fn area(&self) -> Option<Rect> {
         self.window.map(|(area, _)| area)
     }
 
@@ -154,14 +156,12 @@ impl Sketch {
         let view = arrangement::window(app, area);
         self.window = Some((area, view));
         self.place_labels(app, &view, highlighted);
+        let glyphs = match app.glyphs() {
+            Glyphs::Braille | Glyphs::Blocks(_) if self.is_simple => Glyphs::Line,
+            own => own,
+        };
         let Sketch { labels, raster, .. } = self;
-        drawing::render_into(
-            &figure_of(app, highlighted),
-            &view,
-            app.glyphs(),
-            labels,
-            raster,
-        );
+        drawing::render_into(&figure_of(app, highlighted), &view, glyphs, labels, raster);
     }
 
     /// Starts new labels for another scene or layer. Plans their sides over the whole motion with
