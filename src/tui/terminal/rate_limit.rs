@@ -62,6 +62,10 @@ const LONGER: f64 = 64.0;
 const MAX_BYTE_RATE: f64 = 1e6;
 /// Factor over the quickest answer up to which an answer is punctual.
 const PUNCTUAL_FACTOR: f64 = 1.1;
+/// Tolerance of the expected time, as a share of it and in seconds, within which an answer belongs
+/// to the last query and not to an abandoned one.
+const PUNCTUAL_SHARE: f64 = 0.25;
+const PUNCTUAL_TIME: f64 = 0.005;
 /// Fraction of the maximum length from which a frame counts as full.
 const FILLED: f64 = 0.8;
 
@@ -99,8 +103,11 @@ pub(super) struct RateLimit {
     /// The bytes sent since the last query, and whether they include output outside frames.
     bytes_since_query: usize,
     has_other_output: bool,
-    /// The number of answers lost since the last one that arrived.
+    /// The number of answers lost since the last one that arrived in time.
     lost: u32,
+    /// The oldest abandoned query, whose answer may still arrive, and the number of such queries.
+    late: Option<FrameInFlight>,
+    abandoned: u32,
     /// The time until which an answer may belong to an abandoned query and so does not measure the
     /// line.
     doubtful_until: Option<Instant>,
@@ -128,6 +135,8 @@ impl RateLimit {
             bytes_since_query: 0,
             has_other_output: false,
             lost: 0,
+            late: None,
+            abandoned: 0,
             doubtful_until: None,
             rate: LineRate {
                 set,
@@ -172,7 +181,20 @@ impl RateLimit {
     pub(super) fn answered(&mut self, now: Instant) {
         self.manner = TerminalBehaviour::Answers;
         self.drawn = Some(now);
+        let late = self.late.take();
+        let late = late.filter(|late| now.saturating_duration_since(late.at) <= PATIENCE);
+        if let Some(late) = late
+            && !self.asked.is_some_and(|asked| self.is_punctual(asked, now))
+        {
+            // The line has become slow. The answer to the pending query is still to come.
+            self.abandoned = self.abandoned.saturating_sub(1);
+            self.rate.slow_down(late, now);
+            return;
+        }
         self.lost = 0;
+        if self.asked.is_some() && self.abandoned == 0 {
+            self.doubtful_until = None;
+        }
         if let Some(requested) = self.asked.take() {
             #[expect(clippy::cast_precision_loss, reason = "no frame has 2^52 bytes")]
             let bytes = requested.bytes as f64;
@@ -191,6 +213,8 @@ impl RateLimit {
     /// Returns the maximum length of the next frame in bytes.
     pub(super) fn max_frame_len(&self) -> usize {
         match (self.rate.known(), self.last) {
+            // While an answer is missing, the line may have become slow.
+            (Some(rate), _) if self.lost > 0 => bytes(rate).min(PROBE),
             (Some(rate), _) => bytes(rate),
             (None, None) => PROBE,
             (None, Some(_)) => usize::MAX,
@@ -257,6 +281,18 @@ impl RateLimit {
         Duration::from_secs_f64(patience.min(MAX_TIMEOUT.as_secs_f64()))
     }
 
+    /// Returns `true` if `now` is about the time at which the answer to a query is expected.
+    fn is_punctual(&self, asked: FrameInFlight, now: Instant) -> bool {
+        let took = now.saturating_duration_since(asked.at).as_secs_f64();
+        #[expect(clippy::cast_precision_loss, reason = "no frame has 2^52 bytes")]
+        let expected = self.rate.expected(asked.bytes as f64);
+        let quickest = self.rate.quickest_answer.map(|(_, seconds)| seconds);
+        expected.zip(quickest).is_some_and(|(expected, quickest)| {
+            let latest = expected * (1.0 + PUNCTUAL_SHARE) + PUNCTUAL_TIME;
+            (quickest * (1.0 - PUNCTUAL_SHARE)..=latest).contains(&took.max(MIN_ANSWER_TIME))
+        })
+    }
+
     fn give_up(&mut self, now: Instant) {
         let Some(requested) = self.asked else { return };
         let patience = match self.manner {
@@ -267,8 +303,17 @@ impl RateLimit {
             return;
         }
         self.asked = None;
+        if self.doubtful_until.is_none_or(|until| until <= now) {
+            (self.late, self.abandoned) = (None, 0);
+        }
+        self.late.get_or_insert(requested);
+        self.abandoned += 1;
         self.doubtful_until = Some(now + PATIENCE);
         self.lost += 1;
+        // One answer may be lost; several are late.
+        if self.lost > 1 && self.manner == TerminalBehaviour::Answers {
+            self.rate.slow_down(requested, now);
+        }
         if self.manner != TerminalBehaviour::Answers || self.lost >= MAX_LOST {
             self.manner = TerminalBehaviour::Mute;
         }
@@ -298,6 +343,15 @@ impl LineRate {
     fn expected(&self, bytes: f64) -> Option<f64> {
         let (_, way) = self.quickest_answer?;
         Some(way + bytes / self.known()?)
+    }
+
+    /// Lowers the rate after a frame whose answer is missing at `now`, or has just come late.
+    fn slow_down(&mut self, frame: FrameInFlight, now: Instant) {
+        let seconds = now.saturating_duration_since(frame.at).as_secs_f64();
+        #[expect(clippy::cast_precision_loss, reason = "no frame has 2^52 bytes")]
+        let maximum = frame.bytes as f64 / seconds.max(MIN_ANSWER_TIME);
+        let maximum = maximum.max(MIN_VALUE / FRAME.as_secs_f64());
+        self.measured = self.measured.map(|rate| rate.min(maximum));
     }
 
     /// Updates the rate from an answer to `bytes` bytes after `seconds` seconds.
@@ -529,9 +583,10 @@ mod tests {
             assert!(rate_limit.send(100, ready));
             let later = rate_limit.ready_at().unwrap() - ready;
             assert!(later >= (ready - now).min(MAX_TIMEOUT), "{later:?}");
-            rate_limit.answered(ready + MOMENT);
+            let answer = ready + Duration::from_secs_f64(line.time(100));
+            rate_limit.answered(answer);
             assert_eq!(rate_limit.ready_at(), None);
-            now = ready + MOMENT;
+            now = answer;
         }
         // A slow line needs more time for the bytes sent.
         let line = Line {
@@ -579,7 +634,8 @@ mod tests {
         now = rate_limit.ready_at().unwrap();
         assert!(rate_limit.send(240, now));
         rate_limit.answered(now + MOMENT);
-        assert_eq!(rate_limit.max_frame_len(), space);
+        assert!(rate_limit.max_frame_len() <= space);
+        rate_limit.answered(now + Duration::from_millis(300));
         // Later answers count again.
         now += PATIENCE;
         rate_limit.send(240, now);

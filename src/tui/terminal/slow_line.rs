@@ -51,6 +51,12 @@ impl SlowLine {
         }
     }
 
+    /// Changes the rate for the bytes to come.
+    pub(crate) fn set_rate(&mut self, bytes_per_second: u32) {
+        self.byte = Duration::from_secs(1) / bytes_per_second;
+        self.longest = self.queue.len();
+    }
+
     /// Schedules a key after a pause.
     pub(crate) fn press_after(&mut self, key: &'static str, pause: Duration) {
         self.keys.push_back((self.now + pause, key));

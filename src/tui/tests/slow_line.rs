@@ -287,6 +287,40 @@ fn playback_shows_three_drawings_per_second_and_one_on_large_screen() {
     }
 }
 
+/// Regression test: late answers counted as lost ones, so that frames piled up and a key was
+/// answered after 4 to 7 s.
+#[test]
+fn line_that_becomes_slow_is_noticed() {
+    for size in [SIZE, Size::new(200, 60)] {
+        for k in 0..6 {
+            let mut slow = Slow::open_on(1_000_000, size);
+            slow.press("space");
+            slow.pass(Duration::from_millis(2000 + 37 * k));
+            slow.line().set_rate(SLOW_LINE_RATE);
+            // The frames sent until the line is known to be slow.
+            slow.pass(Duration::from_secs(6));
+            let queued = slow.line().longest;
+            assert!(
+                queued <= 4 * SLOW_LINE_RATE as usize,
+                "{size}: {queued} bytes"
+            );
+            let took = slow.until("?", |rows| last_row(rows).starts_with(" help "));
+            assert!(took <= Duration::from_secs(1), "{size}: {took:?}, case {k}");
+            slow.press("Esc");
+            slow.pass(Duration::from_secs(3));
+            slow.line().set_rate(1_000_000);
+            slow.pass(Duration::from_secs(6));
+            let before = slow.session.workbench.frames().count;
+            slow.pass(Duration::from_secs(1));
+            let shown = slow.session.workbench.frames().count - before;
+            assert!(
+                shown >= 25,
+                "{size}: {shown} frames a second on the fast line"
+            );
+        }
+    }
+}
+
 /// The tables pause during playback and are complete after it.
 #[test]
 fn pausing_playback_completes_screen() {
