@@ -2,8 +2,8 @@
 
 use super::ImportError;
 use super::drawing::{
-    Drawing, DrawnInput, DrawnLaw, DrawnPart, DrawnSlide, DrawnSlider, InputElement, MAX_ELEMENTS,
-    difference, number,
+    Drawing, DrawnAngleLimit, DrawnInput, DrawnLaw, DrawnPart, DrawnSlide, DrawnSlider,
+    InputElement, MAX_ELEMENTS, difference, number, wrapped,
 };
 use super::names::letters;
 use crate::scene::Unit;
@@ -24,6 +24,19 @@ const DRAWING_LAYER: &str = "1";
 /// A pin is on an arc if its distance from the centre differs from the radius by less than this
 /// fraction.
 const ON_ARC: f64 = 1e-3;
+
+/// A pin is at an end of its slot if it is within this fraction of the slot's length from it: files
+/// have six decimals.
+const AT_END: f64 = 1e-6;
+
+/// Returns a travel that contains the drawing, or `None` if the drawing is outside of it by more
+/// than a tolerance.
+fn opened_travel([low, high]: [f64; 2], tolerance: f64) -> Option<[f64; 2]> {
+    let is_open = low <= tolerance && -tolerance <= high;
+    // A pin at an end is exactly there.
+    let ends = [low, high].map(|end| if end.abs() <= tolerance { 0.0 } else { end });
+    (is_open && ends[0] < ends[1]).then_some(ends)
+}
 
 /// Returns `true` for a file of Linkage.
 pub(super) fn is_linkage(text: &str) -> bool {
@@ -316,6 +329,7 @@ impl<'d> LinkageReader<'d> {
             on: DrawnPart::Link(barrel),
             angle,
             through: Some(foot),
+            travel: None,
         });
         let throw = self.length(node, "throw").unwrap_or(0.0).abs();
         let cpm = node.attribute("cpm").and_then(number).unwrap_or(0.0);
@@ -427,16 +441,39 @@ impl<'d> LinkageReader<'d> {
             };
             let radius = self.length(node, "slideradius").unwrap_or(0.0);
             match radius == 0.0 {
-                true => self.drawing.slides.push(DrawnSlide {
-                    name: None,
-                    slider: DrawnSlider::Pin(pin),
-                    on,
-                    angle: self.drawing.direction(one, other),
-                    through: Some(one),
-                }),
+                true => {
+                    let travel = self.travel(node, pin, [one, other]);
+                    self.drawing.slides.push(DrawnSlide {
+                        name: None,
+                        slider: DrawnSlider::Pin(pin),
+                        on,
+                        angle: self.drawing.direction(one, other),
+                        through: Some(one),
+                        travel,
+                    });
+                }
                 false => self.arc(node, pin, [one, other], on, radius.abs()),
             }
         }
+    }
+
+    /// Returns how far a pin can move in its slot. Remarks upon a pin drawn beyond an end.
+    fn travel(
+        &mut self,
+        node: Node<'_, '_>,
+        pin: usize,
+        [one, other]: [usize; 2],
+    ) -> Option<[f64; 2]> {
+        let points = &self.drawing.points;
+        let [dx, dy] = difference(points[other].at, points[one].at);
+        let length = dx.hypot(dy);
+        let [px, py] = difference(points[pin].at, points[one].at);
+        let at = (px * dx + py * dy) / length;
+        let travel = opened_travel([-at, length - at], AT_END * length);
+        if travel.is_none() {
+            self.remark(node, words().import_beyond_slot());
+        }
+        travel
     }
 
     /// Returns the part that has both ends of a slot.
@@ -516,6 +553,18 @@ impl<'d> LinkageReader<'d> {
         let bar = self.drawing.link(named("slot"));
         self.drawing.attach(point, DrawnPart::Link(bar));
         self.drawing.attach(pin, DrawnPart::Link(bar));
+        let opening = self.drawing.direction(point, pin);
+        // The slot is the shorter arc between its ends.
+        let turns = ends.map(|end| wrapped(self.drawing.direction(point, end) - opening));
+        let turns = [turns[0].min(turns[1]), turns[0].max(turns[1])];
+        match opened_travel(turns, (AT_END * half / radius).to_degrees()) {
+            Some(travel) => self.drawing.angle_limits.push(DrawnAngleLimit {
+                link: bar,
+                from: on,
+                travel,
+            }),
+            None => self.remark(node, words().import_beyond_slot()),
+        }
     }
 
     /// Remarks upon ratios of gears and chains.

@@ -25,7 +25,7 @@ use names::ElementNames;
 use std::borrow::Cow;
 use std::collections::HashMap;
 use thiserror::Error;
-use writer::LinkStyle;
+use writer::{LimitStyle, LinkStyle, SceneStyle};
 
 /// A scene opens as drawn if no point is farther from its place than this fraction of the size.
 const AS_DRAWN: f64 = 1e-9;
@@ -219,23 +219,48 @@ impl ImportWriter<'_> {
     /// Returns the scene in the form of a textbook, or in the drawing's coordinates where only
     /// these open as drawn.
     fn text(&self, remarks: &mut Vec<String>) -> String {
-        let text = self.written(LinkStyle::Ends, remarks);
-        let pose = self.pose(&text);
-        if pose == OpeningPose::AsDrawn {
-            return text;
-        }
-        let drawn = self.written(LinkStyle::Drawn, remarks);
-        match (self.pose(&drawn), pose) {
-            (OpeningPose::AsDrawn, _) => drawn,
-            (_, OpeningPose::Nowhere) => text,
-            _ => {
-                remarks.push(words().import_not_as_drawn().to_owned());
-                self.written(LinkStyle::Ends, remarks)
+        let style = |links, limits| SceneStyle { links, limits };
+        // Lengths in coordinates have no rounding error, which may lead beyond a limit.
+        let styles = [
+            style(LinkStyle::Ends, LimitStyle::Exact),
+            style(LinkStyle::Drawn, LimitStyle::Exact),
+            style(LinkStyle::Drawn, LimitStyle::Loose),
+        ];
+        let mut elsewhere = None;
+        for style in styles {
+            let text = self.written(style, remarks);
+            match self.pose(&text) {
+                OpeningPose::AsDrawn => return text,
+                OpeningPose::Elsewhere => elsewhere = elsewhere.or(Some(style)),
+                OpeningPose::Nowhere => {}
+            }
+            if !self.drawing.has_limits() && style.links == LinkStyle::Drawn {
+                break;
             }
         }
+        if self.drawing.has_limits() && elsewhere.is_none() {
+            // Limits that the scene contradicts are left out.
+            let free = [LinkStyle::Ends, LinkStyle::Drawn];
+            let free = free.map(|links| style(links, LimitStyle::Omitted));
+            let poses = free.map(|style| self.pose(&self.written(style, remarks)));
+            let is_drawn = |pose: &OpeningPose| *pose == OpeningPose::AsDrawn;
+            let opens = |pose: &OpeningPose| *pose != OpeningPose::Nowhere;
+            let chosen = poses.iter().position(is_drawn);
+            if let Some(chosen) = chosen.or_else(|| poses.iter().position(opens)) {
+                remarks.push(words().import_limits_contradict().to_owned());
+                if !is_drawn(&poses[chosen]) {
+                    remarks.push(words().import_not_as_drawn().to_owned());
+                }
+                return self.written(free[chosen], remarks);
+            }
+        }
+        if elsewhere.is_some() {
+            remarks.push(words().import_not_as_drawn().to_owned());
+        }
+        self.written(elsewhere.unwrap_or(styles[0]), remarks)
     }
 
-    fn written(&self, style: LinkStyle, remarks: &[String]) -> String {
+    fn written(&self, style: SceneStyle, remarks: &[String]) -> String {
         let program = self.format.program();
         let shown = match is_address(self.file) {
             true => words().import_an_address(program),

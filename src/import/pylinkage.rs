@@ -282,6 +282,7 @@ impl MechanismReader {
                 on,
                 angle,
                 through: None,
+                travel: None,
             });
         }
     }

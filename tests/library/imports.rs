@@ -499,6 +499,130 @@ fn a_pin_follows_its_arc() {
     }
 }
 
+/// Returns a file of Linkage with a slider-crank, whose pin `C` slides between `D` and `E`.
+fn slot_file(pin: [f64; 2], ends: [[f64; 2]; 2], attributes: &str) -> String {
+    let [[dx, dy], [ex, ey]] = ends;
+    let [x, y] = pin;
+    format!(
+        "<linkage2>\n\
+         <connector id=\"0\" x=\"3.1\" y=\"-7.7\" anchor=\"true\" input=\"true\" rpm=\"15\"/>\n\
+         <connector id=\"1\" x=\"-22.33\" y=\"31.713\"/>\n\
+         <connector id=\"2\" x=\"{x:.6}\" y=\"{y:.6}\" slider=\"true\" {attributes}>\
+         <slidelimit id=\"3\"/><slidelimit id=\"4\"/></connector>\n\
+         <connector id=\"3\" x=\"{dx:.6}\" y=\"{dy:.6}\" anchor=\"true\"/>\n\
+         <connector id=\"4\" x=\"{ex:.6}\" y=\"{ey:.6}\" anchor=\"true\"/>\n\
+         <Link id=\"0\"><connector id=\"0\"/><connector id=\"1\"/></Link>\n\
+         <Link id=\"1\"><connector id=\"1\"/><connector id=\"2\"/></Link>\n</linkage2>\n"
+    )
+}
+
+/// The motion ends with the pin at the end of its slot.
+#[test]
+fn slots_end_the_motion() {
+    let (d, e) = ([80.0, 10.0], [130.0, 30.0]);
+    let pin = [0.5 * (d[0] + e[0]), 0.5 * (d[1] + e[1])];
+    let imported = import(slot_file(pin, [d, e], "").as_bytes(), "slot").unwrap();
+    assert_eq!(imported.remarks, [""; 0]);
+    let opened = OpenedScene::new("slot", &imported.text);
+    let (low, high) = opened.solver.motion().range.ends();
+    for at in [low, high] {
+        let here = opened.places(at);
+        let at_end = |end: [f64; 2]| {
+            distance([here["C"].x, here["C"].y], end.map(|x| MM * x)) < 1e-9 * distance(d, e)
+        };
+        // Both ends of the slot are farther apart than the crank can push the pin.
+        assert!(at_end(d) || at_end(e), "{at}: {here:?}\n{}", imported.text);
+    }
+    // The same for the middle of an arc of radius 40.
+    let half = 0.5 * distance(d, e);
+    let across = [-(e[1] - d[1]), e[0] - d[0]].map(|x| 0.5 * x / half);
+    let height = (40.0_f64 * 40.0 - half * half).sqrt();
+    let on_arc = [0, 1].map(|i| pin[i] + (40.0 - height) * across[i]);
+    let text = slot_file(on_arc, [d, e], "slideradius=\"40\"");
+    let imported = import(text.as_bytes(), "arc").unwrap();
+    assert_eq!(imported.remarks, [""; 0]);
+    let opened = OpenedScene::new("arc", &imported.text);
+    let (low, high) = opened.solver.motion().range.ends();
+    for at in [low, high] {
+        let here = opened.places(at);
+        let off = |end: [f64; 2]| distance([here["C"].x, here["C"].y], end.map(|x| MM * x));
+        // The pin of the file has six decimals.
+        let off = off(d).min(off(e));
+        assert!(off < 1e-6 * half, "{at}: {off:e}\n{}", imported.text);
+    }
+}
+
+/// Regression test: a pin at the end of its slot was beyond it by a rounding error.
+#[test]
+fn pins_at_the_ends_of_slots_open() {
+    let turned = |angle: f64, length: f64| {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        [61.234_567 + length * cos, 12.345_678 + length * sin]
+    };
+    for k in 0..72_u32 {
+        let angle = 5.0 * f64::from(k) + 1.3;
+        let ends = [turned(angle, 0.0), turned(angle, 47.11)];
+        for pin in ends {
+            let text = slot_file(pin, ends, "");
+            let imported = import(text.as_bytes(), "slot").unwrap();
+            assert_eq!(imported.remarks, [""; 0], "{angle}\n{}", imported.text);
+            assert!(imported.text.contains("\n[limits]"), "{}", imported.text);
+            let opened = OpenedScene::new("slot", &imported.text);
+            let here = opened.places(opened.scene.mechanism.driver().start);
+            let off = distance([here["C"].x, here["C"].y], pin.map(|x| MM * x));
+            // Six decimals of the file.
+            assert!(off < 1e-6, "{angle}: {off:e}\n{}", imported.text);
+        }
+    }
+}
+
+/// A pin that is drawn beyond its slot has no limits, and krank says so.
+#[test]
+fn pins_beyond_their_slots_are_reported() {
+    let read = |pin, attributes| {
+        let ends = [[80.0, 0.0], [120.0, 0.0]];
+        import(slot_file(pin, ends, attributes).as_bytes(), "slot").unwrap()
+    };
+    let beyond = read([70.0, 0.0], "");
+    assert!(
+        beyond.remarks
+            == [
+                "line 4, connector 2: the pin is drawn beyond the ends of its slot; the scene has no limits for it"
+            ],
+        "{:?}",
+        beyond.remarks
+    );
+    assert!(!beyond.text.contains("[limits]"), "{}", beyond.text);
+    OpenedScene::new("beyond", &beyond.text);
+    // An arc slot with its centre at (100, -21): the pin is beside its upper arc.
+    let beyond = read([71.0, -21.0], "slideradius=\"29\"");
+    assert!(
+        beyond
+            .remarks
+            .iter()
+            .any(|remark| remark.contains("beyond the ends")),
+        "{:?}",
+        beyond.remarks
+    );
+}
+
+/// The stroke of every actuator is that of the file, also where it is held.
+#[test]
+fn strokes_of_further_actuators_are_limits() {
+    let text = imported("two-actuators.linkage2").text;
+    let scene = Scene::parse(&text, "t").unwrap();
+    let limits: Vec<f64> = scene
+        .mechanism
+        .limit_ids()
+        .map(|id| scene.mechanism.limit(id))
+        .map(|limit| limit.high - limit.low)
+        .collect();
+    let [_, further] = limits[..] else {
+        panic!("{limits:?}\n{text}");
+    };
+    assert!((further - 20.0 * MM).abs() < 1e-9, "{limits:?}");
+}
+
 #[test]
 fn slots_turn_with_their_links() {
     // The pin of the crank is on the line from C through the rocker's direction.
@@ -601,7 +725,10 @@ fn parts_that_krank_does_not_model_are_reported() {
     let message = scene.explain(&fault).to_string();
     assert!(message.contains('2'), "{message}");
     let output = remarks("mixed-inputs.linkage2");
-    assert!(output.contains("it stands as drawn"), "{output}");
+    assert!(
+        output.contains("it is held as drawn, with `at`"),
+        "{output}"
+    );
     let output = remarks("four-bar.pylinkage.json");
     assert!(
         output.contains("`Crank pin` is called `Crank_pin`"),
