@@ -9,6 +9,7 @@ mod address;
 mod drawing;
 mod joints;
 mod linkage;
+mod linkage_layout;
 mod names;
 mod pmks;
 mod pmks_plus;

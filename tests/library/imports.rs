@@ -741,6 +741,83 @@ fn parts_that_krank_does_not_model_are_reported() {
     );
 }
 
+/// Every element and attribute of a file is taken over, is for the display only, or is reported.
+#[test]
+fn every_odd_part_of_a_linkage_file_is_reported() {
+    let text = "<linkage2>
+<program units=\"Feet\" scalefactor=\"2.5\" zoom=\"1\" bkcolor=\"3\"/>
+<connector id=\"0\" x=\"0\" y=\"0\" anchor=\"true\" input=\"true\" rpm=\"abc\" color=\"7\"/>
+<connector id=\"1\" x=\"30\" y=\"40\" anchor=\"yes\" draw=\"true\" glow=\"1\"/>
+<connector id=\"2\" x=\"180\" y=\"90\" glow=\"2\"><spring id=\"1\"/><slidelimit id=\"0\"/></connector>
+<connector id=\"3\" x=\"220\" y=\"-30\" anchor=\"true\"/>
+<connector id=\"4\" x=\"250\" y=\"150\"/>
+<connector id=\"5\" x=\"300\" y=\"100\"/>
+<connector id=\"6\" x=\"350\" y=\"-60\" anchor=\"true\"/>
+<connector id=\"7\" x=\"1\" y=\"2\"/>
+<connector id=\"8\" x=\"5\" y=\"6\" layer=\"1\" hidden=\"1\"/>
+<connector id=\"9\" x=\"7\" y=\"8\" fastenconnector=\"1\"><fastenlink id=\"1\"/></connector>
+<Link id=\"0\" locked=\"true\"><connector id=\"0\"/><connector id=\"1\"/></Link>
+<Link id=\"1\"><connector id=\"1\"/><connector id=\"2\"/><fastenconnector id=\"8\"/></Link>
+<Link id=\"2\"><connector id=\"2\"/><connector id=\"3\"/><fastenconnector id=\"77\"/></Link>
+<Link id=\"3\"><connector id=\"2\"/><connector id=\"4\"/><fastenlink id=\"2\"/></Link>
+<Link id=\"4\"><connector id=\"4\"/><connector id=\"5\"/></Link>
+<Link id=\"5\"><connector id=\"5\"/><connector id=\"6\"/></Link>
+<Link id=\"6\"/>
+<cam id=\"1\"/>
+<background/>
+</linkage2>
+";
+    let imported = import(text.as_bytes(), "odd").unwrap();
+    let remarks = imported.remarks;
+    let expected = [
+        "line 3, connector 0: `rpm` is not a number: `abc`; left out",
+        "line 4, connector 1: `anchor` is neither true nor false: `yes`; read as false",
+        "line 5, spring 1: unknown element; left out",
+        "line 20, cam 1: unknown element; left out",
+        "line 4, connector 1: the attribute `glow` of 2 elements is unknown; left out",
+        "line 2, program: the attribute `bkcolor` is unknown; left out",
+        "line 2, program: unknown unit `Feet`; lengths are read in millimetres",
+        "line 2, program: the scale factor 2.5 of the display is not applied: lengths are those of the file",
+        "line 19, Link 6: the link has no connector; left out",
+        "line 15, fastenconnector 77: there is no connector with this id; left out",
+        "line 12, connector 9: fastened to a connector that is no input; left out",
+        "line 5, slidelimit 0: the connector is no slider; its ends are left out",
+        "line 10, connector 7: no link has this connector; left out",
+    ];
+    assert_eq!(remarks, expected);
+    // Link 3 moves with link 2, and connector 9 with link 1.
+    let opened = OpenedScene::new("odd", &imported.text);
+    let near = |at: f64| {
+        let here = opened.places(at);
+        let pair = |one: &str, other: &str| {
+            distance([here[one].x, here[one].y], [here[other].x, here[other].y])
+        };
+        [pair("E", "D"), pair("J", "C")]
+    };
+    let start = opened.scene.mechanism.driver().start;
+    let (_, high) = opened.solver.motion().range.ends();
+    let later = start + 0.3 * (high - start);
+    for (one, other) in near(start).into_iter().zip(near(later)) {
+        assert!((one - other).abs() < 1e-9, "{one} {other}");
+    }
+}
+
+/// Regression test: the remark on a held input said a ratio that the scene does not have.
+#[test]
+fn remarks_on_held_inputs_name_the_key_of_the_scene() {
+    let imported = imported("mixed-inputs.linkage2");
+    assert!(
+        imported.remarks[0].ends_with("held as drawn, with `at`"),
+        "{:?}",
+        imported.remarks
+    );
+    assert!(
+        imported.text.contains("link-5 = { at = "),
+        "{}",
+        imported.text
+    );
+}
+
 /// Regression test: a comma at the end of each joint hid its mark, and another link was driven.
 #[test]
 fn commas_at_the_ends_of_joints_change_nothing() {
