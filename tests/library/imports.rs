@@ -818,6 +818,179 @@ fn remarks_on_held_inputs_name_the_key_of_the_scene() {
     );
 }
 
+/// Regression test: decimals with a comma were read as two numbers without a remark.
+#[test]
+fn decimal_commas_are_never_misread() {
+    let read = |line: &str| {
+        let text = format!(
+            "ground,input,R,0,0,tfft\n{line}\ncoupler,output,R,95,75\noutput,ground,R,120,-10\n"
+        );
+        import(text.as_bytes(), "x").unwrap()
+    };
+    for (line, typed) in [
+        ("input coupler R 0,5 1,5", "0,5 1,5"),
+        ("input coupler R 0,5 10", "0,5 10"),
+        ("input coupler R 10 0,5 tfff", "10 0,5"),
+        ("input,coupler,R,0,5,1,5", "0,5,1,5"),
+        ("input;coupler;R;0,5;1", "0,5;1"),
+        // Messages have no control characters.
+        ("input\tcoupler\tR\t0,5\t1,0", "0,5 1,0"),
+        ("input,coupler,P,1,5,2,5,30", "1,5,2,5,30"),
+    ] {
+        let imported = read(line);
+        let expected = format!(
+            "line 2: `{typed}` can be read in several ways: write decimals with a point; left out"
+        );
+        assert!(
+            imported.remarks.contains(&expected),
+            "{line}: {:?}",
+            imported.remarks
+        );
+    }
+    // Three numbers of a pin may be a decimal and a number.
+    let imported = read("input,coupler,R,0,5,10");
+    assert_eq!(
+        imported.remarks,
+        ["line 2: read as x 0, y 5 and angle 10, which a pin does not use; decimals need a point"]
+    );
+    for line in [
+        "input,coupler,R,15,40",
+        "input coupler R 15 40 0 tfff",
+        "input, coupler, R, 15, 40, 0, tfff",
+        "input;coupler;R;15;40",
+        "input coupler R 15,40 t f f f",
+    ] {
+        assert_eq!(read(line).remarks, [""; 0], "{line}");
+    }
+    assert!(read("input,coupler,R,15,40,0,tff").remarks[0].contains("the flags `tff` are unknown"));
+    // A file without any other line says why it cannot be read.
+    let refused = import(b"ground a R 0,5 1,5\na b R 2,5 3,5\n", "x")
+        .unwrap_err()
+        .to_string();
+    assert!(
+        refused.starts_with("line 1: `0,5 1,5` can be read"),
+        "{refused}"
+    );
+    // Pyslvs has exactly two coordinates.
+    let text =
+        "M[J[R, P[0,5, 1,0], L[ground, a]], J[R, P[2, 3], L[a, b]], J[R, P[7, 3], L[b, ground]]]";
+    let imported = import(text.as_bytes(), "x").unwrap();
+    assert!(
+        imported.remarks[0].starts_with("line 1, joint 1: not a joint"),
+        "{:?}",
+        imported.remarks
+    );
+}
+
+/// Cells of PMKS+ that cannot be read are reported, and shifted ones are not taken over.
+#[test]
+fn unreadable_cells_of_addresses_are_reported() {
+    let address = "https://app.pmksplus.com/?j=A,0,0,AB,R,t,0,t%0AB,1,2,AB|CBE,R,no,x,maybe%0A\
+        C,5,3,CBE|CD,R,f,0,f%0AD,6,-1,CD,R,t,0,f%0A&l=AB,R,2,5,0,5,1,5,A|B%0ACBE,R,2,1,Null,Null,B|C%0A\
+        &f=F1,CBE,1,5,1,2,5,1,t,true,3%0A&s=10,5,true,furlong&v=3";
+    let imported = import(address.as_bytes(), "x").unwrap();
+    assert_eq!(
+        imported.remarks,
+        [
+            "`v`: krank does not use this parameter of the address",
+            "joint 2 of `j`: the value of ground cannot be read: `no`; left out",
+            "joint 2 of `j`: the value of angle cannot be read: `x`; left out",
+            "joint 2 of `j`: the value of input cannot be read: `maybe`; left out",
+            "link 1 of `l`: there is no joint `1`; left out",
+            "link 1 of `l`: the mass, moment of inertia or centre of mass cannot be read; left out",
+            "link 2 of `l`: the mass, moment of inertia or centre of mass cannot be read; left out",
+            "force 1 of `f`: not a force on a link; left out",
+            "`s`: the value of clockwise cannot be read: `5`; left out",
+            "`s`: unknown unit `furlong`; lengths are read in millimetres",
+        ]
+    );
+    assert!(!imported.text.contains("mass ="), "{}", imported.text);
+    OpenedScene::new("cells", &imported.text);
+}
+
+/// Addresses without their scheme, with `#`, in quotes, or from `?` on are the same mechanism.
+#[test]
+fn parts_of_addresses_are_read() {
+    for (name, parameter) in [
+        ("four-bar.pmks-plus.txt", "j="),
+        ("address.pmks.txt", "mech="),
+    ] {
+        let address = String::from_utf8(file(name)).unwrap();
+        let address = address.trim();
+        let whole = import(address.as_bytes(), "https://x").unwrap().text;
+        let joints = &address[address.find(parameter).unwrap()..];
+        let (_, host) = address.split_once("://").unwrap();
+        for part in [
+            host.to_owned(),
+            format!("?{joints}"),
+            format!("#{joints}"),
+            format!("HTTPS://x.org/#/?{joints}"),
+            format!("\"{address}\"\n"),
+            format!("<{address}>"),
+        ] {
+            assert!(krank::import::is_address(&part), "{part}");
+            let read = import(part.as_bytes(), "https://x").unwrap();
+            assert_eq!(read.text, whole, "{part}");
+        }
+    }
+    let plus = String::from_utf8(file("four-bar.pmks-plus.txt")).unwrap();
+    let joints = &plus[plus.find("j=").unwrap()..];
+    assert_eq!(recognize(joints.as_bytes()), Some(ImportFormat::PmksPlus));
+    for other in [
+        "name = \"x?j=1\"\n",
+        "# ?mech=a\n[links]\n",
+        "a?b=c",
+        "j = 3\n",
+    ] {
+        assert_eq!(recognize(other.as_bytes()), None, "{other}");
+    }
+    // The settings of an address are read or reported.
+    let address = String::from_utf8(file("address.pmks.txt")).unwrap();
+    let address = format!("{}&name=Crank&s=3", address.trim());
+    let imported = import(address.as_bytes(), "x").unwrap();
+    assert!(
+        imported.text.contains("name   = \"Crank\""),
+        "{}",
+        imported.text
+    );
+    assert_eq!(
+        imported.remarks,
+        ["`s`: krank does not use the setting `s=3`"]
+    );
+}
+
+#[test]
+fn odd_parts_of_pylinkage_files_are_reported() {
+    let text = r#"{"name": "odd", "joints": [
+        {"id": "O", "type": "revolute", "position": [0, 0]},
+        {"id": "A", "type": "revolute", "position": [3, 4]},
+        {"id": "S", "type": "prismatic", "position": [15, 1], "line_point": [0, 3], "axis": [1, 0]},
+        {"id": "T", "type": "tracker", "position": [1, 1], "ref_joint1_id": "A", "ref_joint2_id": "none"},
+        {"id": "U", "type": "revolute", "position": [9, 9]},
+        {"id": "V", "type": "prismatic", "position": [8, 8]}
+      ], "links": [
+        {"id": "crank", "type": "driver", "joints": ["O", "A"], "motor_joint": "O", "angular_velocity": "fast"},
+        {"id": "rod", "type": "spring", "joints": ["A", "S"]},
+        {"id": "lost"}
+      ]}"#;
+    let imported = import(text.as_bytes(), "odd").unwrap();
+    assert_eq!(
+        imported.remarks,
+        [
+            "joints[2]: the joint is drawn 2.000 away from its line; the scene keeps the drawn position",
+            "joints[5]: the slider has no axis; it slides along x",
+            "links[0]: the value of angular_velocity cannot be read: `\"fast\"`; left out",
+            "links[1]: unknown type `spring`; read as a rigid link",
+            "links[2]: not a link with an id and joints; left out",
+            "joints[3]: the joint has no link; left out",
+            "joints[4]: the joint has no link; left out",
+            "joints[5]: the joint has no link; left out",
+        ]
+    );
+    // The joint of the motor is fixed.
+    OpenedScene::new("odd", &imported.text);
+}
+
 /// Regression test: a comma at the end of each joint hid its mark, and another link was driven.
 #[test]
 fn commas_at_the_ends_of_joints_change_nothing() {
