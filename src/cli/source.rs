@@ -6,7 +6,7 @@ use crate::cli::output::{self, OutputArgs};
 use crate::cli::screen::TextScreen;
 use crate::document::foreign;
 use crate::files::{is_same_file, limited, read_any_file};
-use crate::import::{self, Imported};
+use crate::import::{self, Imported, is_address_argument};
 use crate::quantity::check_figures;
 use crate::scene::presets::{self, Preset};
 use crate::scene::{MAX_FILE_SIZE, Scene};
@@ -155,7 +155,9 @@ fn bytes(source: &SceneSource) -> Result<Vec<u8>, Failure> {
 pub(super) fn foreign_contents(name: &Path) -> Result<(SceneSource, Vec<u8>), Failure> {
     let source = match name.to_str() {
         Some("-") => SceneSource::Stdin,
-        Some(text) if is_address(text) => SceneSource::Address(text.to_owned()),
+        Some(text) if is_address_argument(text) && !name.exists() => {
+            SceneSource::Address(text.to_owned())
+        }
         _ => SceneSource::File(name.to_owned()),
     };
     let bytes = bytes(&source)?;
@@ -178,10 +180,6 @@ pub(super) fn converted(source: &SceneSource, bytes: &[u8]) -> Result<Imported, 
 pub(super) fn is_foreign(path: &Path) -> bool {
     let bytes = contents(path).ok();
     bytes.is_some_and(|bytes| import::recognize(&bytes).is_some())
-}
-
-fn is_address(text: &str) -> bool {
-    text.starts_with("http://") || text.starts_with("https://")
 }
 
 /// Reads a scene or a task from standard input.
@@ -239,12 +237,16 @@ fn source(name: &Path, exists: impl Fn(&Path) -> bool) -> Result<SceneSource, Fa
     if text == "-" {
         return Ok(SceneSource::Stdin);
     }
-    if is_address(text) && import::recognize(text.as_bytes()).is_some() {
+    let is_address = is_address_argument(text) && !exists(name);
+    if is_address && import::recognize(text.as_bytes()).is_some() {
         return Ok(SceneSource::Address(text.to_owned()));
     }
     if let Some(message) = foreign(text) {
         let help = words().krank_reads_toml();
         return Err(Failure::Usage(format!("{message}; {help}")));
+    }
+    if is_address {
+        return Err(Failure::Usage(words().is_a_pmks_address().to_owned()));
     }
     if text.contains(is_separator) || text.ends_with(".toml") {
         return file();

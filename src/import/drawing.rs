@@ -31,6 +31,7 @@ pub(super) struct Drawing {
     pub(super) welds: Vec<[DrawnPart; 2]>,
     pub(super) slides: Vec<DrawnSlide>,
     pub(super) inputs: Vec<DrawnInput>,
+    pub(super) angle_limits: Vec<DrawnAngleLimit>,
     pub(super) loads: Vec<DrawnLoad>,
     pub(super) gravity: Option<[f64; 2]>,
     /// What was not taken over, with its place in the file.
@@ -103,6 +104,16 @@ pub(super) struct DrawnSlide {
     pub(super) angle: f64,
     /// A point of the carrier from which positions are measured, if there is one.
     pub(super) through: Option<usize>,
+    /// How far the slider can move from the drawing, back and forth along the guide.
+    pub(super) travel: Option<[f64; 2]>,
+}
+
+/// How far a link can turn from the drawing, as seen from a part, in degrees.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct DrawnAngleLimit {
+    pub(super) link: usize,
+    pub(super) from: DrawnPart,
+    pub(super) travel: [f64; 2],
 }
 
 /// What slides along a guide.
@@ -225,6 +236,11 @@ impl Drawing {
         counts.into_iter().any(|count| count > MAX_ELEMENTS) || members > MAX_MEMBERS
     }
 
+    /// Returns `true` if a slide or a link has limits.
+    pub(super) fn has_limits(&self) -> bool {
+        !self.angle_limits.is_empty() || self.slides.iter().any(|slide| slide.travel.is_some())
+    }
+
     /// Returns the length of the diagonal of the drawing.
     pub(super) fn size(&self) -> f64 {
         let start = [f64::INFINITY, f64::NEG_INFINITY];
@@ -248,6 +264,21 @@ impl Drawing {
     }
 }
 
+/// Returns the part of two travels that both permit; `None` permits everything.
+pub(super) fn both_travels(one: Option<[f64; 2]>, other: Option<[f64; 2]>) -> Option<[f64; 2]> {
+    match (one, other) {
+        (Some([low, high]), Some([other_low, other_high])) => {
+            Some([low.max(other_low), high.min(other_high)])
+        }
+        (one, other) => one.or(other),
+    }
+}
+
+/// Returns a travel as seen from the other part, or along the opposite direction.
+pub(super) fn reversed_travel([low, high]: [f64; 2]) -> [f64; 2] {
+    [0.0 - high, 0.0 - low]
+}
+
 /// Returns `a - b`.
 pub(super) fn difference(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] - b[0], a[1] - b[1]]
@@ -261,6 +292,16 @@ pub(super) fn direction([x, y]: [f64; 2]) -> f64 {
         (0.0, _) if y > 0.0 => 90.0,
         (0.0, _) => -90.0,
         _ => y.atan2(x).to_degrees(),
+    }
+}
+
+/// Returns an angle between -180 and 180 degrees.
+pub(super) fn wrapped(angle: f64) -> f64 {
+    let turned = angle.rem_euclid(360.0);
+    if turned > 180.0 {
+        turned - 360.0
+    } else {
+        turned
     }
 }
 

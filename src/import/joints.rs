@@ -207,6 +207,7 @@ impl Joints {
             on,
             angle,
             through: None,
+            travel: None,
         });
         self.drawing.slides.len() - 1
     }

@@ -2,14 +2,15 @@
 
 use super::ImportError;
 use super::drawing::{
-    Drawing, DrawnInput, DrawnLaw, DrawnPart, DrawnSlide, DrawnSlider, InputElement, MAX_ELEMENTS,
-    difference, number,
+    Drawing, DrawnAngleLimit, DrawnInput, DrawnLaw, DrawnPart, DrawnSlide, DrawnSlider,
+    InputElement, MAX_ELEMENTS, difference, number, wrapped,
 };
+use super::linkage_layout::{AttributeUse, is_read_elsewhere, layout, names_link};
 use super::names::letters;
 use crate::scene::Unit;
 use crate::wording::words;
 use roxmltree::{Document, Node, ParsingOptions};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// Maximum number of nodes of a file.
 const MAX_NODES: u32 = 200_000;
@@ -19,11 +20,25 @@ const PER_INCH: f64 = 96.0;
 const INCH: f64 = 25.4;
 /// Significant digits of converted coordinates.
 const DIGITS: usize = 12;
-/// The layer of drawings that are no mechanism.
-const DRAWING_LAYER: &str = "1";
+/// The bits of the layers of drawings and of mechanisms.
+const DRAWING_LAYER: i64 = 1;
+const MECHANISM_LAYER: i64 = 16;
 /// A pin is on an arc if its distance from the centre differs from the radius by less than this
 /// fraction.
 const ON_ARC: f64 = 1e-3;
+
+/// A pin is at an end of its slot if it is within this fraction of the slot's length from it: files
+/// have six decimals.
+const AT_END: f64 = 1e-6;
+
+/// Returns a travel that contains the drawing, or `None` if the drawing is outside of it by more
+/// than a tolerance.
+fn opened_travel([low, high]: [f64; 2], tolerance: f64) -> Option<[f64; 2]> {
+    let is_open = low <= tolerance && -tolerance <= high;
+    // A pin at an end is exactly there.
+    let ends = [low, high].map(|end| if end.abs() <= tolerance { 0.0 } else { end });
+    (is_open && ends[0] < ends[1]).then_some(ends)
+}
 
 /// Returns `true` for a file of Linkage.
 pub(super) fn is_linkage(text: &str) -> bool {
@@ -47,14 +62,17 @@ pub(super) fn read_linkage(text: &str) -> Result<Drawing, ImportError> {
         scale: 1.0,
         connectors: HashMap::new(),
         links: HashMap::new(),
+        skipped: HashSet::new(),
         inputs: Vec::new(),
         rods: Vec::new(),
     };
+    reader.check(root);
     reader.program(root);
     reader.connectors(root)?;
     reader.links(root)?;
     reader.fastenings(root);
     reader.sliders(root);
+    reader.loose_connectors(root);
     reader.ratios(root);
     reader.inputs();
     match reader.drawing.is_too_large() {
@@ -97,6 +115,8 @@ struct LinkageReader<'d> {
     scale: f64,
     /// The connectors by id.
     connectors: HashMap<i64, Connector>,
+    /// The ids of connectors that are no part of the mechanism.
+    skipped: HashSet<i64>,
     /// The links by id.
     links: HashMap<i64, DrawnPart>,
     /// The connectors that turn, with their speeds in rpm, in the order of the file.
@@ -124,13 +144,21 @@ fn id(node: Node<'_, '_>, name: &str) -> Option<i64> {
     node.attribute(name)?.trim().parse().ok()
 }
 
+/// Returns `true` if an attribute is there and not empty.
+fn is_given(node: Node<'_, '_>, name: &str) -> bool {
+    node.attribute(name)
+        .is_some_and(|value| !value.trim().is_empty())
+}
+
 fn is_true(node: Node<'_, '_>, name: &str) -> bool {
     node.attribute(name) == Some("true")
 }
 
 /// Returns `true` for an element of the mechanism; drawings and measurements are skipped.
 fn is_mechanism(node: Node<'_, '_>) -> bool {
-    !is_true(node, "measurementelement") && node.attribute("layer") != Some(DRAWING_LAYER)
+    let layer = id(node, "layer").unwrap_or(0);
+    let is_drawing = layer & DRAWING_LAYER != 0 && layer & MECHANISM_LAYER == 0;
+    !is_true(node, "measurementelement") && !is_drawing
 }
 
 /// Returns the children that are connectors of the mechanism, or its links.
@@ -138,7 +166,7 @@ fn children<'a>(root: Node<'a, 'a>, is_link: bool) -> impl Iterator<Item = Node<
     root.children().filter(move |node| {
         let name = node.tag_name().name();
         let is_kind = match is_link {
-            true => name.eq_ignore_ascii_case("link") || name == "element",
+            true => names_link(name),
             false => name == "connector",
         };
         node.is_element() && is_kind && is_mechanism(*node)
@@ -169,16 +197,74 @@ impl<'d> LinkageReader<'d> {
         Some(rounded.unwrap_or(value))
     }
 
+    /// Remarks upon elements and attributes that no reader uses, and upon values that are no numbers
+    /// or flags.
+    fn check(&mut self, root: Node<'d, 'd>) {
+        // Files repeat an attribute in every element: one remark counts them.
+        let mut unknown: BTreeMap<(String, String), (String, usize)> = BTreeMap::new();
+        for node in root.children().filter(Node::is_element) {
+            let Some(layout) = layout(node) else {
+                if !is_read_elsewhere(node.tag_name().name()) {
+                    self.remark(node, words().import_unknown_element());
+                }
+                continue;
+            };
+            if !is_mechanism(node) {
+                if node.has_tag_name("connector") {
+                    self.skipped.extend(id(node, "id"));
+                }
+                continue;
+            }
+            for attribute in node.attributes() {
+                let (name, value) = (attribute.name(), attribute.value().trim());
+                let known = layout.attributes.iter().find(|(known, _)| *known == name);
+                match known.map(|(_, of)| of) {
+                    Some(AttributeUse::Number) if !value.is_empty() && number(value).is_none() => {
+                        self.remark(node, &words().import_not_a_number(name, value));
+                    }
+                    Some(AttributeUse::Flag) if !["", "true", "false"].contains(&value) => {
+                        self.remark(node, &words().import_not_a_flag(name, value));
+                    }
+                    Some(_) => {}
+                    None => {
+                        let key = (node.tag_name().name().to_owned(), name.to_owned());
+                        let place = self.place(node);
+                        unknown.entry(key).or_insert((place, 0)).1 += 1;
+                    }
+                }
+            }
+            for child in node.children().filter(Node::is_element) {
+                if !layout.children.contains(&child.tag_name().name()) {
+                    self.remark(child, words().import_unknown_element());
+                }
+            }
+        }
+        for ((_, name), (place, count)) in unknown {
+            let text = words().import_unknown_attribute(&name, count);
+            self.drawing.remarks.add(&place, &text);
+        }
+    }
+
     /// Reads the unit.
     fn program(&mut self, root: Node<'_, '_>) {
         let program = root.children().find(|node| node.has_tag_name("program"));
         let units = program
             .and_then(|node| node.attribute("units"))
             .unwrap_or_default();
-        let unit = match units.eq_ignore_ascii_case("inches") {
+        let is = |unit: &str| units.trim().eq_ignore_ascii_case(unit);
+        let unit = match is("inches") {
             true => Unit::Inch,
             false => Unit::Millimetre,
         };
+        if let Some(program) = program {
+            if !["inches", "millimeters", ""].into_iter().any(is) {
+                self.remark(program, &words().import_unknown_unit(units));
+            }
+            let scale = program.attribute("scalefactor").and_then(number);
+            if let Some(scale) = scale.filter(|&scale| scale != 1.0 && scale != 0.0) {
+                self.remark(program, &words().import_scale_factor(scale));
+            }
+        }
         self.drawing.unit = Some(unit);
         self.scale = match unit {
             Unit::Inch => 1.0 / PER_INCH,
@@ -219,7 +305,11 @@ impl<'d> LinkageReader<'d> {
             } else if is_input {
                 self.inputs.push(TurningInput {
                     point,
-                    rpm: node.attribute("rpm").and_then(number),
+                    // An input that the user moves has no speed.
+                    rpm: node
+                        .attribute("rpm")
+                        .and_then(number)
+                        .filter(|_| !is_true(node, "alwaysmanual")),
                     limit: node
                         .attribute("limitangle")
                         .and_then(number)
@@ -264,6 +354,9 @@ impl<'d> LinkageReader<'d> {
                     Some(_) => {}
                     None => self.remark(child, words().import_no_such_connector()),
                 }
+            }
+            if points.is_empty() {
+                self.remark(node, words().import_link_of_no_connector());
             }
             if is_true(node, "actuator")
                 && let Some(barrel) = self.actuator(node, name.as_deref(), &points)
@@ -316,13 +409,21 @@ impl<'d> LinkageReader<'d> {
             on: DrawnPart::Link(barrel),
             angle,
             through: Some(foot),
+            travel: None,
         });
-        let throw = self.length(node, "throw").unwrap_or(0.0).abs();
+        let throw = self.length(node, "throw").unwrap_or(0.0);
+        if throw < 0.0 {
+            self.remark(node, words().import_negative_throw());
+        }
+        let throw = throw.abs();
         let cpm = node.attribute("cpm").and_then(number).unwrap_or(0.0);
         // The drawing shows the beginning of the stroke. A negative number of cycles retracts.
         let sign = if cpm < 0.0 { -1.0 } else { 1.0 };
         let has_stroke = throw > 0.0;
         let moves = has_stroke && cpm != 0.0 && !is_true(node, "alwaysmanual");
+        if !moves && !is_true(node, "alwaysmanual") {
+            self.remark(node, words().import_actuator_without_law());
+        }
         let law = match moves {
             true => DrawnLaw::Sine {
                 amplitude: 0.5 * throw,
@@ -350,13 +451,13 @@ impl<'d> LinkageReader<'d> {
             let Some(&part) = id(node, "id").and_then(|key| self.links.get(&key)) else {
                 continue;
             };
-            if node.attribute("fastenlink").is_some() {
+            if is_given(node, "fastenlink") {
                 match id(node, "fastenlink").and_then(|key| self.links.get(&key)) {
                     Some(&other) => self.drawing.welds.push([part, other]),
                     None => self.remark(node, words().import_fastened_to_nothing()),
                 }
             }
-            if node.attribute("fastenconnector").is_some() {
+            if is_given(node, "fastenconnector") {
                 let connector =
                     id(node, "fastenconnector").and_then(|key| self.connectors.get(&key));
                 match connector.copied() {
@@ -368,13 +469,23 @@ impl<'d> LinkageReader<'d> {
                     _ => self.remark(node, words().import_fastened_to_connector()),
                 }
             }
-            let own = node
-                .children()
-                .filter(|child| child.has_tag_name("fastenconnector"));
-            for child in own {
-                if let Some(connector) = id(child, "id").and_then(|key| self.connectors.get(&key)) {
-                    let point = connector.point;
-                    self.drawing.attach(point, part);
+            for child in node.children() {
+                let key = id(child, "id");
+                if child.has_tag_name("fastenconnector") {
+                    match key.and_then(|key| self.connectors.get(&key)) {
+                        Some(connector) => {
+                            let point = connector.point;
+                            self.drawing.attach(point, part);
+                        }
+                        // Drawings move with links.
+                        None if key.is_some_and(|key| self.skipped.contains(&key)) => {}
+                        None => self.remark(child, words().import_no_such_connector()),
+                    }
+                } else if child.has_tag_name("fastenlink") {
+                    match key.and_then(|key| self.links.get(&key)) {
+                        Some(&other) => self.drawing.welds.push([part, other]),
+                        None => self.remark(child, words().import_fastened_to_nothing()),
+                    }
                 }
             }
         }
@@ -386,12 +497,32 @@ impl<'d> LinkageReader<'d> {
                 true => "fasten",
                 false => "fastenlink",
             };
-            if node.attribute(name).is_none() {
-                continue;
+            let own = is_given(node, name).then_some((node, name));
+            let elements = node.children();
+            let elements = elements.filter(|child| child.has_tag_name("fastenlink"));
+            for (at, name) in own.into_iter().chain(elements.map(|child| (child, "id"))) {
+                match id(at, name).and_then(|key| self.links.get(&key)) {
+                    Some(&part) => self.drawing.attach(connector.point, part),
+                    None => self.remark(at, words().import_fastened_to_nothing()),
+                }
             }
-            match id(node, name).and_then(|key| self.links.get(&key)) {
-                Some(&part) => self.drawing.attach(connector.point, part),
-                None => self.remark(node, words().import_fastened_to_nothing()),
+            if is_given(node, "fastenconnector") {
+                self.remark(node, words().import_fastened_to_connector());
+            }
+        }
+    }
+
+    /// Remarks upon connectors that no link has and that slide in no slot.
+    fn loose_connectors(&mut self, root: Node<'d, 'd>) {
+        let links = self.drawing.links.iter().flat_map(|link| &link.points);
+        let mut held: HashSet<usize> = links.chain(&self.drawing.ground).copied().collect();
+        held.extend(self.drawing.slides.iter().map(|slide| match slide.slider {
+            DrawnSlider::Pin(point) | DrawnSlider::Link { at: point, .. } => point,
+        }));
+        for node in children(root, false) {
+            let connector = id(node, "id").and_then(|key| self.connectors.get(&key));
+            if connector.is_some_and(|connector| !held.contains(&connector.point)) {
+                self.remark(node, words().import_loose_connector());
             }
         }
     }
@@ -400,6 +531,12 @@ impl<'d> LinkageReader<'d> {
     fn sliders(&mut self, root: Node<'d, 'd>) {
         for node in children(root, false) {
             if !is_true(node, "slider") {
+                if let Some(end) = node
+                    .children()
+                    .find(|child| child.has_tag_name("slidelimit"))
+                {
+                    self.remark(end, words().import_ends_without_slot());
+                }
                 continue;
             }
             let Some(&Connector { point: pin, .. }) =
@@ -413,7 +550,10 @@ impl<'d> LinkageReader<'d> {
             let limits: Vec<Option<usize>> = limits
                 .map(|child| Some(self.connectors.get(&id(child, "id")?)?.point))
                 .collect();
-            let [Some(one), Some(other)] = limits[..] else {
+            if limits.len() > 2 {
+                self.remark(node, words().import_further_ends());
+            }
+            let [Some(one), Some(other), ..] = limits[..] else {
                 self.remark(node, words().import_slot_without_ends());
                 continue;
             };
@@ -427,16 +567,39 @@ impl<'d> LinkageReader<'d> {
             };
             let radius = self.length(node, "slideradius").unwrap_or(0.0);
             match radius == 0.0 {
-                true => self.drawing.slides.push(DrawnSlide {
-                    name: None,
-                    slider: DrawnSlider::Pin(pin),
-                    on,
-                    angle: self.drawing.direction(one, other),
-                    through: Some(one),
-                }),
+                true => {
+                    let travel = self.travel(node, pin, [one, other]);
+                    self.drawing.slides.push(DrawnSlide {
+                        name: None,
+                        slider: DrawnSlider::Pin(pin),
+                        on,
+                        angle: self.drawing.direction(one, other),
+                        through: Some(one),
+                        travel,
+                    });
+                }
                 false => self.arc(node, pin, [one, other], on, radius.abs()),
             }
         }
+    }
+
+    /// Returns how far a pin can move in its slot. Remarks upon a pin drawn beyond an end.
+    fn travel(
+        &mut self,
+        node: Node<'_, '_>,
+        pin: usize,
+        [one, other]: [usize; 2],
+    ) -> Option<[f64; 2]> {
+        let points = &self.drawing.points;
+        let [dx, dy] = difference(points[other].at, points[one].at);
+        let length = dx.hypot(dy);
+        let [px, py] = difference(points[pin].at, points[one].at);
+        let at = (px * dx + py * dy) / length;
+        let travel = opened_travel([-at, length - at], AT_END * length);
+        if travel.is_none() {
+            self.remark(node, words().import_beyond_slot());
+        }
+        travel
     }
 
     /// Returns the part that has both ends of a slot.
@@ -491,8 +654,12 @@ impl<'d> LinkageReader<'d> {
         let [one, other] = ends.map(|end| self.drawing.points[end].at);
         let [dx, dy] = difference(other, one);
         let half = 0.5 * dx.hypot(dy);
-        // The file's radius is at least half of the distance of the ends.
-        let height = (radius.max(half).powi(2) - half.powi(2)).max(0.0).sqrt();
+        // A half circle is drawn with a rounded radius.
+        if radius < half * (1.0 - ON_ARC) {
+            self.remark(node, words().import_radius_too_small());
+        }
+        let radius = radius.max(half);
+        let height = (radius.powi(2) - half.powi(2)).max(0.0).sqrt();
         let share = 0.5 * height / half;
         let at = self.drawing.points[pin].at;
         let centres = [1.0, -1.0].map(|side: f64| {
@@ -501,7 +668,7 @@ impl<'d> LinkageReader<'d> {
                 one[1] + 0.5 * dy + side * share * dx,
             ];
             let [x, y] = difference(at, centre);
-            (centre, (x.hypot(y) - radius.max(half)).abs())
+            (centre, (x.hypot(y) - radius).abs())
         });
         // The pin is on one of the two arcs.
         let [left, right] = centres;
@@ -516,6 +683,18 @@ impl<'d> LinkageReader<'d> {
         let bar = self.drawing.link(named("slot"));
         self.drawing.attach(point, DrawnPart::Link(bar));
         self.drawing.attach(pin, DrawnPart::Link(bar));
+        let opening = self.drawing.direction(point, pin);
+        // The slot is the shorter arc between its ends.
+        let turns = ends.map(|end| wrapped(self.drawing.direction(point, end) - opening));
+        let turns = [turns[0].min(turns[1]), turns[0].max(turns[1])];
+        match opened_travel(turns, (AT_END * half / radius).to_degrees()) {
+            Some(travel) => self.drawing.angle_limits.push(DrawnAngleLimit {
+                link: bar,
+                from: on,
+                travel,
+            }),
+            None => self.remark(node, words().import_beyond_slot()),
+        }
     }
 
     /// Remarks upon ratios of gears and chains.

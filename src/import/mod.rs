@@ -9,6 +9,7 @@ mod address;
 mod drawing;
 mod joints;
 mod linkage;
+mod linkage_layout;
 mod names;
 mod pmks;
 mod pmks_plus;
@@ -25,7 +26,7 @@ use names::ElementNames;
 use std::borrow::Cow;
 use std::collections::HashMap;
 use thiserror::Error;
-use writer::LinkStyle;
+use writer::{LimitStyle, LinkStyle, SceneStyle};
 
 /// A scene opens as drawn if no point is farther from its place than this fraction of the size.
 const AS_DRAWN: f64 = 1e-9;
@@ -113,7 +114,7 @@ pub fn recognize(bytes: &[u8]) -> Option<ImportFormat> {
         if address::value(&parameters, "mech").is_some() {
             return Some(ImportFormat::Pmks);
         }
-        let is_packed = is_of_pmks(address) && address.contains('?');
+        let is_packed = is_of_pmks(address) && address.contains(['?', '#']);
         let is_plus = address::value(&parameters, "j").is_some() || is_packed;
         return is_plus.then_some(ImportFormat::PmksPlus);
     }
@@ -129,10 +130,14 @@ pub fn import(bytes: &[u8], name: &str) -> Result<Imported, ImportError> {
     if bytes.len() > MAX_FILE_SIZE {
         return Err(ImportError::too_large());
     }
-    let format = recognize(bytes);
-    let format = format.ok_or_else(|| ImportError::new(words().import_unknown_format()))?;
     let text = decoded(bytes);
     let text = trimmed(&text);
+    let format = recognize(bytes).ok_or_else(|| {
+        ImportError::new(match is_address_argument(text) {
+            true => words().is_a_pmks_address(),
+            false => words().import_unknown_format(),
+        })
+    })?;
     let mut drawing = match format {
         ImportFormat::Linkage => linkage::read_linkage(text)?,
         ImportFormat::Pyslvs => pyslvs::read_pyslvs(text)?,
@@ -142,9 +147,10 @@ pub fn import(bytes: &[u8], name: &str) -> Result<Imported, ImportError> {
             let parameters = address::parameters(address);
             let mechanism = address::value(&parameters, "mech").unwrap_or_default();
             // The joints may follow in lines of their own.
-            pmks::read_pmks(&format!("{mechanism}\n{joints}"))?
+            let joints = format!("{mechanism}\n{joints}");
+            pmks::read_pmks(&joints, Some(&parameters))?
         }
-        ImportFormat::Pmks => pmks::read_pmks(text)?,
+        ImportFormat::Pmks => pmks::read_pmks(text, None)?,
         ImportFormat::PmksPlus => {
             let (address, _) = first_address(text);
             let parameters = address::parameters(address);
@@ -154,7 +160,7 @@ pub fn import(bytes: &[u8], name: &str) -> Result<Imported, ImportError> {
             }
         }
     };
-    if is_address(text) && text.lines().skip(1).any(is_address) {
+    if is_address(text) && text.lines().skip(1).any(address::has_scheme) {
         drawing.remarks.add("", words().import_other_addresses());
     }
     reduce::settle(&mut drawing);
@@ -219,23 +225,48 @@ impl ImportWriter<'_> {
     /// Returns the scene in the form of a textbook, or in the drawing's coordinates where only
     /// these open as drawn.
     fn text(&self, remarks: &mut Vec<String>) -> String {
-        let text = self.written(LinkStyle::Ends, remarks);
-        let pose = self.pose(&text);
-        if pose == OpeningPose::AsDrawn {
-            return text;
-        }
-        let drawn = self.written(LinkStyle::Drawn, remarks);
-        match (self.pose(&drawn), pose) {
-            (OpeningPose::AsDrawn, _) => drawn,
-            (_, OpeningPose::Nowhere) => text,
-            _ => {
-                remarks.push(words().import_not_as_drawn().to_owned());
-                self.written(LinkStyle::Ends, remarks)
+        let style = |links, limits| SceneStyle { links, limits };
+        // Lengths in coordinates have no rounding error, which may lead beyond a limit.
+        let styles = [
+            style(LinkStyle::Ends, LimitStyle::Exact),
+            style(LinkStyle::Drawn, LimitStyle::Exact),
+            style(LinkStyle::Drawn, LimitStyle::Loose),
+        ];
+        let mut elsewhere = None;
+        for style in styles {
+            let text = self.written(style, remarks);
+            match self.pose(&text) {
+                OpeningPose::AsDrawn => return text,
+                OpeningPose::Elsewhere => elsewhere = elsewhere.or(Some(style)),
+                OpeningPose::Nowhere => {}
+            }
+            if !self.drawing.has_limits() && style.links == LinkStyle::Drawn {
+                break;
             }
         }
+        if self.drawing.has_limits() && elsewhere.is_none() {
+            // Limits that the scene contradicts are left out.
+            let free = [LinkStyle::Ends, LinkStyle::Drawn];
+            let free = free.map(|links| style(links, LimitStyle::Omitted));
+            let poses = free.map(|style| self.pose(&self.written(style, remarks)));
+            let is_drawn = |pose: &OpeningPose| *pose == OpeningPose::AsDrawn;
+            let opens = |pose: &OpeningPose| *pose != OpeningPose::Nowhere;
+            let chosen = poses.iter().position(is_drawn);
+            if let Some(chosen) = chosen.or_else(|| poses.iter().position(opens)) {
+                remarks.push(words().import_limits_contradict().to_owned());
+                if !is_drawn(&poses[chosen]) {
+                    remarks.push(words().import_not_as_drawn().to_owned());
+                }
+                return self.written(free[chosen], remarks);
+            }
+        }
+        if elsewhere.is_some() {
+            remarks.push(words().import_not_as_drawn().to_owned());
+        }
+        self.written(elsewhere.unwrap_or(styles[0]), remarks)
     }
 
-    fn written(&self, style: LinkStyle, remarks: &[String]) -> String {
+    fn written(&self, style: SceneStyle, remarks: &[String]) -> String {
         let program = self.format.program();
         let shown = match is_address(self.file) {
             true => words().import_an_address(program),
@@ -308,8 +339,34 @@ fn trimmed(text: &str) -> &str {
     text.strip_prefix('\u{feff}').unwrap_or(text).trim()
 }
 
-fn is_address(text: &str) -> bool {
-    text.starts_with("http://") || text.starts_with("https://")
+/// Returns `true` for an internet address, also without its scheme if it contains joints, and for
+/// its part from `?` or `#` on.
+///
+/// ```
+/// use krank::import::is_address;
+/// assert!(is_address("app.pmksplus.com/?j=A,0,0,AB,R,t,0,t"));
+/// assert!(is_address("?mech=ground,input,R,0,0|input,coupler,R,10,20"));
+/// assert!(!is_address("four-bar.pmks.txt"));
+/// ```
+#[must_use]
+pub fn is_address(text: &str) -> bool {
+    let (line, _) = first_address(text);
+    if address::has_scheme(line) {
+        return true;
+    }
+    let joints = address::joints_without_scheme(line);
+    joints.is_some_and(|(name, value)| match name {
+        "j" => pmks_plus::has_joints(&value),
+        _ => pmks::is_pmks(&value),
+    })
+}
+
+/// Returns `true` for an argument of the command line that can only be an address, with or without a
+/// mechanism.
+#[must_use]
+pub fn is_address_argument(text: &str) -> bool {
+    let is_line = !text.trim().contains('\n');
+    is_address(text) || is_line && address::is_part_of_address(text)
 }
 
 /// Returns the address in the first line of a file, and the lines up to the next one.
@@ -320,9 +377,11 @@ fn first_address(text: &str) -> (&str, &str) {
     let end = lines.find_map(|line| {
         let start = offset;
         offset += line.len();
-        is_address(line.trim_start()).then_some(start)
+        address::has_scheme(line.trim_start()).then_some(start)
     });
-    (address.trim(), &rest[..end.unwrap_or(rest.len())])
+    // Addresses in texts are often in quotes.
+    let address = address.trim().trim_matches(['"', '\'', '<', '>']);
+    (address, &rest[..end.unwrap_or(rest.len())])
 }
 
 fn is_of_pmks(text: &str) -> bool {

@@ -1,6 +1,6 @@
 //! Gives every element of a drawing a name that is valid and unique in a scene.
 
-use super::drawing::{Drawing, Remarks};
+use super::drawing::{Drawing, DrawnPart, Remarks};
 use crate::scene::is_figure_name;
 use crate::wording::words;
 use std::collections::HashSet;
@@ -65,6 +65,8 @@ pub(super) struct ElementNames {
     pub(super) points: Vec<String>,
     pub(super) links: Vec<String>,
     pub(super) slides: Vec<String>,
+    /// The names of limited angles. Those in the frame have the names of their links.
+    pub(super) angle_limits: Vec<String>,
 }
 
 /// Assigns names to all elements. Names of the file take precedence; a changed name is reported.
@@ -93,16 +95,30 @@ pub(super) fn assign(drawing: &Drawing, remarks: &mut Remarks) -> ElementNames {
         .iter()
         .map(|s| rename(&s.name, "slide"))
         .collect();
-    let rest = |named: Vec<Option<String>>, pool: &mut NamePool, series: fn(usize) -> String| {
+    let rest = |named: Vec<Option<String>>,
+                pool: &mut NamePool,
+                series: fn(usize) -> String|
+     -> Vec<String> {
         let mut series = (0..).map(series);
         let names = named.into_iter();
         names
             .map(|name| name.unwrap_or_else(|| pool.first(&mut series)))
             .collect()
     };
+    let points = rest(points, &mut pool, letters);
+    let links = rest(links, &mut pool, |number| format!("r{}", number + 2));
+    let slides = rest(slides, &mut pool, |number| format!("s{}", number + 1));
+    let limits = drawing.angle_limits.iter();
+    let angle_limits = limits
+        .map(|limit| match limit.from {
+            DrawnPart::Frame => links[limit.link].clone(),
+            DrawnPart::Link(_) => pool.take(&format!("{}-limit", links[limit.link]), "limit"),
+        })
+        .collect();
     ElementNames {
-        points: rest(points, &mut pool, letters),
-        links: rest(links, &mut pool, |number| format!("r{}", number + 2)),
-        slides: rest(slides, &mut pool, |number| format!("s{}", number + 1)),
+        points,
+        links,
+        slides,
+        angle_limits,
     }
 }

@@ -3,12 +3,14 @@
 use super::ImportError;
 use super::drawing::{
     Drawing, DrawnInput, DrawnLaw, DrawnPart, DrawnSlide, DrawnSlider, InputElement, MAX_ELEMENTS,
-    direction, is_usable,
+    difference, direction, is_usable,
 };
 use crate::wording::words;
 use serde_json::Value;
 use std::collections::HashMap;
 
+/// A slider farther from its line than this fraction of the distance is remarked upon.
+const BESIDE: f64 = 1e-6;
 /// The types of joints in the older format, which stores constraints instead of links.
 const OLDER_TYPES: [&str; 6] = [
     "Static",
@@ -135,8 +137,21 @@ impl MechanismReader {
         }
         let axis = (kind == "prismatic").then(|| {
             let axis = pair_of(joint, "axis").filter(|axis| *axis != [0.0; 2]);
+            if axis.is_none() {
+                let remarks = &mut self.drawing.remarks;
+                remarks.add(&place, words().import_no_axis());
+            }
             direction(axis.unwrap_or([1.0, 0.0]))
         });
+        if let (Some(axis), Some(through)) = (axis, pair_of(joint, "line_point")) {
+            let [dx, dy] = difference(at, through);
+            let (sin, cos) = axis.to_radians().sin_cos();
+            let off = (dx * sin - dy * cos).abs();
+            if off > BESIDE * dx.hypot(dy) {
+                let remarks = &mut self.drawing.remarks;
+                remarks.add(&place, &words().import_joint_beside_line(off));
+            }
+        }
         let joint = MechanismJoint {
             number,
             point,
@@ -162,7 +177,13 @@ impl MechanismReader {
         if !["ground", "link", "driver", "arc_driver"].contains(&kind) {
             self.drawing
                 .remarks
-                .add(&place, &words().import_unknown_kind(kind));
+                .add(&place, &words().import_unknown_link_kind(kind));
+        }
+        if list(link, "joints").is_none() {
+            self.drawing
+                .remarks
+                .add(&place, words().import_not_a_link());
+            return;
         }
         let part = match kind == "ground" || ground == Some(id) {
             true => DrawnPart::Frame,
@@ -196,6 +217,25 @@ impl MechanismReader {
     }
 
     fn driver(&mut self, part: usize, link: &Value, place: String) {
+        for key in ["angular_velocity", "initial_angle", "arc_start", "arc_end"] {
+            if let Some(value) = link.get(key).filter(|value| !value.is_null())
+                && number_of(link, key).is_none()
+            {
+                let text = words().import_unread_cell(key, &value.to_string());
+                self.drawing.remarks.add(&place, &text);
+            }
+        }
+        if let Some(id) = link.get("motor_joint").filter(|value| !value.is_null()) {
+            let id = id.as_str().unwrap_or_default();
+            match self.joints.get(id).map(|joint| joint.point) {
+                // The program fixes the joint of a motor.
+                Some(point) => self.drawing.attach(point, DrawnPart::Frame),
+                None => {
+                    let text = words().import_unknown_joint(id);
+                    self.drawing.remarks.add(&place, &text);
+                }
+            }
+        }
         let law = match number_of(link, "angular_velocity") {
             Some(speed) if speed != 0.0 => DrawnLaw::Speed(speed, "rad/s"),
             _ => DrawnLaw::Unknown,
@@ -209,6 +249,10 @@ impl MechanismReader {
             }
             _ => None,
         };
+        if range.is_none() && (link.get("arc_start").is_some() || link.get("arc_end").is_some()) {
+            let remarks = &mut self.drawing.remarks;
+            remarks.add(&place, words().import_beyond_arc());
+        }
         self.drawing.links[part].is_needed = true;
         self.drawing.inputs.push(DrawnInput {
             element: InputElement::Turn {
@@ -221,25 +265,32 @@ impl MechanismReader {
         });
     }
 
-    /// Puts each tracker on the link of the joints between which it is seen.
+    /// Puts each tracker on the link of the joints between which it is seen, and remarks upon joints
+    /// of no link.
     fn trackers(&mut self) {
         let mut joints: Vec<&MechanismJoint> = self.joints.values().collect();
         joints.sort_by_key(|joint| joint.number);
         for joint in joints {
             let known = |id: &String| self.joints.get(id).map(|joint| joint.point);
-            let Some([Some(one), Some(other)]) = joint
-                .seen_from
-                .as_ref()
-                .map(|ids| ids.each_ref().map(known))
-            else {
-                continue;
+            let links = &self.drawing.links;
+            let seen_from = joint.seen_from.as_ref();
+            let seen_on = match seen_from.map(|ids| ids.each_ref().map(known)) {
+                Some([Some(one), Some(other)]) => links
+                    .iter()
+                    .position(|link| link.points.contains(&one) && link.points.contains(&other)),
+                _ => None,
             };
-            let links = self.drawing.links.iter();
-            let mut holders = links
-                .enumerate()
-                .filter(|(_, link)| link.points.contains(&one) && link.points.contains(&other));
-            if let Some((link, _)) = holders.next() {
-                self.drawing.attach(joint.point, DrawnPart::Link(link));
+            let is_held = joint.axis.is_some()
+                || self.drawing.ground.contains(&joint.point)
+                || links.iter().any(|link| link.points.contains(&joint.point));
+            match seen_on {
+                Some(link) => self.drawing.attach(joint.point, DrawnPart::Link(link)),
+                None if !is_held => {
+                    let place = format!("joints[{}]", joint.number);
+                    let text = words().import_joint_without_links();
+                    self.drawing.remarks.add(&place, text);
+                }
+                None => {}
             }
         }
     }
@@ -252,7 +303,12 @@ impl MechanismReader {
         for joint in joints {
             let Some(angle) = joint.axis else { continue };
             let (slider, on) = match joint.links[..] {
-                [] => continue,
+                [] => {
+                    let place = format!("joints[{}]", joint.number);
+                    let text = words().import_joint_without_links();
+                    self.drawing.remarks.add(&place, text);
+                    continue;
+                }
                 // A point that slides on the frame.
                 [part] => {
                     self.drawing.attach(joint.point, part);
@@ -282,6 +338,7 @@ impl MechanismReader {
                 on,
                 angle,
                 through: None,
+                travel: None,
             });
         }
     }

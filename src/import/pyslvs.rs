@@ -52,7 +52,11 @@ pub(super) fn read_pyslvs(text: &str) -> Result<Drawing, ImportError> {
         let place = words().import_line_joint(term.line, number_of_joint + 1);
         let read = (term.word == "J").then_some(term.list.as_deref()).flatten();
         match read.and_then(|terms| joint(terms, &place)) {
-            Some(joint) => {
+            Some((joint, has_other_place)) => {
+                if has_other_place {
+                    let text = words().import_second_place();
+                    joints.drawing.remarks.add(&place, text);
+                }
                 joints.add(&joint);
             }
             None => joints
@@ -69,7 +73,8 @@ pub(super) fn read_pyslvs(text: &str) -> Result<Drawing, ImportError> {
         .ok_or_else(ImportError::too_large)
 }
 
-fn joint(terms: &[ExpressionTerm], place: &str) -> Option<ReadJoint> {
+/// Reads a joint, and whether it has a second place.
+fn joint(terms: &[ExpressionTerm], place: &str) -> Option<(ReadJoint, bool)> {
     let kind = terms.iter().find(|term| term.list.is_none());
     let kind = JointKind::parse(kind?.text())?;
     let numbers = |name: &str| -> Option<Vec<f64>> {
@@ -78,17 +83,22 @@ fn joint(terms: &[ExpressionTerm], place: &str) -> Option<ReadJoint> {
             .map(|term| number(term.text()))
             .collect()
     };
-    // A slider has two places where its slot was drawn; the first one counts.
-    let place_of = numbers("P")?;
-    let [x, y, ..] = place_of[..] else {
-        return None;
+    // A slider may have two places where its slot was drawn; the first one counts. Decimals with a
+    // comma give too many numbers.
+    let (x, y, has_other_place) = match (numbers("P")?.as_slice(), kind) {
+        (&[x, y], _) => (x, y, false),
+        (&[x, y, _, _], JointKind::Slider | JointKind::PinInSlot) => (x, y, true),
+        _ => return None,
     };
-    let angle = match numbers("A").as_deref() {
-        Some([angle, ..]) => *angle,
-        _ => 0.0,
+    let angle = match ExpressionTerm::named(terms, "A") {
+        None => 0.0,
+        Some(_) => match numbers("A")?.as_slice() {
+            [angle] => *angle,
+            _ => return None,
+        },
     };
     let links = ExpressionTerm::named(terms, "L")?.iter();
-    Some(ReadJoint {
+    let joint = ReadJoint {
         name: None,
         links: links.map(|term| term.text().to_owned()).collect(),
         kind,
@@ -96,7 +106,8 @@ fn joint(terms: &[ExpressionTerm], place: &str) -> Option<ReadJoint> {
         angle,
         is_input: false,
         place: place.to_owned(),
-    })
+    };
+    Some((joint, has_other_place))
 }
 
 /// The characters of an expression.

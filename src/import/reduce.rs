@@ -2,7 +2,8 @@
 //! pins in slots, and elements without effect are left out.
 
 use super::drawing::{
-    Drawing, DrawnInput, DrawnLink, DrawnPart, DrawnSlide, DrawnSlider, InputElement, difference,
+    Drawing, DrawnAngleLimit, DrawnInput, DrawnLink, DrawnPart, DrawnSlide, DrawnSlider,
+    InputElement, both_travels, difference, reversed_travel,
 };
 use crate::wording::words;
 use std::collections::{BTreeSet, HashMap};
@@ -24,6 +25,60 @@ pub(super) fn settle(drawing: &mut Drawing) {
     join_pins_of_one_guide(drawing, size);
     seat_fixed_pins(drawing);
     leave_out_idle_links(drawing, size);
+    limit_further_inputs(drawing);
+}
+
+/// Turns the ranges of all inputs but the driver into limits of their elements, and leaves out
+/// limits between which nothing moves.
+fn limit_further_inputs(drawing: &mut Drawing) {
+    for input in drawing.inputs.iter_mut().skip(1) {
+        let Some(travel) = input.range.take() else {
+            continue;
+        };
+        match input.element {
+            InputElement::Slide(slide) => {
+                let slide = &mut drawing.slides[slide];
+                slide.travel = both_travels(slide.travel, Some(travel));
+            }
+            InputElement::Turn { link, from } => {
+                drawing
+                    .angle_limits
+                    .push(DrawnAngleLimit { link, from, travel });
+            }
+        }
+    }
+    let mut kept: Vec<DrawnAngleLimit> = Vec::new();
+    for limit in std::mem::take(&mut drawing.angle_limits) {
+        let mut same = kept
+            .iter_mut()
+            .filter(|kept| kept.link == limit.link && kept.from == limit.from);
+        match same.next() {
+            Some(same) => {
+                same.travel = [
+                    same.travel[0].max(limit.travel[0]),
+                    same.travel[1].min(limit.travel[1]),
+                ];
+            }
+            None => kept.push(limit),
+        }
+    }
+    let remarks = &mut drawing.remarks;
+    kept.retain(|limit| {
+        let [low, high] = limit.travel;
+        // An angle over whole turns has no stops.
+        let is_limit = low < high && high - low < 360.0;
+        if !is_limit {
+            remarks.add("", words().import_no_limits());
+        }
+        is_limit
+    });
+    drawing.angle_limits = kept;
+    for slide in &mut drawing.slides {
+        if slide.travel.is_some_and(|[low, high]| !(low < high)) {
+            slide.travel = None;
+            remarks.add("", words().import_no_limits());
+        }
+    }
 }
 
 /// Sets of parts that move as one.
@@ -174,6 +229,28 @@ fn rename_parts(drawing: &mut Drawing, mut leader: impl FnMut(usize) -> usize) {
         }
     });
     drawing.inputs = inputs;
+    drawing.angle_limits.retain_mut(|limit| {
+        limit.from = part_of(limit.from);
+        match part_of(DrawnPart::Link(limit.link)) {
+            to if to == limit.from => false,
+            DrawnPart::Link(link) => {
+                limit.link = link;
+                true
+            }
+            // The carrier turns about a fixed bar, in the opposite sense.
+            DrawnPart::Frame => match limit.from {
+                DrawnPart::Link(link) => {
+                    *limit = DrawnAngleLimit {
+                        link,
+                        from: DrawnPart::Frame,
+                        travel: reversed_travel(limit.travel),
+                    };
+                    true
+                }
+                DrawnPart::Frame => false,
+            },
+        }
+    });
     for load in &mut drawing.loads {
         load.turns_with = load
             .turns_with
@@ -379,11 +456,25 @@ fn join_pins_of_one_guide(drawing: &mut Drawing, size: f64) {
                         (DrawnPart::Frame, DrawnPart::Frame) => None,
                     };
                     if let Some((link, on)) = slides {
-                        drawing.slides[first].slider = DrawnSlider::Link { link, at };
-                        drawing.slides[first].on = on;
+                        let known = &mut drawing.slides[first];
+                        if known.on != on {
+                            // The guide moves along the fixed pins.
+                            known.travel = known.travel.map(reversed_travel);
+                        }
+                        known.slider = DrawnSlider::Link { link, at };
+                        known.on = on;
                         drawing.links[link].is_needed = true;
                     }
                 }
+                // The part is as free as its least free pin.
+                let travel = drawing.slides[slide].travel;
+                let is_opposite = (angle - drawing.slides[first].angle).to_radians().cos() < 0.0;
+                let moves_guide = drawing.slides[first].on != on;
+                let travel = match is_opposite != moves_guide {
+                    true => travel.map(reversed_travel),
+                    false => travel,
+                };
+                drawing.slides[first].travel = both_travels(drawing.slides[first].travel, travel);
                 idle.push(slide);
             }
             _ => {
@@ -432,6 +523,8 @@ fn seat_fixed_pins(drawing: &mut Drawing) {
         };
         drawing.slides[slide].on = DrawnPart::Link(block);
         drawing.slides[slide].through = None;
+        // The link moves along the pin.
+        drawing.slides[slide].travel = drawing.slides[slide].travel.map(reversed_travel);
     }
 }
 

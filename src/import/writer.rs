@@ -1,6 +1,8 @@
 //! Writes a drawing as the text of a scene.
 
-use super::drawing::{Drawing, DrawnLaw, DrawnPart, DrawnSlider, InputElement, difference};
+use super::drawing::{
+    Drawing, DrawnLaw, DrawnPart, DrawnSlider, InputElement, difference, wrapped,
+};
 use super::names::ElementNames;
 use crate::scene::{key, toml_string};
 use crate::wording::words;
@@ -15,10 +17,34 @@ pub(super) enum LinkStyle {
     Drawn,
 }
 
+/// How limits are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum LimitStyle {
+    /// As drawn.
+    Exact,
+    /// An end at which the scene opens is moved outwards by a rounding error.
+    Loose,
+    /// Without limits.
+    Omitted,
+}
+
+/// How a scene is written.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SceneStyle {
+    pub(super) links: LinkStyle,
+    pub(super) limits: LimitStyle,
+}
+
 /// A point is on a line if its distance from it is below this fraction of the drawing's size.
 const ON_LINE: f64 = 1e-13;
 /// Computed coordinates below this fraction of the size are rounding errors of zero.
 const NOISE: f64 = 1e-15;
+/// Ends of travel below this fraction of the size are rounding errors of zero.
+const END_NOISE: f64 = 1e-14;
+/// The fraction of the drawing's size by which a loose end is moved outwards.
+const LOOSENESS: f64 = 1e-12;
+/// The same for angles, in degrees.
+const LOOSE_ANGLE: f64 = 1e-10;
 /// Significant digits of computed numbers: those that a decimal of a double keeps.
 const DIGITS: usize = 15;
 
@@ -74,21 +100,11 @@ fn pair([x, y]: [f64; 2], format: fn(f64) -> String) -> String {
     format!("[{}, {}]", format(x), format(y))
 }
 
-/// Returns an angle between -180 and 180 degrees.
-fn wrapped(angle: f64) -> f64 {
-    let turned = angle.rem_euclid(360.0);
-    if turned > 180.0 {
-        turned - 360.0
-    } else {
-        turned
-    }
-}
-
 /// A scene under construction.
 struct SceneWriter<'d> {
     drawing: &'d Drawing,
     names: &'d ElementNames,
-    style: LinkStyle,
+    style: SceneStyle,
     frames: Vec<PartFrame>,
     size: f64,
     text: String,
@@ -99,7 +115,7 @@ struct SceneWriter<'d> {
 pub(super) fn scene_text(
     drawing: &Drawing,
     names: &ElementNames,
-    style: LinkStyle,
+    style: SceneStyle,
     about: [&str; 3],
     remarks: &[String],
 ) -> String {
@@ -120,6 +136,7 @@ pub(super) fn scene_text(
     writer.inputs();
     writer.links();
     writer.slides();
+    writer.limits();
     writer.start();
     writer.loads();
     writer.text
@@ -164,7 +181,7 @@ impl SceneWriter<'_> {
             .iter()
             .copied()
             .find(|&to| drawing.distance(from, to) > 0.0);
-        match (self.style, far) {
+        match (self.style.links, far) {
             (LinkStyle::Ends, Some(to)) => PartFrame {
                 origin,
                 angle: drawing.direction(from, to),
@@ -483,6 +500,58 @@ impl SceneWriter<'_> {
                 computed(wrapped(drawn.angle - carrier.angle)),
             );
             self.line(&line);
+        }
+    }
+
+    /// Writes the ends of the travel of slides and links.
+    fn limits(&mut self) {
+        let drawing = self.drawing;
+        let style = self.style.limits;
+        if style == LimitStyle::Omitted {
+            return;
+        }
+        let ends = |opening: f64, [low, high]: [f64; 2], looseness: f64| {
+            // The opening is rounded as written, so that a driver at an end is exactly there.
+            let opening: f64 = computed(opening).parse().unwrap_or(opening);
+            let loosened = |end: f64, by: f64| match style == LimitStyle::Loose && end == 0.0 {
+                true => opening + by,
+                false => opening + end,
+            };
+            let ends = [loosened(low, -looseness), loosened(high, looseness)];
+            // The difference of an opening and a travel that cancel is a rounding error.
+            let noise = END_NOISE * self.size;
+            pair(
+                ends.map(|end| if end.abs() <= noise { 0.0 } else { end }),
+                computed,
+            )
+        };
+        let mut lines = Vec::new();
+        let slides = drawing.slides.iter().zip(&self.names.slides);
+        for (number, (slide, name)) in slides.enumerate() {
+            if let Some(travel) = slide.travel {
+                let ends = ends(self.guide(number).position, travel, LOOSENESS * self.size);
+                lines.push(format!("{} = {ends}", key(name)));
+            }
+        }
+        for (limit, name) in drawing.angle_limits.iter().zip(&self.names.angle_limits) {
+            let (link, from) = (limit.link, limit.from);
+            let opening = self.opening(InputElement::Turn { link, from });
+            let ends = ends(opening, limit.travel, LOOSE_ANGLE);
+            lines.push(match from {
+                DrawnPart::Frame => format!("{} = {ends}", key(name)),
+                from => format!(
+                    "{} = {{ link = {}, from = {}, angle = {ends} }}",
+                    key(name),
+                    toml_string(&self.names.links[link]),
+                    toml_string(self.part(from)),
+                ),
+            });
+        }
+        if !lines.is_empty() {
+            self.line(&format!("\n[limits]   # {}", words().import_limits()));
+            for line in lines {
+                self.line(&line);
+            }
         }
     }
 

@@ -58,6 +58,19 @@ fn addresses_are_files() {
     assert!(run_ok(&["check", address]).contains("CBE"));
     let packed = refused(2, &["check", "https://app.pmksplus.com/?0.2.2.6.1.R.Y.Y.N"]);
     assert!(packed.contains("packed of version 0"), "{packed}");
+    let bare = address.split_once("://").unwrap().1;
+    assert_eq!(run_ok(&["import", bare]), text);
+    assert!(run_ok(&["check", bare]).contains("CBE"));
+    for empty in [
+        "https://app.pmksplus.com/",
+        "app.pmksplus.com/?j=x",
+        "?mech=",
+    ] {
+        for command in ["import", "check"] {
+            let output = refused(2, &[command, empty]);
+            assert!(output.contains("this address has no mechanism"), "{output}");
+        }
+    }
     let other = refused(2, &["check", "https://example.org/linkage"]);
     assert!(other.contains("internet address"), "{other}");
 }

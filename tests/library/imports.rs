@@ -499,6 +499,130 @@ fn a_pin_follows_its_arc() {
     }
 }
 
+/// Returns a file of Linkage with a slider-crank, whose pin `C` slides between `D` and `E`.
+fn slot_file(pin: [f64; 2], ends: [[f64; 2]; 2], attributes: &str) -> String {
+    let [[dx, dy], [ex, ey]] = ends;
+    let [x, y] = pin;
+    format!(
+        "<linkage2>\n\
+         <connector id=\"0\" x=\"3.1\" y=\"-7.7\" anchor=\"true\" input=\"true\" rpm=\"15\"/>\n\
+         <connector id=\"1\" x=\"-22.33\" y=\"31.713\"/>\n\
+         <connector id=\"2\" x=\"{x:.6}\" y=\"{y:.6}\" slider=\"true\" {attributes}>\
+         <slidelimit id=\"3\"/><slidelimit id=\"4\"/></connector>\n\
+         <connector id=\"3\" x=\"{dx:.6}\" y=\"{dy:.6}\" anchor=\"true\"/>\n\
+         <connector id=\"4\" x=\"{ex:.6}\" y=\"{ey:.6}\" anchor=\"true\"/>\n\
+         <Link id=\"0\"><connector id=\"0\"/><connector id=\"1\"/></Link>\n\
+         <Link id=\"1\"><connector id=\"1\"/><connector id=\"2\"/></Link>\n</linkage2>\n"
+    )
+}
+
+/// The motion ends with the pin at the end of its slot.
+#[test]
+fn slots_end_the_motion() {
+    let (d, e) = ([80.0, 10.0], [130.0, 30.0]);
+    let pin = [0.5 * (d[0] + e[0]), 0.5 * (d[1] + e[1])];
+    let imported = import(slot_file(pin, [d, e], "").as_bytes(), "slot").unwrap();
+    assert_eq!(imported.remarks, [""; 0]);
+    let opened = OpenedScene::new("slot", &imported.text);
+    let (low, high) = opened.solver.motion().range.ends();
+    for at in [low, high] {
+        let here = opened.places(at);
+        let at_end = |end: [f64; 2]| {
+            distance([here["C"].x, here["C"].y], end.map(|x| MM * x)) < 1e-9 * distance(d, e)
+        };
+        // Both ends of the slot are farther apart than the crank can push the pin.
+        assert!(at_end(d) || at_end(e), "{at}: {here:?}\n{}", imported.text);
+    }
+    // The same for the middle of an arc of radius 40.
+    let half = 0.5 * distance(d, e);
+    let across = [-(e[1] - d[1]), e[0] - d[0]].map(|x| 0.5 * x / half);
+    let height = (40.0_f64 * 40.0 - half * half).sqrt();
+    let on_arc = [0, 1].map(|i| pin[i] + (40.0 - height) * across[i]);
+    let text = slot_file(on_arc, [d, e], "slideradius=\"40\"");
+    let imported = import(text.as_bytes(), "arc").unwrap();
+    assert_eq!(imported.remarks, [""; 0]);
+    let opened = OpenedScene::new("arc", &imported.text);
+    let (low, high) = opened.solver.motion().range.ends();
+    for at in [low, high] {
+        let here = opened.places(at);
+        let off = |end: [f64; 2]| distance([here["C"].x, here["C"].y], end.map(|x| MM * x));
+        // The pin of the file has six decimals.
+        let off = off(d).min(off(e));
+        assert!(off < 1e-6 * half, "{at}: {off:e}\n{}", imported.text);
+    }
+}
+
+/// Regression test: a pin at the end of its slot was beyond it by a rounding error.
+#[test]
+fn pins_at_the_ends_of_slots_open() {
+    let turned = |angle: f64, length: f64| {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        [61.234_567 + length * cos, 12.345_678 + length * sin]
+    };
+    for k in 0..72_u32 {
+        let angle = 5.0 * f64::from(k) + 1.3;
+        let ends = [turned(angle, 0.0), turned(angle, 47.11)];
+        for pin in ends {
+            let text = slot_file(pin, ends, "");
+            let imported = import(text.as_bytes(), "slot").unwrap();
+            assert_eq!(imported.remarks, [""; 0], "{angle}\n{}", imported.text);
+            assert!(imported.text.contains("\n[limits]"), "{}", imported.text);
+            let opened = OpenedScene::new("slot", &imported.text);
+            let here = opened.places(opened.scene.mechanism.driver().start);
+            let off = distance([here["C"].x, here["C"].y], pin.map(|x| MM * x));
+            // Six decimals of the file.
+            assert!(off < 1e-6, "{angle}: {off:e}\n{}", imported.text);
+        }
+    }
+}
+
+/// A pin that is drawn beyond its slot has no limits, and krank says so.
+#[test]
+fn pins_beyond_their_slots_are_reported() {
+    let read = |pin, attributes| {
+        let ends = [[80.0, 0.0], [120.0, 0.0]];
+        import(slot_file(pin, ends, attributes).as_bytes(), "slot").unwrap()
+    };
+    let beyond = read([70.0, 0.0], "");
+    assert!(
+        beyond.remarks
+            == [
+                "line 4, connector 2: the pin is drawn beyond the ends of its slot; the scene has no limits for it"
+            ],
+        "{:?}",
+        beyond.remarks
+    );
+    assert!(!beyond.text.contains("[limits]"), "{}", beyond.text);
+    OpenedScene::new("beyond", &beyond.text);
+    // An arc slot with its centre at (100, -21): the pin is beside its upper arc.
+    let beyond = read([71.0, -21.0], "slideradius=\"29\"");
+    assert!(
+        beyond
+            .remarks
+            .iter()
+            .any(|remark| remark.contains("beyond the ends")),
+        "{:?}",
+        beyond.remarks
+    );
+}
+
+/// The stroke of every actuator is that of the file, also where it is held.
+#[test]
+fn strokes_of_further_actuators_are_limits() {
+    let text = imported("two-actuators.linkage2").text;
+    let scene = Scene::parse(&text, "t").unwrap();
+    let limits: Vec<f64> = scene
+        .mechanism
+        .limit_ids()
+        .map(|id| scene.mechanism.limit(id))
+        .map(|limit| limit.high - limit.low)
+        .collect();
+    let [_, further] = limits[..] else {
+        panic!("{limits:?}\n{text}");
+    };
+    assert!((further - 20.0 * MM).abs() < 1e-9, "{limits:?}");
+}
+
 #[test]
 fn slots_turn_with_their_links() {
     // The pin of the crank is on the line from C through the rocker's direction.
@@ -601,7 +725,10 @@ fn parts_that_krank_does_not_model_are_reported() {
     let message = scene.explain(&fault).to_string();
     assert!(message.contains('2'), "{message}");
     let output = remarks("mixed-inputs.linkage2");
-    assert!(output.contains("it stands as drawn"), "{output}");
+    assert!(
+        output.contains("it is held as drawn, with `at`"),
+        "{output}"
+    );
     let output = remarks("four-bar.pylinkage.json");
     assert!(
         output.contains("`Crank pin` is called `Crank_pin`"),
@@ -612,6 +739,256 @@ fn parts_that_krank_does_not_model_are_reported() {
         output.contains("line 3, joint 1: the file marks no input"),
         "{output}"
     );
+}
+
+/// Every element and attribute of a file is taken over, is for the display only, or is reported.
+#[test]
+fn every_odd_part_of_a_linkage_file_is_reported() {
+    let text = "<linkage2>
+<program units=\"Feet\" scalefactor=\"2.5\" zoom=\"1\" bkcolor=\"3\"/>
+<connector id=\"0\" x=\"0\" y=\"0\" anchor=\"true\" input=\"true\" rpm=\"abc\" color=\"7\"/>
+<connector id=\"1\" x=\"30\" y=\"40\" anchor=\"yes\" draw=\"true\" glow=\"1\"/>
+<connector id=\"2\" x=\"180\" y=\"90\" glow=\"2\"><spring id=\"1\"/><slidelimit id=\"0\"/></connector>
+<connector id=\"3\" x=\"220\" y=\"-30\" anchor=\"true\"/>
+<connector id=\"4\" x=\"250\" y=\"150\"/>
+<connector id=\"5\" x=\"300\" y=\"100\"/>
+<connector id=\"6\" x=\"350\" y=\"-60\" anchor=\"true\"/>
+<connector id=\"7\" x=\"1\" y=\"2\"/>
+<connector id=\"8\" x=\"5\" y=\"6\" layer=\"1\" hidden=\"1\"/>
+<connector id=\"9\" x=\"7\" y=\"8\" fastenconnector=\"1\"><fastenlink id=\"1\"/></connector>
+<Link id=\"0\" locked=\"true\"><connector id=\"0\"/><connector id=\"1\"/></Link>
+<Link id=\"1\"><connector id=\"1\"/><connector id=\"2\"/><fastenconnector id=\"8\"/></Link>
+<Link id=\"2\"><connector id=\"2\"/><connector id=\"3\"/><fastenconnector id=\"77\"/></Link>
+<Link id=\"3\"><connector id=\"2\"/><connector id=\"4\"/><fastenlink id=\"2\"/></Link>
+<Link id=\"4\"><connector id=\"4\"/><connector id=\"5\"/></Link>
+<Link id=\"5\"><connector id=\"5\"/><connector id=\"6\"/></Link>
+<Link id=\"6\"/>
+<cam id=\"1\"/>
+<background/>
+</linkage2>
+";
+    let imported = import(text.as_bytes(), "odd").unwrap();
+    let remarks = imported.remarks;
+    let expected = [
+        "line 3, connector 0: `rpm` is not a number: `abc`; left out",
+        "line 4, connector 1: `anchor` is neither true nor false: `yes`; read as false",
+        "line 5, spring 1: unknown element; left out",
+        "line 20, cam 1: unknown element; left out",
+        "line 4, connector 1: the attribute `glow` of 2 elements is unknown; left out",
+        "line 2, program: the attribute `bkcolor` is unknown; left out",
+        "line 2, program: unknown unit `Feet`; lengths are read in millimetres",
+        "line 2, program: the scale factor 2.5 of the display is not applied: lengths are those of the file",
+        "line 19, Link 6: the link has no connector; left out",
+        "line 15, fastenconnector 77: there is no connector with this id; left out",
+        "line 12, connector 9: fastened to a connector that is no input; left out",
+        "line 5, slidelimit 0: the connector is no slider; its ends are left out",
+        "line 10, connector 7: no link has this connector; left out",
+    ];
+    assert_eq!(remarks, expected);
+    // Link 3 moves with link 2, and connector 9 with link 1.
+    let opened = OpenedScene::new("odd", &imported.text);
+    let near = |at: f64| {
+        let here = opened.places(at);
+        let pair = |one: &str, other: &str| {
+            distance([here[one].x, here[one].y], [here[other].x, here[other].y])
+        };
+        [pair("E", "D"), pair("J", "C")]
+    };
+    let start = opened.scene.mechanism.driver().start;
+    let (_, high) = opened.solver.motion().range.ends();
+    let later = start + 0.3 * (high - start);
+    for (one, other) in near(start).into_iter().zip(near(later)) {
+        assert!((one - other).abs() < 1e-9, "{one} {other}");
+    }
+}
+
+/// Regression test: the remark on a held input said a ratio that the scene does not have.
+#[test]
+fn remarks_on_held_inputs_name_the_key_of_the_scene() {
+    let imported = imported("mixed-inputs.linkage2");
+    assert!(
+        imported.remarks[0].ends_with("held as drawn, with `at`"),
+        "{:?}",
+        imported.remarks
+    );
+    assert!(
+        imported.text.contains("link-5 = { at = "),
+        "{}",
+        imported.text
+    );
+}
+
+/// Regression test: decimals with a comma were read as two numbers without a remark.
+#[test]
+fn decimal_commas_are_never_misread() {
+    let read = |line: &str| {
+        let text = format!(
+            "ground,input,R,0,0,tfft\n{line}\ncoupler,output,R,95,75\noutput,ground,R,120,-10\n"
+        );
+        import(text.as_bytes(), "x").unwrap()
+    };
+    for (line, typed) in [
+        ("input coupler R 0,5 1,5", "0,5 1,5"),
+        ("input coupler R 0,5 10", "0,5 10"),
+        ("input coupler R 10 0,5 tfff", "10 0,5"),
+        ("input,coupler,R,0,5,1,5", "0,5,1,5"),
+        ("input;coupler;R;0,5;1", "0,5;1"),
+        // Messages have no control characters.
+        ("input\tcoupler\tR\t0,5\t1,0", "0,5 1,0"),
+        ("input,coupler,P,1,5,2,5,30", "1,5,2,5,30"),
+    ] {
+        let imported = read(line);
+        let expected = format!(
+            "line 2: `{typed}` can be read in several ways: write decimals with a point; left out"
+        );
+        assert!(
+            imported.remarks.contains(&expected),
+            "{line}: {:?}",
+            imported.remarks
+        );
+    }
+    // Three numbers of a pin may be a decimal and a number.
+    let imported = read("input,coupler,R,0,5,10");
+    assert_eq!(
+        imported.remarks,
+        ["line 2: read as x 0, y 5 and angle 10, which a pin does not use; decimals need a point"]
+    );
+    for line in [
+        "input,coupler,R,15,40",
+        "input coupler R 15 40 0 tfff",
+        "input, coupler, R, 15, 40, 0, tfff",
+        "input;coupler;R;15;40",
+        "input coupler R 15,40 t f f f",
+    ] {
+        assert_eq!(read(line).remarks, [""; 0], "{line}");
+    }
+    assert!(read("input,coupler,R,15,40,0,tff").remarks[0].contains("the flags `tff` are unknown"));
+    // A file without any other line says why it cannot be read.
+    let refused = import(b"ground a R 0,5 1,5\na b R 2,5 3,5\n", "x")
+        .unwrap_err()
+        .to_string();
+    assert!(
+        refused.starts_with("line 1: `0,5 1,5` can be read"),
+        "{refused}"
+    );
+    // Pyslvs has exactly two coordinates.
+    let text =
+        "M[J[R, P[0,5, 1,0], L[ground, a]], J[R, P[2, 3], L[a, b]], J[R, P[7, 3], L[b, ground]]]";
+    let imported = import(text.as_bytes(), "x").unwrap();
+    assert!(
+        imported.remarks[0].starts_with("line 1, joint 1: not a joint"),
+        "{:?}",
+        imported.remarks
+    );
+}
+
+/// Cells of PMKS+ that cannot be read are reported, and shifted ones are not taken over.
+#[test]
+fn unreadable_cells_of_addresses_are_reported() {
+    let address = "https://app.pmksplus.com/?j=A,0,0,AB,R,t,0,t%0AB,1,2,AB|CBE,R,no,x,maybe%0A\
+        C,5,3,CBE|CD,R,f,0,f%0AD,6,-1,CD,R,t,0,f%0A&l=AB,R,2,5,0,5,1,5,A|B%0ACBE,R,2,1,Null,Null,B|C%0A\
+        &f=F1,CBE,1,5,1,2,5,1,t,true,3%0A&s=10,5,true,furlong&v=3";
+    let imported = import(address.as_bytes(), "x").unwrap();
+    assert_eq!(
+        imported.remarks,
+        [
+            "`v`: krank does not use this parameter of the address",
+            "joint 2 of `j`: the value of ground cannot be read: `no`; left out",
+            "joint 2 of `j`: the value of angle cannot be read: `x`; left out",
+            "joint 2 of `j`: the value of input cannot be read: `maybe`; left out",
+            "link 1 of `l`: there is no joint `1`; left out",
+            "link 1 of `l`: the mass, moment of inertia or centre of mass cannot be read; left out",
+            "link 2 of `l`: the mass, moment of inertia or centre of mass cannot be read; left out",
+            "force 1 of `f`: not a force on a link; left out",
+            "`s`: the value of clockwise cannot be read: `5`; left out",
+            "`s`: unknown unit `furlong`; lengths are read in millimetres",
+        ]
+    );
+    assert!(!imported.text.contains("mass ="), "{}", imported.text);
+    OpenedScene::new("cells", &imported.text);
+}
+
+/// Addresses without their scheme, with `#`, in quotes, or from `?` on are the same mechanism.
+#[test]
+fn parts_of_addresses_are_read() {
+    for (name, parameter) in [
+        ("four-bar.pmks-plus.txt", "j="),
+        ("address.pmks.txt", "mech="),
+    ] {
+        let address = String::from_utf8(file(name)).unwrap();
+        let address = address.trim();
+        let whole = import(address.as_bytes(), "https://x").unwrap().text;
+        let joints = &address[address.find(parameter).unwrap()..];
+        let (_, host) = address.split_once("://").unwrap();
+        for part in [
+            host.to_owned(),
+            format!("?{joints}"),
+            format!("#{joints}"),
+            format!("HTTPS://x.org/#/?{joints}"),
+            format!("\"{address}\"\n"),
+            format!("<{address}>"),
+        ] {
+            assert!(krank::import::is_address(&part), "{part}");
+            let read = import(part.as_bytes(), "https://x").unwrap();
+            assert_eq!(read.text, whole, "{part}");
+        }
+    }
+    let plus = String::from_utf8(file("four-bar.pmks-plus.txt")).unwrap();
+    let joints = &plus[plus.find("j=").unwrap()..];
+    assert_eq!(recognize(joints.as_bytes()), Some(ImportFormat::PmksPlus));
+    for other in [
+        "name = \"x?j=1\"\n",
+        "# ?mech=a\n[links]\n",
+        "a?b=c",
+        "j = 3\n",
+    ] {
+        assert_eq!(recognize(other.as_bytes()), None, "{other}");
+    }
+    // The settings of an address are read or reported.
+    let address = String::from_utf8(file("address.pmks.txt")).unwrap();
+    let address = format!("{}&name=Crank&s=3", address.trim());
+    let imported = import(address.as_bytes(), "x").unwrap();
+    assert!(
+        imported.text.contains("name   = \"Crank\""),
+        "{}",
+        imported.text
+    );
+    assert_eq!(
+        imported.remarks,
+        ["`s`: krank does not use the setting `s=3`"]
+    );
+}
+
+#[test]
+fn odd_parts_of_pylinkage_files_are_reported() {
+    let text = r#"{"name": "odd", "joints": [
+        {"id": "O", "type": "revolute", "position": [0, 0]},
+        {"id": "A", "type": "revolute", "position": [3, 4]},
+        {"id": "S", "type": "prismatic", "position": [15, 1], "line_point": [0, 3], "axis": [1, 0]},
+        {"id": "T", "type": "tracker", "position": [1, 1], "ref_joint1_id": "A", "ref_joint2_id": "none"},
+        {"id": "U", "type": "revolute", "position": [9, 9]},
+        {"id": "V", "type": "prismatic", "position": [8, 8]}
+      ], "links": [
+        {"id": "crank", "type": "driver", "joints": ["O", "A"], "motor_joint": "O", "angular_velocity": "fast"},
+        {"id": "rod", "type": "spring", "joints": ["A", "S"]},
+        {"id": "lost"}
+      ]}"#;
+    let imported = import(text.as_bytes(), "odd").unwrap();
+    assert_eq!(
+        imported.remarks,
+        [
+            "joints[2]: the joint is drawn 2.000 away from its line; the scene keeps the drawn position",
+            "joints[5]: the slider has no axis; it slides along x",
+            "links[0]: the value of angular_velocity cannot be read: `\"fast\"`; left out",
+            "links[1]: unknown type `spring`; read as a rigid link",
+            "links[2]: not a link with an id and joints; left out",
+            "joints[3]: the joint has no link; left out",
+            "joints[4]: the joint has no link; left out",
+            "joints[5]: the joint has no link; left out",
+        ]
+    );
+    // The joint of the motor is fixed.
+    OpenedScene::new("odd", &imported.text);
 }
 
 /// Regression test: a comma at the end of each joint hid its mark, and another link was driven.

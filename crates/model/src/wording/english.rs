@@ -385,6 +385,13 @@ pub(super) fn value_in(name: &str, units: &str) -> String {
     }
 }
 
+pub(super) fn import_unknown_attribute(name: &str, count: usize) -> String {
+    match count {
+        1 => format!("the attribute `{name}` is unknown; left out"),
+        count => format!("the attribute `{name}` of {count} elements is unknown; left out"),
+    }
+}
+
 pub(super) fn import_packed(version: &str) -> String {
     let of_version = match version {
         "" => String::new(),

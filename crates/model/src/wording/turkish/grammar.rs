@@ -362,6 +362,13 @@ pub(in crate::wording) fn value_in(name: &str, units: &str) -> String {
     }
 }
 
+pub(in crate::wording) fn import_unknown_attribute(name: &str, count: usize) -> String {
+    match count {
+        1 => format!("`{name}` niteliği bilinmiyor; alınmadı"),
+        count => format!("{count} öğedeki `{name}` niteliği bilinmiyor; alınmadı"),
+    }
+}
+
 pub(in crate::wording) fn import_packed(version: &str) -> String {
     let of_version = match version {
         "" => String::new(),
