@@ -35,17 +35,22 @@ fn tables_of_four_bar_fit_middle_screen() {
 fn no_pane_is_empty_while_another_one_scrolls() {
     for preset in presets::all() {
         for size in [Size::new(120, 40), Size::new(200, 60)] {
-            let app = app(preset.name, Glyphs::Braille, size);
-            let panes = views::extents(&app);
-            let scrolls: Vec<_> = panes.iter().filter(|pane| pane.1 > pane.2).collect();
-            let is_list = |view| matches!(view, View::Tables | View::Scene);
-            let empty = panes.iter().filter(|pane| is_list(pane.0));
-            let mut empty =
-                empty.filter(|(_, lines, visible)| visible - lines.min(visible) > visible / 3);
-            let is_wrong = !scrolls.is_empty() && empty.next().is_some();
-            assert!(!is_wrong, "{} {size}: {panes:?}", preset.name);
+            let mut app = app(preset.name, Glyphs::Braille, size);
+            for view in [View::Motion, View::Forces, View::Working, View::Polygons] {
+                app.update(Action::Look(view), Duration::ZERO);
+                check_space(preset.name, size, &views::extents(&app));
+            }
         }
     }
+}
+
+fn check_space(preset: &str, size: Size, panes: &[(View, usize, usize)]) {
+    let scrolls: Vec<_> = panes.iter().filter(|pane| pane.1 > pane.2).collect();
+    let is_list = |view| matches!(view, View::Tables | View::Scene);
+    let empty = panes.iter().filter(|pane| is_list(pane.0));
+    let mut empty = empty.filter(|(_, lines, visible)| visible - lines.min(visible) > visible / 3);
+    let is_wrong = !scrolls.is_empty() && empty.next().is_some();
+    assert!(!is_wrong, "{preset} {size}: {panes:?}");
 }
 
 #[test]

@@ -307,9 +307,13 @@ impl SideColumns {
             let width = widths.clone().find(|width| fits(1, *width));
             return SideColumns::One(width.unwrap_or(usual));
         }
-        let both = |width| Some((rows(1, width)?, rows(3, width)?));
+        // A pane without a limit takes all rows.
+        let both = |width| {
+            let wanted = |at| rows(at, width).unwrap_or(u16::MAX);
+            (wanted(1), wanted(3))
+        };
         let stacked = widths.clone().find_map(|width| {
-            let (upper, lower) = both(width)?;
+            let (upper, lower) = both(width);
             let spare = height.checked_sub(upper.checked_add(lower)?.checked_add(1)?)?;
             // Each pane gets its part of the spare rows.
             let share = f64::from(upper) / f64::from((upper + lower).max(1));
@@ -328,10 +332,10 @@ impl SideColumns {
         let width = *widths.end();
         match (both(usual), both(width)) {
             // A short pane next to a scrolling one gives it its spare rows.
-            (Some((1.., lower)), Some((upper, _))) if is_short(upper) && lower > height => {
+            ((1.., lower), (upper, _)) if is_short(upper) && lower > height => {
                 SideColumns::Stacked(width, 1 + upper)
             }
-            (Some((upper, _)), Some((_, lower))) if upper > height && is_short(lower) => {
+            ((upper, _), (_, lower)) if upper > height && is_short(lower) => {
                 SideColumns::Stacked(width, height.saturating_sub(lower))
             }
             _ => SideColumns::Two(usual, usual),
