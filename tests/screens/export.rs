@@ -417,3 +417,23 @@ fn oversized_copy_is_rejected() {
     assert!(screen.contains(" B: use Y"), "{screen}");
     assert_eq!(session.workbench.take_sent(), b"");
 }
+
+/// The sheet is the one that the command line writes.
+#[test]
+fn exercise_is_written_as_by_the_command_line() {
+    let folder = folder("exercise");
+    let mut session = four_bar(80, 24);
+    session.press(":").type_in("exercise 7").press("Enter");
+    assert!(session.last_line().contains("four-bar-7.html"));
+    for (ending, format) in [("html", "html"), ("tex", "latex")] {
+        let file = folder.join(format!("sheet.{ending}"));
+        session.press("Esc :").type_in("exercise 7").press("Enter");
+        session.type_in(&file.display().to_string()).press("Enter");
+        let (sheet, _) = krank(&["exercise", "four-bar", "--seed", "7", "--format", format]);
+        let written = std::fs::read_to_string(file).unwrap();
+        let differs = |(a, b): &(&str, &str)| a != b;
+        let different = written.lines().zip(sheet.lines()).find(differs);
+        assert_eq!(different, None);
+        assert_eq!(written.lines().count(), sheet.lines().count());
+    }
+}

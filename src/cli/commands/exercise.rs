@@ -11,10 +11,12 @@ use crate::cli::progress::Progress;
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene};
 use crate::files::read_without_waiting;
-use crate::report::{self, CsvDialect, Report, ReportFormat, answer_key, blank_answers, is_blank};
+use crate::report::{
+    CsvDialect, MadeExercise, Report, ReportFormat, answer_key, blank_answers, is_blank,
+};
 use crate::scene::{MAX_FILE_SIZE, Scene};
 use crate::solver::{Order, Solver, State, Workspace};
-use crate::study::{AnswerKey, Exercise, ExerciseMaker, ExerciseTitles, SheetScene};
+use crate::study::{AnswerKey, ExerciseMaker, SheetScene};
 use crate::wording::words;
 use clap::Args;
 use std::io::ErrorKind;
@@ -41,8 +43,6 @@ pub(in crate::cli) struct ExerciseArgs {
     output: Option<PathBuf>,
 }
 
-/// Significant digits of the solution.
-const DIGITS: usize = 6;
 /// File stem of exercises for a scene on standard input.
 const UNNAMED: &str = "exercise";
 
@@ -52,9 +52,6 @@ pub(in crate::cli) fn exercise(args: &ExerciseArgs, screen: TextScreen) -> Resul
     let seeds = seeds(args)?;
     let SolvableScene { scene, solver } = args.scene.open()?;
     let maker = ExerciseMaker::new(&scene, &solver);
-    if !maker.has_dimensions() {
-        return Err(Failure::Cannot(words().no_dimensions().into()));
-    }
     let stem = stem(&args.scene.scene);
     let typed = shell_arguments(&args.scene);
     let made = |seed: u64| GeneratedExercise::new(&maker, &scene, [&stem, &typed], seed);
@@ -170,12 +167,10 @@ impl QuestionState {
 /// How the files of an exercise are written.
 type FileStyle = (ReportFormat, CsvDialect, TextScreen);
 
-/// An exercise with its answers.
+/// An exercise and the name of its files.
 struct GeneratedExercise {
     name: String,
-    exercise: Exercise,
-    asked: QuestionState,
-    key: AnswerKey,
+    made: MadeExercise,
 }
 
 impl GeneratedExercise {
@@ -187,32 +182,15 @@ impl GeneratedExercise {
         [stem, typed]: [&str; 2],
         seed: u64,
     ) -> Result<GeneratedExercise, Failure> {
-        let titles = ExerciseTitles {
-            name: words().exercise_called(&scene.title(), seed),
-            source: words().exercise_made_by(typed, seed),
-            note: words().made_by_chance().into(),
-        };
-        let exercise = maker.exercise(seed, &titles);
-        let exercise = exercise.ok_or_else(|| Failure::Cannot(words().no_exercise(seed)))?;
-        let at = exercise.scene.mechanism.driver().start;
-        let requested = QuestionState::new(&exercise.scene, &exercise.solver, at)?;
+        let made = MadeExercise::new(maker, scene, typed, seed).map_err(Failure::Cannot)?;
         Ok(GeneratedExercise {
             name: format!("{stem}-{seed}"),
-            key: requested.key(&exercise.scene, &exercise.solver, &[]),
-            exercise,
-            asked: requested,
+            made,
         })
     }
 
     fn sheet(&self) -> Report {
-        let Exercise { scene, solver } = &self.exercise;
-        let answers = format!("{}.csv", self.name);
-        Report::sheet(scene, solver, self.asked.state(), &self.key, &answers)
-    }
-
-    fn solution(&self) -> Report {
-        let Exercise { scene, solver } = &self.exercise;
-        report::Report::new(scene, solver, self.asked.state(), DIGITS)
+        self.made.sheet(&self.name)
     }
 
     /// Returns the four files as pairs of name ending and contents. Only the file of answers is to
@@ -222,14 +200,14 @@ impl GeneratedExercise {
         (format, dialect, screen): FileStyle,
     ) -> Result<[(String, String); 4], Failure> {
         let mut blank = Vec::new();
-        let written = blank_answers(&self.key, &self.scene_file(), dialect, &mut blank);
+        let written = blank_answers(self.made.key(), &self.scene_file(), dialect, &mut blank);
         written.map_err(|e| Failure::Output(None, e))?;
         let [scene, answers, sheet, solution] = endings(format);
         Ok([
-            (scene, self.exercise.scene.text().to_owned()),
+            (scene, self.made.scene().text().to_owned()),
             (answers, String::from_utf8_lossy(&blank).into_owned()),
             (sheet, self.sheet().written(format, screen.ascii)),
-            (solution, self.solution().written(format, screen.ascii)),
+            (solution, self.made.solution().written(format, screen.ascii)),
         ])
     }
 
@@ -243,7 +221,9 @@ impl GeneratedExercise {
         for (ending, text) in self.files(style)? {
             let path = folder.join(format!("{}{ending}", self.name));
             let is_lost = match read_without_waiting(&path, MAX_REPORT_SIZE) {
-                Ok(bytes) if ending == ANSWERS => !is_blank(&bytes, &self.key, &self.scene_file()),
+                Ok(bytes) if ending == ANSWERS => {
+                    !is_blank(&bytes, self.made.key(), &self.scene_file())
+                }
                 Ok(bytes) => bytes != text.as_bytes(),
                 Err(error) => error.kind() != ErrorKind::NotFound,
             };

@@ -92,7 +92,7 @@ const HEADS: [char; 4] = ['>', '<', 'v', '^'];
 const TRIANGLES: [char; 4] = ['\u{25ba}', '\u{25c4}', '\u{25bc}', '\u{25b2}'];
 
 /// Returns the head glyph for a direction on the screen, y downwards.
-fn head(glyphs: Glyphs, direction: Vec2) -> char {
+pub(super) fn head(glyphs: Glyphs, direction: Vec2) -> char {
     let is_level = direction.x.abs() >= direction.y.abs();
     let index = match is_level {
         true => usize::from(direction.x <= 0.0),

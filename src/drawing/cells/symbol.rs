@@ -1,13 +1,14 @@
 //! Draws the symbols of kinematic sketches: supports, hatching, blocks and marks. Their size is
 //! counted in cells, so they stay readable at any scale.
 
-use super::pattern;
 use super::raster::Raster;
 use super::render::Glyphs;
 use super::stroke;
+use super::{arrow, pattern};
 use crate::Vec2;
 use crate::drawing::figure::Role;
 use crate::drawing::view::WorldView;
+use std::f64::consts::FRAC_PI_3;
 
 /// Minimum number of rows for the triangle under a ground pin.
 const MIN_ROWS_WITH_TRIANGLE: u16 = 16;
@@ -18,15 +19,21 @@ const HATCHING: usize = 2;
 /// Half the width of a barrel, in cell widths per dot of a bar's width plus one.
 const BARREL: f64 = 0.35;
 
-/// The smallest and the largest sine of the angle between the x axis and an inclined guide. A block
-/// on any other guide is level or upright.
-const INCLINED: std::ops::Range<f64> = 0.2..0.98;
+/// The smallest sine of the angle between the x axis and an inclined guide. A block on any other
+/// guide is level, and three characters draw it more clearly than dots.
+const INCLINED: f64 = 0.2;
 
 /// Additional width of a highlighted bar, in dots.
 const HIGHLIGHT_WIDTH: u8 = 2;
 
 /// Distance of a guide's rails from its middle, in cell widths: just outside the block.
 const RAIL: f64 = (pattern::BLOCK.y + 1.5) / stroke::FINE.x;
+
+/// Radius of the arrow of a moment, in cell widths; its start and end in radians, and the number of
+/// straight pieces.
+const MOMENT: f64 = 2.2;
+const ARC: std::ops::Range<f64> = FRAC_PI_3..5.0 * FRAC_PI_3;
+const ARC_STEPS: u8 = 12;
 
 /// Height of a spring's teeth, in cell widths.
 const SPRING: f64 = 1.0;
@@ -129,8 +136,11 @@ impl Symbols<'_> {
         }
     }
 
-    /// Draws an arrow around three quarters of a circle.
+    /// Draws an arrow around two thirds of a circle.
     pub(in crate::drawing) fn moment(&mut self, at: Vec2, is_left: bool) {
+        if self.glyphs.is_dotted() {
+            return self.dotted_moment(at, is_left);
+        }
         let (col, row) = cell_of(self.view.cell(at));
         let lines = if is_left {
             [(-1, ".--"), (-2, "("), (-1, "'->")]
@@ -140,6 +150,23 @@ impl Symbols<'_> {
         for ((left, glyphs), below) in lines.into_iter().zip([-1, 0, 1]) {
             self.stamp(col + left, row + below, glyphs, Role::Force);
         }
+    }
+
+    /// Draws the arrow of a moment as an arc with a head, which is below the point.
+    fn dotted_moment(&mut self, at: Vec2, is_left: bool) {
+        let (middle, aspect) = (self.view.cell(at), self.view.aspect());
+        let side = if is_left { 1.0 } else { -1.0 };
+        let on_arc = |step: u8| {
+            let share = f64::from(step) / f64::from(ARC_STEPS);
+            let (sin, cos) = (ARC.start + share * (ARC.end - ARC.start)).sin_cos();
+            middle + Vec2::new(side * cos, -sin / aspect) * MOMENT
+        };
+        for step in 0..ARC_STEPS {
+            self.line(on_arc(step), on_arc(step + 1), Role::Force);
+        }
+        let (col, row) = cell_of(on_arc(ARC_STEPS));
+        let head = arrow::head(self.glyphs, Vec2::new(side, 0.0));
+        self.raster.set_cell(col, row, head, Role::Force);
     }
 
     /// Draws a guide on the ground. If blocks and pins are made of dots, it is two rails with the
@@ -228,7 +255,7 @@ impl Symbols<'_> {
             }
             return;
         }
-        if self.glyphs.is_dotted() && INCLINED.contains(&along.y.abs()) {
+        if self.glyphs.is_dotted() && along.y.abs() >= INCLINED {
             let position = self.pin_place(position);
             pattern::block(
                 self.raster,

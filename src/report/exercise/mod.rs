@@ -3,6 +3,7 @@
 mod answer_file;
 mod class;
 mod graded;
+mod made;
 mod requested_values;
 mod row_names;
 mod sheet;
@@ -10,6 +11,7 @@ mod sheet;
 pub use answer_file::{AnswerFile, AnsweredRow, InvalidCell, NoAnswers, blank_answers, is_blank};
 pub use class::{class_csv, class_page, named_again};
 pub use graded::{FileRemarks, GradedAnswers, GradedFigure};
+pub use made::MadeExercise;
 pub use requested_values::answer_key;
 
 #[cfg(test)]

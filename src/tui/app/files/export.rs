@@ -3,8 +3,11 @@
 use super::super::views::{self, Copied};
 use crate::capability::{Detected, PictureProtocol};
 use crate::quantity::{Catalogue, Clock};
-use crate::report::{Columns, LeadSweep, Report, RowFormat, Steps, Sweep, WrittenDecimal};
+use crate::report::{
+    Columns, LeadSweep, MadeExercise, Report, RowFormat, Steps, Sweep, WrittenDecimal,
+};
 use crate::solver::{Order, PointLeader};
+use crate::study::ExerciseMaker;
 use crate::tui::Origin;
 use crate::tui::app::{App, Effect, Mode};
 use crate::tui::commands::action::Action;
@@ -252,15 +255,42 @@ impl App {
         self.prompt_for_file(SavedContent::Text(text), &proposal);
     }
 
-    /// Proposes a file name, such as `four-bar-60.csv`, or `four-bar-plot.csv` for the whole
-    /// motion.
-    fn proposal(&self, ending: &str) -> String {
+    /// Asks for a file for the sheet of an exercise that is made from the scene. The command line
+    /// writes it with answers and solution.
+    pub(in crate::tui::app) fn prompt_for_exercise(&mut self, seed: u64) {
+        let open_scene = &self.player.open_scene;
+        let (scene, solver) = (open_scene.scene(), open_scene.solver());
+        if scene.lead.is_some() {
+            return self.shell.set_message(words().shows_the_driver_only());
+        }
+        let typed = match open_scene.origin() {
+            Origin::File(path) => path.display().to_string(),
+            Origin::Preset(_) | Origin::New(_) | Origin::Stdin => self.stem(),
+        };
+        let maker = ExerciseMaker::new(scene, solver);
+        match MadeExercise::new(&maker, scene, &typed, seed) {
+            Ok(made) => {
+                let name = format!("{}-{seed}", self.stem());
+                let text = Text::of_report(words().the_exercise(), &made.sheet(&name));
+                self.prompt_for_file(SavedContent::Text(text), &format!("{name}.html"));
+            }
+            Err(why) => self.shell.set_message(why),
+        }
+    }
+
+    /// Returns the name of the scene for names of files.
+    fn stem(&self) -> String {
         let stem = match self.player.open_scene.origin() {
             Origin::Preset(name) | Origin::New(name) => Some(name.clone()),
             Origin::File(path) => path.file_stem().map(|s| s.to_string_lossy().into_owned()),
             Origin::Stdin => None,
         };
-        let stem = stem.unwrap_or_else(|| "scene".into());
+        stem.unwrap_or_else(|| "scene".into())
+    }
+
+    /// Proposes a file name, such as `four-bar-60.csv`, or `four-bar-plot.csv` for the whole
+    /// motion.
+    fn proposal(&self, ending: &str) -> String {
         let complete = self
             .shell
             .view
@@ -273,6 +303,6 @@ impl App {
             None => coordinate(open_scene.at(), 0),
         };
         let place = complete.map_or_else(place, str::to_owned);
-        format!("{stem}-{place}.{ending}")
+        format!("{}-{place}.{ending}", self.stem())
     }
 }

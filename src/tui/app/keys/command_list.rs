@@ -70,6 +70,7 @@ impl App {
                 self.shell
                     .set_message(words().theme_is(theme.shown_name(), theme.name()));
             }
+            Some(ListEntry::Exercise(seed)) => self.prompt_for_exercise(*seed),
             Some(ListEntry::SaveAndQuit) if !self.is_blocked_by_staging(Action::Save) => {
                 self.save_own();
                 self.pending = Some(Pending::Quit);

@@ -32,6 +32,8 @@ pub(crate) enum ListEntry {
     Theme(Theme),
     /// Opens the preset with this index.
     Preset(usize),
+    /// Makes the exercise of this seed from the scene.
+    Exercise(u64),
     /// Searches for the linkages of the task with this index.
     Task(usize),
 }
@@ -119,6 +121,9 @@ fn spelled(typed: &str) -> Vec<ListEntry> {
         ("W", "") => vec![ListEntry::Command(Action::SaveAs)],
         ("w", _) => vec![ListEntry::SaveTo],
         ("e", _) => vec![ListEntry::OpenFile],
+        (word, seed) if is_exercise(word) && (seed.is_empty() || seed.parse::<u64>().is_ok()) => {
+            vec![ListEntry::Exercise(seed.parse().unwrap_or(1))]
+        }
         ("theme" | "tema", name) => {
             let name = plain(name);
             let is_begun = |theme: &Theme| {
@@ -141,6 +146,12 @@ fn spelled(typed: &str) -> Vec<ListEntry> {
         (_, rest) if is_number(typed) || is_number(rest) => vec![ListEntry::GoTo],
         _ => Vec::new(),
     }
+}
+
+/// Returns `true` if a word begins the name of exercises, with at least three letters.
+fn is_exercise(word: &str) -> bool {
+    let names = ["exercise", words().exercise_name()];
+    word.len() >= 3 && names.iter().any(|name| name.starts_with(&*plain(word)))
 }
 
 /// Returns the steps of a count that ends with the usual key of a step: `10.` or `10,`.
@@ -353,6 +364,8 @@ mod tests {
             ("3,", ListEntry::Steps(-3)),
             ("0.", ListEntry::GoTo),
             ("W", ListEntry::Command(Action::SaveAs)),
+            ("exercise", ListEntry::Exercise(1)),
+            ("exer 7", ListEntry::Exercise(7)),
             ("r7 45", ListEntry::GoTo),
             ("theme d", ListEntry::Theme(Theme::Dark)),
             ("theme", ListEntry::Theme(Theme::Auto)),
