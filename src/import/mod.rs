@@ -18,8 +18,9 @@ mod pyslvs;
 mod reduce;
 mod writer;
 
+use crate::LinkId;
 use crate::scene::{MAX_FILE_SIZE, Scene, sanitized};
-use crate::solver::{Condition, Order, Solver};
+use crate::solver::{Condition, Fault, Order, Solver};
 use crate::wording::words;
 use drawing::{Drawing, DrawnLaw, Remarks};
 use names::ElementNames;
@@ -30,6 +31,14 @@ use writer::{LimitStyle, LinkStyle, SceneStyle};
 
 /// A scene opens as drawn if no point is farther from its place than this fraction of the size.
 const AS_DRAWN: f64 = 1e-9;
+
+/// The change of a length for a drawing at a dead point, in gaps by which it is out of reach.
+const GAPS: f64 = 4.0;
+/// The smallest such change, as a fraction of the size.
+const MIN_CHANGE: f64 = 1e-14;
+/// A drawing at a dead point opens within this fraction of the size: about the square root of the
+/// change of lengths.
+const AT_DEAD_POINT: f64 = 1e-6;
 
 /// The format of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -204,10 +213,11 @@ fn hold_inputs(drawing: &Drawing, remarks: &mut Remarks) {
 }
 
 /// How a scene opens, compared with its drawing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum OpeningPose {
     AsDrawn,
-    Elsewhere,
+    /// The largest distance of a point from its place, as a fraction of the size.
+    Elsewhere(f64),
     /// The scene does not open.
     Nowhere,
 }
@@ -225,7 +235,12 @@ impl ImportWriter<'_> {
     /// Returns the scene in the form of a textbook, or in the drawing's coordinates where only
     /// these open as drawn.
     fn text(&self, remarks: &mut Vec<String>) -> String {
-        let style = |links, limits| SceneStyle { links, limits };
+        let style = |links, limits| SceneStyle {
+            links,
+            limits,
+            stretch: None,
+            start: None,
+        };
         // Lengths in coordinates have no rounding error, which may lead beyond a limit.
         let styles = [
             style(LinkStyle::Ends, LimitStyle::Exact),
@@ -234,39 +249,114 @@ impl ImportWriter<'_> {
         ];
         let mut elsewhere = None;
         for style in styles {
-            let text = self.written(style, remarks);
-            match self.pose(&text) {
-                OpeningPose::AsDrawn => return text,
-                OpeningPose::Elsewhere => elsewhere = elsewhere.or(Some(style)),
+            match self.pose(style, remarks) {
+                OpeningPose::AsDrawn => return self.written(style, remarks, true),
+                OpeningPose::Elsewhere(off) => elsewhere = elsewhere.or(Some((style, off))),
                 OpeningPose::Nowhere => {}
             }
             if !self.drawing.has_limits() && style.links == LinkStyle::Drawn {
                 break;
             }
         }
-        if self.drawing.has_limits() && elsewhere.is_none() {
+        if let Some((style, off)) = elsewhere {
+            let text = match off <= AT_DEAD_POINT {
+                true => words().import_at_dead_point(),
+                false => words().import_not_as_drawn(),
+            };
+            remarks.push(text.to_owned());
+            return self.written(style, remarks, false);
+        }
+        if let Some(style) = self.at_dead_point(remarks) {
+            remarks.push(words().import_at_dead_point().to_owned());
+            return self.written(style, remarks, false);
+        }
+        if self.drawing.has_limits() {
             // Limits that the scene contradicts are left out.
             let free = [LinkStyle::Ends, LinkStyle::Drawn];
             let free = free.map(|links| style(links, LimitStyle::Omitted));
-            let poses = free.map(|style| self.pose(&self.written(style, remarks)));
+            let poses = free.map(|style| self.pose(style, remarks));
             let is_drawn = |pose: &OpeningPose| *pose == OpeningPose::AsDrawn;
             let opens = |pose: &OpeningPose| *pose != OpeningPose::Nowhere;
             let chosen = poses.iter().position(is_drawn);
             if let Some(chosen) = chosen.or_else(|| poses.iter().position(opens)) {
                 remarks.push(words().import_limits_contradict().to_owned());
-                if !is_drawn(&poses[chosen]) {
+                let is_drawn = is_drawn(&poses[chosen]);
+                if !is_drawn {
                     remarks.push(words().import_not_as_drawn().to_owned());
                 }
-                return self.written(free[chosen], remarks);
+                return self.written(free[chosen], remarks, is_drawn);
             }
         }
-        if elsewhere.is_some() {
-            remarks.push(words().import_not_as_drawn().to_owned());
-        }
-        self.written(elsewhere.unwrap_or(styles[0]), remarks)
+        self.written(styles[0], remarks, false)
     }
 
-    fn written(&self, style: SceneStyle, remarks: &[String]) -> String {
+    /// Returns how to write a drawing at a dead point, where the rounding of lengths decides whether
+    /// the scene has no assembly or two: one length is changed by a few roundings if necessary.
+    fn at_dead_point(&self, remarks: &[String]) -> Option<SceneStyle> {
+        let unchanged = SceneStyle {
+            links: LinkStyle::Ends,
+            limits: LimitStyle::Loose,
+            stretch: None,
+            start: None,
+        };
+        let is_near = |style: SceneStyle| match self.pose(style, remarks) {
+            OpeningPose::AsDrawn => true,
+            OpeningPose::Elsewhere(off) => off <= AT_DEAD_POINT,
+            OpeningPose::Nowhere => false,
+        };
+        let scene = Scene::parse(&self.written(unchanged, remarks, true), "").ok()?;
+        let (links, gap) = match Solver::new(&scene.mechanism) {
+            Err(Fault::Open { links, gap, .. }) => (links, gap),
+            Err(Fault::Vague { point, .. }) => {
+                let decided = self.decided(unchanged, remarks);
+                if is_near(decided) {
+                    return Some(decided);
+                }
+                // Both assemblies are the same in doubles.
+                let links = scene.mechanism.link_ids();
+                let meets = |link: &LinkId| scene.mechanism.link(*link).member(point).is_some();
+                (links.filter(meets).collect(), 0.0)
+            }
+            _ => return None,
+        };
+        if gap > AS_DRAWN * self.drawing.size() {
+            return None;
+        }
+        // A change of less than the last written digit would be rounded away.
+        let change = (GAPS * gap).max(MIN_CHANGE * self.drawing.size());
+        let names = links.iter().map(|&link| scene.link_name(link));
+        let links = names.filter_map(|name| self.names.links.iter().position(|own| own == name));
+        let mut changes = links.flat_map(|link| [(link, change), (link, -change)]);
+        changes.find_map(|stretch| {
+            let style = SceneStyle {
+                stretch: Some(stretch),
+                ..unchanged
+            };
+            Some(self.decided(style, remarks)).filter(|&style| is_near(style))
+        })
+    }
+
+    /// Returns a style whose rough positions choose the first of two assemblies that are equally near
+    /// to the drawing.
+    fn decided(&self, style: SceneStyle, remarks: &[String]) -> SceneStyle {
+        let start = || {
+            let scene = Scene::parse(&self.written(style, remarks, true), "").ok()?;
+            let Err(Fault::Vague { point, choices, .. }) = Solver::new(&scene.mechanism) else {
+                return None;
+            };
+            let name = scene.point_name(point)?;
+            let point = self.names.points.iter().position(|own| own == name)?;
+            let at = choices.first()?;
+            Some((point, [at.x, at.y]))
+        };
+        SceneStyle {
+            start: start(),
+            ..style
+        }
+    }
+
+    /// Writes the scene. `is_as_drawn` says whether it opens in the pose of the drawing.
+    fn written(&self, style: SceneStyle, remarks: &[String], is_as_drawn: bool) -> String {
         let program = self.format.program();
         let shown = match is_address(self.file) {
             true => words().import_an_address(program),
@@ -276,14 +366,19 @@ impl ImportWriter<'_> {
             true => program.to_owned(),
             false => crate::scene::stem(self.file),
         };
-        let about = [words().import_about(program), title, shown];
+        let about = match is_as_drawn {
+            true => words().import_about(program),
+            false => words().import_about_elsewhere(program),
+        };
+        let about = [about, title, shown];
         let about = about.each_ref().map(String::as_str);
         writer::scene_text(self.drawing, self.names, style, about, remarks)
     }
 
-    /// Opens a scene and compares every point with its place in the drawing.
-    fn pose(&self, text: &str) -> OpeningPose {
-        let Ok(scene) = Scene::parse(text, "") else {
+    /// Opens the scene and compares every point with its place in the drawing.
+    fn pose(&self, style: SceneStyle, remarks: &[String]) -> OpeningPose {
+        let text = self.written(style, remarks, true);
+        let Ok(scene) = Scene::parse(&text, "") else {
             return OpeningPose::Nowhere;
         };
         let Ok(solver) = Solver::new(&scene.mechanism) else {
@@ -298,18 +393,16 @@ impl ImportWriter<'_> {
         let drawn: HashMap<&str, [f64; 2]> = names
             .zip(self.drawing.points.iter().map(|point| point.at))
             .collect();
-        let maximum = AS_DRAWN * self.drawing.size();
-        let mut points = scene.mechanism.point_ids();
-        let is_as_drawn = points.all(|point| {
-            let at = scene.point_name(point).and_then(|name| drawn.get(name));
-            let (Some([x, y]), Some(found)) = (at, state.position(point)) else {
-                return true;
-            };
-            (found.x - x).hypot(found.y - y) <= maximum
+        let distances = scene.mechanism.point_ids().filter_map(|point| {
+            let [x, y] = drawn.get(scene.point_name(point)?)?;
+            let found = state.position(point)?;
+            Some((found.x - x).hypot(found.y - y))
         });
-        match is_as_drawn {
+        let farthest = distances.fold(0.0, f64::max);
+        let size = self.drawing.size();
+        match farthest <= AS_DRAWN * size {
             true => OpeningPose::AsDrawn,
-            false => OpeningPose::Elsewhere,
+            false => OpeningPose::Elsewhere(farthest / size),
         }
     }
 }

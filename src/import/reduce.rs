@@ -19,6 +19,7 @@ const BESIDE: f64 = 1e-3;
 /// Simplifies a drawing in place.
 pub(super) fn settle(drawing: &mut Drawing) {
     let size = drawing.size();
+    join_coincident_joints(drawing);
     weld(drawing, size);
     drop_idle_inputs(drawing);
     turn_blocks_into_pins(drawing, size);
@@ -26,6 +27,88 @@ pub(super) fn settle(drawing: &mut Drawing) {
     seat_fixed_pins(drawing);
     leave_out_idle_links(drawing, size);
     limit_further_inputs(drawing);
+}
+
+/// Joins the points of links whose points are all at one place, as such a link does. Its length of
+/// zero would decide by rounding whether the scene opens.
+fn join_coincident_joints(drawing: &mut Drawing) {
+    // The point that replaces each point.
+    let mut leaders: Vec<usize> = (0..drawing.points.len()).collect();
+    let leader = |leaders: &[usize], mut point: usize| {
+        while leaders[point] != point {
+            point = leaders[point];
+        }
+        point
+    };
+    for link in 0..drawing.links.len() {
+        let drawn = &drawing.links[link];
+        let [first, others @ ..] = drawn.points.as_slice() else {
+            continue;
+        };
+        let is_at_one_place = others
+            .iter()
+            .all(|&other| drawing.distance(*first, other) == 0.0);
+        if others.is_empty() || !is_at_one_place {
+            continue;
+        }
+        let name = link_name(drawing, link);
+        let is_welded = drawing
+            .welds
+            .iter()
+            .any(|pair| pair.contains(&DrawnPart::Link(link)));
+        let is_kept = drawn.is_needed
+            || drawn.mass.is_some()
+            || is_welded
+            || is_used(drawing, link, usize::MAX);
+        if is_kept {
+            // A block is at one place; a crank or a body usually is not.
+            if drawn.is_needed || drawn.mass.is_some() {
+                let text = words().import_zero_link(&name);
+                drawing.remarks.add("", &text);
+            }
+            continue;
+        }
+        for &other in others {
+            let ends = [*first, other].map(|point| leader(&leaders, point));
+            leaders[ends[0].max(ends[1])] = ends[0].min(ends[1]);
+        }
+        drawing.links[link] = DrawnLink::default();
+        let text = words().import_joined_points(&name);
+        drawing.remarks.add("", &text);
+    }
+    if leaders.iter().enumerate().all(|(point, &to)| point == to) {
+        return;
+    }
+    let join = |points: &mut Vec<usize>| {
+        let mut seen = BTreeSet::new();
+        for point in points.iter_mut() {
+            *point = leader(&leaders, *point);
+        }
+        points.retain(|&point| seen.insert(point));
+    };
+    join(&mut drawing.ground);
+    for link in &mut drawing.links {
+        join(&mut link.points);
+    }
+    for slide in &mut drawing.slides {
+        match &mut slide.slider {
+            DrawnSlider::Pin(point) | DrawnSlider::Link { at: point, .. } => {
+                *point = leader(&leaders, *point);
+            }
+        }
+        slide.through = slide.through.map(|point| leader(&leaders, point));
+    }
+    for load in &mut drawing.loads {
+        load.point = leader(&leaders, load.point);
+    }
+}
+
+/// Returns the name by which remarks call a link.
+fn link_name(drawing: &Drawing, link: usize) -> String {
+    let drawn = &drawing.links[link];
+    let at = drawn.points.first().map(|&point| drawing.points[point].at);
+    let place = || at.map_or(String::new(), |[x, y]| format!("({x}, {y})"));
+    drawn.name.clone().unwrap_or_else(place)
 }
 
 /// Turns the ranges of all inputs but the driver into limits of their elements, and leaves out

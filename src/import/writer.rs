@@ -33,6 +33,10 @@ pub(super) enum LimitStyle {
 pub(super) struct SceneStyle {
     pub(super) links: LinkStyle,
     pub(super) limits: LimitStyle,
+    /// A link whose length is changed, and by how much.
+    pub(super) stretch: Option<(usize, f64)>,
+    /// A point whose rough position differs from the drawing.
+    pub(super) start: Option<(usize, [f64; 2])>,
 }
 
 /// A point is on a line if its distance from it is below this fraction of the drawing's size.
@@ -269,7 +273,10 @@ impl SceneWriter<'_> {
         };
         self.line(&format!("\n[{section}]{comment}"));
         for &point in points {
-            let at = pair(self.drawing.points[point].at, given);
+            let at = match self.style.start {
+                Some((moved, at)) if moved == point => pair(at, computed),
+                _ => pair(self.drawing.points[point].at, given),
+            };
             let line = format!("{} = {at}", key(self.point(point)));
             self.line(&line);
         }
@@ -381,12 +388,16 @@ impl SceneWriter<'_> {
             None => given,
         };
         let mut parts = Vec::new();
+        let stretch = match self.style.stretch {
+            Some((stretched, change)) if stretched == link => change,
+            _ => 0.0,
+        };
         if let Some([from, to]) = frame.ends {
             parts.push(format!(
                 "from = {}, to = {}, length = {}",
                 toml_string(self.point(from)),
                 toml_string(self.point(to)),
-                computed(self.drawing.distance(from, to))
+                computed(self.drawing.distance(from, to) + stretch)
             ));
         }
         let place = |at: [f64; 2]| match frame.ends {

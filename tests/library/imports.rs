@@ -991,6 +991,110 @@ fn odd_parts_of_pylinkage_files_are_reported() {
     OpenedScene::new("odd", &imported.text);
 }
 
+/// Regression test: the rounding of lengths decided whether a drawing at a dead point opens.
+#[test]
+fn drawings_at_dead_points_open() {
+    for k in 0..40_u32 {
+        let turned = |angle: f64, length: f64| {
+            let (sin, cos) = angle.to_radians().sin_cos();
+            [length * cos + 0.37, length * sin - 1.9]
+        };
+        let k = f64::from(k);
+        let (b, d) = (turned(37.3 * k, 41.7), [150.0 + k, -7.7 * k]);
+        // Coupler and rocker are in line, stretched or folded.
+        let share = [0.3, 0.5, 0.77, 1.4][k as usize % 4];
+        let c = [0, 1].map(|i| b[i] + share * (d[i] - b[i]));
+        let text = format!(
+            "ground,k,R,0.37,-1.9,0,tfft\nk,m,R,{},{}\nm,n,R,{},{}\nn,ground,R,{},{}\n",
+            b[0], b[1], c[0], c[1], d[0], d[1]
+        );
+        let imported = import(text.as_bytes(), "dead").unwrap();
+        let opened = OpenedScene::new("dead", &imported.text);
+        let here = opened.places(opened.scene.mechanism.driver().start);
+        let off = distance([here["C"].x, here["C"].y], c);
+        assert!(
+            off < 1e-6 * distance(b, d),
+            "{k}: {off:e}\n{}",
+            imported.text
+        );
+        // The drawing is not exactly the opening pose, and the scene says so.
+        let is_exact = off <= 1e-9 * 150.0;
+        assert!(
+            is_exact
+                || imported.remarks
+                    == [
+                        "the drawing is a dead point: the scene opens next to it, on one of its two sides"
+                    ]
+        );
+    }
+}
+
+/// Joints at one place, which leave links without a length or a direction.
+#[test]
+fn joints_at_one_place_are_one_joint() {
+    let text =
+        "ground,k,R,0,0,0,tfft\nk,m,R,11.3,7.9\nm,n,R,11.3,7.9\nn,p,R,44.1,20\np,ground,R,50,-3\n";
+    let imported = import(text.as_bytes(), "zero").unwrap();
+    assert_eq!(
+        imported.remarks,
+        ["the joints of the link `m` are at one place; they are one joint here"]
+    );
+    let opened = OpenedScene::new("zero", &imported.text);
+    assert_eq!(
+        opened.scene.mechanism.link_ids().count(),
+        3,
+        "{}",
+        imported.text
+    );
+    let here = opened.places(opened.scene.mechanism.driver().start + 10.0);
+    let length = distance([here["B"].x, here["B"].y], [here["D"].x, here["D"].y]);
+    assert!(
+        (length - distance([11.3, 7.9], [44.1, 20.0])).abs() < 1e-12,
+        "{length}"
+    );
+    // A turned link of length 0 is reported.
+    let imported = import(text.replace("11.3,7.9", "0,0").as_bytes(), "zero").unwrap();
+    assert_eq!(
+        imported.remarks[0],
+        "the joints of the link `k` are at one place: its length is 0"
+    );
+    for text in [
+        "M[J[R, P[-10., 0.], L[ground, i]], J[R, P[-10., 0.], L[ground, j]]]",
+        "M[J[R, P[-10., 0.], L[ground, i]], J[R, P[-10., 0.], L[ground, j]], J[R, P[5, 20], L[i, j]]]",
+        "M[J[R, P[1, 1], L[ground, i]], J[R, P[1, 1], L[i, j]], J[P, A[0], P[1, 1], L[j, ground]]]",
+        "M[J[RP, A[0], P[1, 1], L[ground, i]], J[RP, A[90], P[1, 1], L[ground, i]], J[R, P[1, 1], L[i, ground]]]",
+    ] {
+        let imported = import(text.as_bytes(), "x").unwrap();
+        let scene = Scene::parse(&imported.text, "x").unwrap();
+        let fault = Solver::new(&scene.mechanism).err();
+        let message = fault.map_or(String::new(), |fault| scene.explain(&fault).to_string());
+        for said in [&imported.text, &message] {
+            assert!(
+                !said.contains("NaN") && !said.contains("inf"),
+                "{text}\n{said}"
+            );
+        }
+    }
+}
+
+/// The first comment of a scene that does not open as drawn does not say that it does.
+#[test]
+fn comments_say_how_the_scene_opens() {
+    let head = |text: &str| {
+        let imported = import(text.as_bytes(), "x").unwrap();
+        imported.text.lines().next().unwrap().to_owned()
+    };
+    let four_bar = String::from_utf8(file("four-bar.pmks.txt")).unwrap();
+    assert!(head(&four_bar).ends_with("opens in the pose of its drawing."));
+    // A loose link, and a slot through the pivot of its own link.
+    for text in [
+        "ground,k,R,0,0\nk,m,R,10,10\nm,n,R,30,20\n",
+        "ground,k,R,9.2,8.6\nground,n,R,6.6,-6.6\nn,k,RP,6.6,-6.6,0\nn,R,-9.9,-10\n",
+    ] {
+        assert_eq!(head(text), "# Imported from a file of PMKS.", "{text}");
+    }
+}
+
 /// Regression test: a comma at the end of each joint hid its mark, and another link was driven.
 #[test]
 fn commas_at_the_ends_of_joints_change_nothing() {
