@@ -416,8 +416,28 @@ fn packed(address: &str) -> ImportError {
     ImportError::new(&words().import_packed(version))
 }
 
-/// Returns the text of a file. Files in an older encoding keep their ASCII characters.
+/// Returns the text of a file with line feeds. Files in an older encoding keep their ASCII
+/// characters.
 fn decoded(bytes: &[u8]) -> Cow<'_, str> {
+    let read: Option<fn([u8; 2]) -> u16> = match bytes {
+        [0xff, 0xfe, ..] => Some(u16::from_le_bytes),
+        [0xfe, 0xff, ..] => Some(u16::from_be_bytes),
+        _ => None,
+    };
+    if let Some(read) = read {
+        let units = bytes.chunks_exact(2).map(|pair| read([pair[0], pair[1]]));
+        let units: Vec<u16> = units.collect();
+        return String::from_utf16_lossy(&units).into();
+    }
+    let text = decoded_bytes(bytes);
+    // Old files end their lines with a carriage return alone.
+    match text.contains('\r') && !text.contains('\n') {
+        true => text.replace('\r', "\n").into(),
+        false => text,
+    }
+}
+
+fn decoded_bytes(bytes: &[u8]) -> Cow<'_, str> {
     match std::str::from_utf8(bytes) {
         Ok(text) => Cow::Borrowed(text),
         Err(_) => bytes

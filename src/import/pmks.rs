@@ -30,22 +30,17 @@ struct LineJoint {
     remarks: Vec<String>,
 }
 
-/// Returns `true` if a text consists of joints and settings.
+/// Returns `true` if a text has more joints than lines of other kinds.
 pub(super) fn is_pmks(text: &str) -> bool {
-    let mut joints = 0;
+    let (mut joints, mut others) = (0_usize, 0_usize);
     for line in lines(text) {
         match read(line, "") {
             PmksLine::Joint(_) | PmksLine::Ambiguous(_) => joints += 1,
             PmksLine::Setting | PmksLine::Empty => {}
-            // Text of other kinds before any joint is another format.
-            PmksLine::Unknown if joints < 2 => return false,
-            PmksLine::Unknown => {}
-        }
-        if joints == 2 {
-            return true;
+            PmksLine::Unknown => others += 1,
         }
     }
-    joints > 0
+    joints > others
 }
 
 /// Returns the lines of a file, or those of an address, which separates them by `|`.

@@ -149,6 +149,9 @@ impl Scanner<'_> {
                 Some(',' | ']') | None => {
                     let text = std::mem::take(&mut word);
                     let line = self.line;
+                    if finished.is_some() && !text.trim().is_empty() {
+                        return fault(line);
+                    }
                     let typed = (!text.trim().is_empty()).then(|| ExpressionTerm {
                         word: text.trim().to_owned(),
                         list: None,

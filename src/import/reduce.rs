@@ -20,6 +20,11 @@ const BESIDE: f64 = 1e-3;
 pub(super) fn settle(drawing: &mut Drawing) {
     let size = drawing.size();
     join_coincident_joints(drawing);
+    join_repeated_joints(drawing);
+    let is_fixed = |slide: &DrawnSlide| slide.on == DrawnPart::Frame;
+    if drawing.ground.is_empty() && !drawing.slides.iter().any(is_fixed) {
+        drawing.remarks.add("", words().import_no_ground());
+    }
     weld(drawing, size);
     drop_idle_inputs(drawing);
     turn_blocks_into_pins(drawing, size);
@@ -34,12 +39,6 @@ pub(super) fn settle(drawing: &mut Drawing) {
 fn join_coincident_joints(drawing: &mut Drawing) {
     // The point that replaces each point.
     let mut leaders: Vec<usize> = (0..drawing.points.len()).collect();
-    let leader = |leaders: &[usize], mut point: usize| {
-        while leaders[point] != point {
-            point = leaders[point];
-        }
-        point
-    };
     for link in 0..drawing.links.len() {
         let drawn = &drawing.links[link];
         let [first, others @ ..] = drawn.points.as_slice() else {
@@ -69,20 +68,59 @@ fn join_coincident_joints(drawing: &mut Drawing) {
             continue;
         }
         for &other in others {
-            let ends = [*first, other].map(|point| leader(&leaders, point));
+            let ends = [*first, other].map(|point| leader_of(&leaders, point));
             leaders[ends[0].max(ends[1])] = ends[0].min(ends[1]);
         }
         drawing.links[link] = DrawnLink::default();
         let text = words().import_joined_points(&name);
         drawing.remarks.add("", &text);
     }
+    replace_points(drawing, &leaders);
+}
+
+/// Joins joints of the same two parts at the same place: the second one says nothing new.
+fn join_repeated_joints(drawing: &mut Drawing) {
+    let parts = parts_at(drawing);
+    let mut first_at: HashMap<[u64; 2], Vec<usize>> = HashMap::new();
+    let mut leaders: Vec<usize> = (0..drawing.points.len()).collect();
+    for (point, own) in parts.iter().enumerate() {
+        // Adding 0 makes both zeros equal.
+        let place = drawing.points[point].at.map(|x| (x + 0.0).to_bits());
+        let known = first_at.entry(place).or_default();
+        let is_same = |&&other: &&usize| {
+            let shared = own.iter().filter(|part| parts[other].contains(part));
+            shared.count() > 1
+        };
+        match known.iter().find(is_same) {
+            Some(&other) => {
+                leaders[point] = other;
+                let [x, y] = drawing.points[point].at;
+                let text = words().import_repeated_joint(x, y);
+                drawing.remarks.add("", &text);
+            }
+            None => known.push(point),
+        }
+    }
+    replace_points(drawing, &leaders);
+}
+
+/// Returns the point that replaces a point.
+fn leader_of(leaders: &[usize], mut point: usize) -> usize {
+    while leaders[point] != point {
+        point = leaders[point];
+    }
+    point
+}
+
+/// Replaces every point by its leader.
+fn replace_points(drawing: &mut Drawing, leaders: &[usize]) {
     if leaders.iter().enumerate().all(|(point, &to)| point == to) {
         return;
     }
     let join = |points: &mut Vec<usize>| {
         let mut seen = BTreeSet::new();
         for point in points.iter_mut() {
-            *point = leader(&leaders, *point);
+            *point = leader_of(leaders, *point);
         }
         points.retain(|&point| seen.insert(point));
     };
@@ -93,13 +131,13 @@ fn join_coincident_joints(drawing: &mut Drawing) {
     for slide in &mut drawing.slides {
         match &mut slide.slider {
             DrawnSlider::Pin(point) | DrawnSlider::Link { at: point, .. } => {
-                *point = leader(&leaders, *point);
+                *point = leader_of(leaders, *point);
             }
         }
-        slide.through = slide.through.map(|point| leader(&leaders, point));
+        slide.through = slide.through.map(|point| leader_of(leaders, point));
     }
     for load in &mut drawing.loads {
-        load.point = leader(&leaders, load.point);
+        load.point = leader_of(leaders, load.point);
     }
 }
 

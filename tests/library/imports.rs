@@ -1077,6 +1077,70 @@ fn joints_at_one_place_are_one_joint() {
     }
 }
 
+/// Regression test: a joint that the file has twice gave a misfit of NaN.
+#[test]
+fn joints_that_are_there_twice_are_one() {
+    let four_bar = String::from_utf8(file("four-bar.pmks.txt")).unwrap();
+    let text = four_bar + "coupler,input,R,15,40\noutput,ground,R,120,-10\n";
+    let imported = import(text.as_bytes(), "x").unwrap();
+    assert_eq!(
+        imported.remarks,
+        [
+            "the file joins the same links twice at (15, 40); that is one joint here",
+            "the file joins the same links twice at (120, -10); that is one joint here",
+        ]
+    );
+    let opened = OpenedScene::new("twice", &imported.text);
+    assert_eq!(
+        opened.scene.mechanism.point_ids().count(),
+        5,
+        "{}",
+        imported.text
+    );
+}
+
+/// Files of other systems, and files with single lines that krank cannot read.
+#[test]
+fn encodings_and_unreadable_lines_are_read() {
+    let name = "four-bar.pmks.txt";
+    let text = String::from_utf8(file(name)).unwrap();
+    let whole = imported(name).text;
+    let read = |bytes: &[u8]| import(bytes, name).unwrap();
+    assert_eq!(read(text.replace('\n', "\r\n").as_bytes()).text, whole);
+    assert_eq!(read(text.replace('\n', "\r").as_bytes()).text, whole);
+    assert_eq!(read(format!("\u{feff}{text}").as_bytes()).text, whole);
+    let units = |order: fn(u16) -> [u8; 2]| -> Vec<u8> {
+        let marked = format!("\u{feff}{text}");
+        marked.encode_utf16().flat_map(order).collect()
+    };
+    assert_eq!(read(&units(u16::to_le_bytes)).text, whole);
+    assert_eq!(read(&units(u16::to_be_bytes)).text, whole);
+    for number in ["nan", "inf", "1e400", "0x0f", "1.5.2"] {
+        let text = text.replace("15,40", &format!("{number},40"));
+        let remarks = read(text.as_bytes()).remarks;
+        assert!(
+            remarks[0].starts_with("line 2: not a joint"),
+            "{number}: {remarks:?}"
+        );
+    }
+    for other in [
+        "",
+        " \n\n",
+        "\0\u{1}\u{2}",
+        "a text\nwith lines\nground,a,R,1,2\n",
+    ] {
+        assert_eq!(recognize(other.as_bytes()), None, "{other:?}");
+    }
+    let loose = read(b"frame,a,R,0,0\na,b,R,3,4\nb,frame,R,9,1\n");
+    assert!(
+        loose
+            .remarks
+            .contains(&"nothing is fixed: no joint has the frame".to_owned())
+    );
+    let tail = import(b"M[J[R, P[0, 0], L[ground, a]]] tail", "x").unwrap_err();
+    assert!(tail.to_string().contains("brackets"), "{tail}");
+}
+
 /// The first comment of a scene that does not open as drawn does not say that it does.
 #[test]
 fn comments_say_how_the_scene_opens() {
