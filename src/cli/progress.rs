@@ -10,7 +10,7 @@ use crate::cli::screen::TextScreen;
 use crate::wording::words;
 use rustix::process::getpgrp;
 use rustix::termios::{tcgetpgrp, tcgetwinsize};
-use signal_hook::consts::{SIGINT, SIGQUIT, SIGTERM};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM};
 use signal_hook::flag;
 use signal_hook::iterator::Signals;
 use signal_hook::low_level::emulate_default_handler;
@@ -31,6 +31,8 @@ const MAX_BAR_LEN: usize = 40;
 /// Free columns at the end of the line: two for `^C`, which the terminal echoes there, and the last
 /// column, after which the line would wrap.
 const FREE: usize = 3;
+/// The signals that ask a program to end. A stoppable command then reports its results first.
+const STOP_SIGNALS: [i32; 3] = [SIGINT, SIGTERM, SIGHUP];
 /// Returns to the first column and clears the line.
 const CLEAR: &str = "\r\x1b[K";
 
@@ -47,8 +49,17 @@ pub(super) struct Progress {
     next: Duration,
     /// The best result so far, as text; empty if there is none.
     best: String,
-    /// Set by the first Ctrl-C if the command then reports its results. Other commands end.
-    stop: Option<Arc<AtomicBool>>,
+    /// `None` if signals end the command.
+    stop: Option<StopFlags>,
+}
+
+/// How signals stop a command that then reports its results.
+#[derive(Clone, Default)]
+struct StopFlags {
+    /// Set by the first Ctrl-C, SIGTERM or SIGHUP.
+    is_stopped: Arc<AtomicBool>,
+    /// Set at the end of the work.
+    is_over: Arc<AtomicBool>,
 }
 
 /// The text on the terminal; empty before the first update and after clearing.
@@ -77,11 +88,11 @@ impl Progress {
         }
     }
 
-    /// Makes the first Ctrl-C stop the search, so that the command can report its results; a second
-    /// one ends the program.
+    /// Makes the first Ctrl-C, SIGTERM or SIGHUP stop the search, so that the command can report
+    /// its results; a second Ctrl-C ends the program.
     pub(super) fn stoppable(self) -> Progress {
         Progress {
-            stop: stop_flag().ok().flatten(),
+            stop: StopFlags::registered().ok().flatten(),
             ..self
         }
     }
@@ -95,7 +106,7 @@ impl Progress {
     pub(super) fn is_stopped(&self) -> bool {
         self.stop
             .as_ref()
-            .is_some_and(|stop| stop.load(Ordering::Relaxed))
+            .is_some_and(|stop| stop.is_stopped.load(Ordering::Relaxed))
     }
 
     /// Reports the number of completed items, and updates the line if an update is due. Most calls
@@ -111,7 +122,7 @@ impl Progress {
         if self.is_stopped() {
             return;
         }
-        if first && watch_for_signals(Arc::clone(line), self.stop.clone()).is_err() {
+        if first && watch_for_signals(Arc::clone(line), self.stop.is_some()).is_err() {
             // A line that stays after a signal is worse than no line.
             self.line = None;
             return;
@@ -127,11 +138,13 @@ impl Progress {
         hold(line).show(self.screen.shown(&text));
     }
 
-    /// Clears the line at the end of the work. From then on Ctrl-C ends the program again.
+    /// Clears the line at the end of the work. From then on Ctrl-C and SIGTERM end the program
+    /// again.
     pub(super) fn end(self) {
         self.clear();
         if let Some(stop) = &self.stop {
-            stop.store(true, Ordering::Relaxed);
+            stop.is_stopped.store(true, Ordering::Relaxed);
+            stop.is_over.store(true, Ordering::Relaxed);
         }
     }
 
@@ -163,17 +176,39 @@ fn hold(line: &Mutex<ProgressLine>) -> MutexGuard<'_, ProgressLine> {
     line.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Returns a flag set by the first Ctrl-C; the second one ends the program. `None` if Ctrl-C is
-/// ignored, as in a script's background job.
-fn stop_flag() -> io::Result<Option<Arc<AtomicBool>>> {
-    if is_ignored(SIGINT) {
-        return Ok(None);
+impl StopFlags {
+    /// Registers the signals. `None` if Ctrl-C, SIGTERM and SIGHUP are all ignored; an ignored one,
+    /// as Ctrl-C in a script's background job, stays ignored.
+    fn registered() -> io::Result<Option<StopFlags>> {
+        let caught: Vec<i32> = caught(&STOP_SIGNALS).collect();
+        if caught.is_empty() {
+            return Ok(None);
+        }
+        let stop = StopFlags::default();
+        for signal in caught {
+            // `timeout` sends SIGTERM twice, and a closed terminal SIGHUP: once by its shell and
+            // once by the system. Only a person who repeats Ctrl-C wants to end at once.
+            let ends = match signal {
+                SIGINT => Some(&stop.is_stopped),
+                SIGTERM => Some(&stop.is_over),
+                _ => None,
+            };
+            // Registered first, so that the signal that sets the flag does not end the program.
+            if let Some(ends) = ends {
+                flag::register_conditional_default(signal, Arc::clone(ends))?;
+            }
+            flag::register(signal, Arc::clone(&stop.is_stopped))?;
+        }
+        Ok(Some(stop))
     }
-    let stop = Arc::new(AtomicBool::new(false));
-    // In this order, the signal that sets the flag does not end the program.
-    flag::register_conditional_default(SIGINT, Arc::clone(&stop))?;
-    flag::register(SIGINT, Arc::clone(&stop))?;
-    Ok(Some(stop))
+}
+
+/// Returns those signals that the parent process did not make the program ignore.
+fn caught(signals: &[i32]) -> impl Iterator<Item = i32> + '_ {
+    signals
+        .iter()
+        .copied()
+        .filter(|&signal| !is_ignored(signal))
 }
 
 /// Returns `true` if the parent process made the program ignore a signal; `false` if unknown.
@@ -185,15 +220,9 @@ fn is_ignored(signal: i32) -> bool {
 }
 
 /// Starts clearing the line before a signal ends the program, even while the program waits for a
-/// reader of its results. A stoppable command continues after the first Ctrl-C.
-fn watch_for_signals(
-    line: Arc<Mutex<ProgressLine>>,
-    stop: Option<Arc<AtomicBool>>,
-) -> io::Result<()> {
-    let caught: Vec<i32> = [SIGINT, SIGTERM, SIGQUIT]
-        .into_iter()
-        .filter(|&signal| !is_ignored(signal))
-        .collect();
+/// reader of its results. A stoppable command continues after the first signal that stops it.
+fn watch_for_signals(line: Arc<Mutex<ProgressLine>>, is_stoppable: bool) -> io::Result<()> {
+    let caught: Vec<i32> = caught(&[SIGINT, SIGTERM, SIGHUP, SIGQUIT]).collect();
     // Registered within the thread: if the thread cannot be created, signals keep their effect.
     let (ready, is_ready) = channel();
     let wait = move || {
@@ -203,7 +232,7 @@ fn watch_for_signals(
             // Locked to the end, so that no update intervenes.
             let mut line = hold(&line);
             line.clear();
-            if signal != SIGINT || stop.is_none() {
+            if !STOP_SIGNALS.contains(&signal) || !is_stoppable {
                 // Without the default handler the program continues; the error cannot be reported.
                 let _ = emulate_default_handler(signal);
             }

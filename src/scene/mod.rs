@@ -4,3 +4,6 @@ pub mod presets;
 
 #[doc(inline)]
 pub use model::scene::*;
+
+#[cfg(test)]
+mod tests;

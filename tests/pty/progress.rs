@@ -216,24 +216,64 @@ const LONG_SOLVE: &str = "$KRANK solve jansen-leg --minimize T.x.stroke --keep '
     --generations 100000 --vary m.length=10..16,j.length=40..55,bde.length=35..50,\
     k.length=55..70,c.length=35..45,f.length=35..45,ghi.length=30..45";
 
-/// Regression test: the best design so far was lost.
+/// Regression test: the best design so far was lost, later only after SIGTERM and SIGHUP. The two
+/// may arrive twice: from `timeout`, and from the shell of a closed terminal.
 #[test]
-fn ctrl_c_stops_solve_and_writes_the_best_so_far() {
+fn first_signal_stops_solve_and_writes_the_best_so_far() {
+    use rustix::process::{Pid, Signal, kill_process};
     let file = concat!(env!("CARGO_TARGET_TMPDIR"), "/stopped-solve");
-    let _ = std::fs::remove_file(format!("{file}.toml"));
-    let script = format!("trap : INT; {LONG_SOLVE} -o {file}.toml > {file}.txt; echo code $?");
-    let mut terminal = Terminal::run(&script, "xterm", 100);
-    terminal.wait_for("  best ");
-    assert!(!terminal.contents().contains("limits not met"));
-    terminal.type_in("\x03");
-    terminal.wait_for("code ");
-    let left = terminal.contents();
-    assert!(left.contains("stopped: the results so far"), "{left}");
-    assert!(left.contains("code 0"), "{left}");
-    let output = std::fs::read_to_string(format!("{file}.txt")).unwrap();
-    assert!(output.contains("m.length"), "{output}");
-    let scene = std::fs::read_to_string(format!("{file}.toml")).unwrap();
-    assert!(scene.contains("[links]"), "{scene}");
+    for signal in [Signal::INT, Signal::TERM, Signal::HUP] {
+        let _ = std::fs::remove_file(format!("{file}.toml"));
+        let solve = LONG_SOLVE.replacen("$KRANK", "exec $KRANK", 1);
+        let solve = format!("echo $$ > {file}.pid; {solve} -o {file}.toml > {file}.txt");
+        let script = format!("trap : INT TERM HUP; ( trap - TERM HUP; {solve} ); echo code $?");
+        let script = script.replace("echo $$", "sh -c 'echo $PPID'");
+        let mut terminal = Terminal::run(&script, "xterm", 100);
+        terminal.wait_for("  best ");
+        assert!(!terminal.contents().contains("limits not met"));
+        if signal == Signal::INT {
+            terminal.type_in("\x03");
+        } else {
+            let pid = std::fs::read_to_string(format!("{file}.pid")).unwrap();
+            let pid = Pid::from_raw(pid.trim().parse().unwrap()).unwrap();
+            kill_process(pid, signal).unwrap();
+            // The program may have ended.
+            let _ = kill_process(pid, Signal::HUP);
+        }
+        terminal.wait_for("code ");
+        let left = terminal.contents();
+        assert!(left.contains("stopped: the results so far"), "{left}");
+        assert!(left.contains("code 0"), "{signal:?}: {left}");
+        let output = std::fs::read_to_string(format!("{file}.txt")).unwrap();
+        assert!(output.contains("m.length"), "{output}");
+        let scene = std::fs::read_to_string(format!("{file}.toml")).unwrap();
+        assert!(scene.contains("[links]"), "{scene}");
+    }
+}
+
+/// A closed terminal accepts no output, like a full disk; the design is saved nevertheless.
+#[test]
+fn solve_saves_its_design_if_it_cannot_be_printed() {
+    let file = concat!(env!("CARGO_TARGET_TMPDIR"), "/unprinted-solve.toml");
+    let goals = [
+        vec!["--goal", "r4.angle.swing=45"],
+        vec!["--minimize", "r4.angle.swing", "--generations", "2"],
+    ];
+    for goal in goals {
+        let _ = std::fs::remove_file(file);
+        let vary = ["solve", "four-bar", "--vary", "r2.length=90..110"];
+        let status = std::process::Command::new(env!("CARGO_BIN_EXE_krank"))
+            .args(vary)
+            .args(&goal)
+            .args(["-o", file])
+            .stdout(std::fs::File::create("/dev/full").unwrap())
+            .stderr(std::process::Stdio::null())
+            .status()
+            .unwrap();
+        assert_eq!(status.code(), Some(1), "{goal:?}");
+        let scene = std::fs::read_to_string(file).unwrap();
+        assert!(scene.contains("[links]"), "{scene}");
+    }
 }
 
 /// The stroke cannot reach the limit: the progress line says so, the exit code is 1, and no scene is written.

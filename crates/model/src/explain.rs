@@ -187,7 +187,7 @@ fn over_constrained(
     // The misfit grows during the motion, so the suggested value is the next power of ten at or
     // above five times its size.
     let accepted = 10.0_f64.powf((GROWTH * misfit).log10().ceil());
-    if accepted > FEW_DIGITS * longest(scene) {
+    if !accepted.is_finite() || accepted > FEW_DIGITS * longest(scene) {
         return item;
     }
     item.help(words().accept_few_digits(&format!("[redundant]\nmisfit = {accepted:e}")))
@@ -511,8 +511,12 @@ fn element_name(scene: &Scene, element: ElementId) -> String {
     }
 }
 
+/// Formats a length with its unit. A misfit or gap that could not be computed has no number.
 fn length(scene: &Scene, value: f64) -> String {
-    format!("{} {}", figure(value), scene.unit.symbol())
+    match value.is_finite() {
+        true => format!("{} {}", figure(value), scene.unit.symbol()),
+        false => words().unknown_amount().to_owned(),
+    }
 }
 
 fn coordinate(scene: &Scene, at: f64) -> String {

@@ -122,19 +122,19 @@ fn meet(
         given,
         outcome: &outcome,
     };
-    write_output(args, &report.to_text(screen.ascii), || {
-        format!("{:#}", report.to_json())
-    })?;
-    if outcome.solutions.is_empty() {
-        return Err(Failure::Cannot(words().goals_not_met().into()));
-    }
     let number = usize::try_from(args.pick).unwrap_or(usize::MAX);
-    match outcome.solutions.get(number - 1) {
+    // Saved before it is printed: the terminal may be closed.
+    let saved = match outcome.solutions.get(number - 1) {
+        _ if outcome.solutions.is_empty() => Err(Failure::Cannot(words().goals_not_met().into())),
         Some(found) => save(args, space, &found.design, screen),
         None => Err(Failure::Usage(
             words().no_such_design(number, outcome.solutions.len()),
         )),
-    }
+    };
+    write_output(args, &report.to_text(screen.ascii), || {
+        format!("{:#}", report.to_json())
+    })?;
+    saved
 }
 
 /// Finds the values that maximize or minimize a quantity.
@@ -192,13 +192,15 @@ fn optimise(
         best: &best,
         design: &design,
     };
+    // Saved before it is printed: the terminal may be closed.
+    let saved = match best.missed > 0.0 {
+        true => Err(Failure::Cannot(words().keeps_nothing().into())),
+        false => save(args, space, &design, screen),
+    };
     write_output(args, &report.to_text(screen.ascii), || {
         format!("{:#}", report.to_json())
     })?;
-    if best.missed > 0.0 {
-        return Err(Failure::Cannot(words().keeps_nothing().into()));
-    }
-    save(args, space, &design, screen)
+    saved
 }
 
 /// Returns the design in the output file if the search is resumed and the file exists.

@@ -209,6 +209,14 @@ impl Solver {
                 at,
             });
         }
+        if let Some((link, misfit)) = network.coincident_pins() {
+            return Err(Fault::OverConstrained {
+                element: ElementId::Link(link),
+                others: Vec::new(),
+                misfit,
+                at,
+            });
+        }
         if let Some(link) = network.given_twice() {
             return Err(Fault::OverConstrained {
                 element: ElementId::Link(link),

@@ -167,6 +167,54 @@ fn over_constrained_fault_names_element_and_misfit() {
     );
 }
 
+/// Regression: `by NaNe0 mm`, and the advice to accept `misfit = NaN`.
+#[test]
+fn misfit_without_number_is_an_unknown_amount() {
+    let scene = scene("excavator-boom");
+    for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let element = ElementId::Slide(scene.mechanism.slide_ids().next().unwrap());
+        let (others, at) = (Vec::new(), 1.25);
+        let over_constrained = Fault::OverConstrained {
+            element,
+            others,
+            misfit: value,
+            at,
+        };
+        let (point, links) = (PointId::new(0), Vec::new());
+        let open = Fault::Open {
+            point,
+            links,
+            gap: value,
+        };
+        let points = vec![point];
+        let not_assembled = Fault::NotAssembled { points, gap: value };
+        for fault in [over_constrained, open, not_assembled] {
+            let shown = scene.explain(&fault).to_string();
+            assert!(shown.contains("an unknown amount"), "{shown}");
+            for number in ["NaN", "inf", "misfit ="] {
+                assert!(!shown.contains(number), "{shown}");
+            }
+        }
+    }
+}
+
+/// The points of `lev` coincide, so that it has no direction that the slide could fix.
+#[test]
+fn link_without_length_between_ground_points_misses_by_their_distance() {
+    let text = "unit = \"mm\"\n[ground]\nA = [0, -100]\nD = [200, 100]\nE = [100, 0]\n\
+                [driver]\nlink = \"r2\"\nangle = 60\n[links]\n\
+                r2 = { from = \"A\", to = \"B\", length = 100 }\n\
+                r3 = { from = \"B\", to = \"C\", length = 100 }\n\
+                r4 = { from = \"D\", to = \"C\", length = 100 }\n\
+                lev = { points = { A = [0, 0], D = [0, 0], E = [0, 0] } }\n[slides]\n\
+                s = { link = \"lev\", on = \"r4\", through = \"D\", angle = 0 }\n\
+                [start]\nC = [200, 200]\n";
+    let scene = Scene::parse(text, "x").unwrap();
+    let fault = crate::solver::Solver::new(&scene.mechanism).unwrap_err();
+    let misfit = "does not fit between the ground points `A` and `D`, by 282.843 mm";
+    assert_message(&scene, &fault, &["link `lev`", misfit]);
+}
+
 #[test]
 fn hidden_point_is_named_by_its_link() {
     let text = "[ground]\nA = [0, 0]\n[driver]\nslide = \"s\"\nposition = 0\n\

@@ -64,13 +64,7 @@ impl Solver {
         let group = group.index();
         let network = Network::new(&self.mechanism, self.engine.frame);
         let request = present.request(at);
-        let assembler = Assembler {
-            network: &network,
-            plan: &self.plan,
-            request: &request,
-            exact: None,
-            order: Order::Position,
-        };
+        let assembler = self.assembler(&network, &request);
         let (mut engine, mut state) = (self.engine.clone(), present.state.clone());
         engine.signs.clone_from(&present.signs);
         state.state.signs.clone_from(&present.signs);
@@ -106,13 +100,7 @@ impl Solver {
         };
         let network = Network::new(&self.mechanism, self.engine.frame);
         let request = present.request(at);
-        let assembler = Assembler {
-            network: &network,
-            plan: &self.plan,
-            request: &request,
-            exact: None,
-            order: Order::Position,
-        };
+        let assembler = self.assembler(&network, &request);
         let (mut engine, mut state) = (self.engine.clone(), present.state.clone());
         state.state.start(at, Order::Position);
         // The placements of each group so far, and the index of the current one: an odometer.
@@ -240,6 +228,21 @@ impl Solver {
         };
         let mut groups = self.plan.groups.iter().zip(&own);
         own == others && groups.all(|(group, choice)| choice.is_some() || !group.has_choices())
+    }
+
+    /// Returns an assembler of positions in double precision, for a request.
+    fn assembler<'a>(
+        &'a self,
+        network: &'a Network<'a>,
+        request: &'a Request<'a>,
+    ) -> Assembler<'a> {
+        Assembler {
+            network,
+            plan: &self.plan,
+            request,
+            exact: None,
+            order: Order::Position,
+        }
     }
 
     /// Returns the pick of the `i`-th placement of a group.

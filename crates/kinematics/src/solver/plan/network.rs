@@ -433,6 +433,22 @@ impl<'m> Network<'m> {
             })
     }
 
+    /// Returns a link that has two ground points at one of its places, and the distance of the
+    /// points on the ground, in the scene's unit. It has no direction that fits both.
+    pub(in crate::solver) fn coincident_pins(&self) -> Option<(LinkId, f64)> {
+        let mechanism = self.mechanism;
+        mechanism.link_ids().find_map(|link| {
+            let members = mechanism.link(link).members.iter();
+            let mut pins =
+                members.filter_map(|m| Some((m.local, mechanism.point(m.point).ground?)));
+            let (local, ground) = pins.next()?;
+            let same_place = pins.filter(|&(other, _)| other == local);
+            let mut distances = same_place.map(|(_, at)| (at - ground).norm());
+            let apart = distances.find(|&distance| distance > mechanism.misfit())?;
+            Some((link, apart))
+        })
+    }
+
     /// Returns how an input follows the driver; `None` for the driver itself, unless every input
     /// moves by itself.
     pub(in crate::solver) fn following(&self, input: Input) -> Option<&Following> {
