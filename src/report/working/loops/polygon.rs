@@ -55,13 +55,13 @@ impl Polygon {
 
     /// Returns the sides that are not in any loop.
     pub(in crate::report::working) fn riders(&self) -> impl Iterator<Item = &Side> {
-        let is_in_loop = |side: usize| {
-            let mut terms = self.loops.iter().flat_map(|l| &l.terms);
-            terms.any(|term| term.side == side)
-        };
-        let sides = self.sides.iter().enumerate();
+        let mut is_in_loop = vec![false; self.sides.len()];
+        for term in self.loops.iter().flat_map(|l| &l.terms) {
+            is_in_loop[term.side] = true;
+        }
+        let sides = self.sides.iter().zip(is_in_loop);
         sides
-            .filter(move |(i, _)| !is_in_loop(*i))
-            .map(|(_, side)| side)
+            .filter(|(_, is_in_loop)| !is_in_loop)
+            .map(|(side, _)| side)
     }
 }
