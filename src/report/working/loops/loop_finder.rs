@@ -5,7 +5,7 @@
 //! solver places them. An edge between nodes that are already connected closes a loop, the shortest
 //! one at that time. So every group of the plan has the loops from which it is solved.
 
-use super::polygon::{Loop, Polygon, Term};
+use super::polygon::{Loop, Polygon, Term, diagonal};
 use super::sides::{Locks, Side, SideShape, Turns};
 use crate::scene::{Scene, VectorKind};
 use crate::solver::Plan;
@@ -68,6 +68,7 @@ impl Polygon {
         let loops = loops.into_iter().filter(|(terms, _)| terms.len() > 1);
         Polygon {
             loops: loops.map(|(terms, group)| Loop { terms, group }).collect(),
+            diagonal: diagonal(scene, &loop_builder.sides),
             sides: loop_builder.sides,
             locks: loop_builder.locks,
         }
