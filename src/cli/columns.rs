@@ -3,6 +3,7 @@
 use super::failure::Failure;
 use crate::quantity::{Catalogue, Quantity, UnknownColumn};
 use crate::wording::words;
+use std::collections::HashSet;
 
 /// Returns the quantities that the patterns name or define. Without patterns, returns all of them
 /// except those of marks. The driver and the state may be named, although they have columns anyway.
@@ -14,6 +15,8 @@ pub(super) fn figures(
         return Ok(catalogue.usual());
     }
     let mut quantities = Vec::new();
+    // Few quantities share a name, so few are compared with all others.
+    let mut names = HashSet::new();
     let patterns = patterns.iter().flat_map(|list| entries(list));
     let patterns: Vec<&str> = patterns.map(str::trim).collect();
     for (number, pattern) in patterns.iter().enumerate() {
@@ -24,7 +27,7 @@ pub(super) fn figures(
         let around = patterns.get(number.saturating_sub(1)..).unwrap_or_default();
         let fix = || around.windows(2).take(2).find_map(cut_number);
         for quantity in found.map_err(|fault| fix().unwrap_or(fault))? {
-            if !quantities.contains(&quantity) {
+            if names.insert(quantity.name.clone()) || !quantities.contains(&quantity) {
                 quantities.push(quantity);
             }
         }

@@ -278,7 +278,12 @@ impl TakenPlaces {
             for dx in [0, -1, 1] {
                 let cell = [col.saturating_add(dx), row.saturating_add(dy)];
                 for place in self.cells.get(&cell).into_iter().flatten() {
-                    space = space.min((*place - seat).norm());
+                    let between = *place - seat;
+                    // A square root for each of thousands of points would take most of the time.
+                    if between.x.abs() >= space || between.y.abs() >= space {
+                        continue;
+                    }
+                    space = space.min(between.norm());
                     if space <= minimum {
                         return space;
                     }

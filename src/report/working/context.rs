@@ -26,6 +26,8 @@ pub(super) struct Context<'a> {
     pub notation: WorkingNotation,
     /// The data of every side in this state.
     pub readings: Vec<SideReading>,
+    /// The length of the longest side in this state.
+    pub longest: f64,
     /// The maximum velocity and acceleration of all points; smaller ones have rounding errors of
     /// this magnitude.
     pub fastest: [f64; 2],
@@ -102,6 +104,10 @@ impl<'a> Context<'a> {
                 Input::Turn(_) => {}
             }
         }
+        let sides = readings.iter().map(|reading| reading.r.abs());
+        self.longest = sides
+            .filter(|r| r.is_finite())
+            .fold(f64::MIN_POSITIVE, f64::max);
         self.readings = readings;
     }
 
@@ -111,14 +117,6 @@ impl<'a> Context<'a> {
         let input = self.schedule.input(side);
         let timed = input.and_then(|input| mechanism.timed_input(input));
         timed.map_or(self.state.at(), |timed| timed.coordinate(self.state.at()))
-    }
-
-    /// Returns the length of the longest side in this state.
-    pub(super) fn longest(&self) -> f64 {
-        let sides = self.readings.iter().map(|reading| reading.r.abs());
-        sides
-            .filter(|r| r.is_finite())
-            .fold(f64::MIN_POSITIVE, f64::max)
     }
 
     /// Computes the maximum velocity and acceleration.

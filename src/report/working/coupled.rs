@@ -101,7 +101,7 @@ fn sides(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
         {
             let angle = Expression::of(Function::Atan2, [y.clone(), x.clone()]);
             let computed = draft.worked(&theta, &angle, |computed| turn(f, computed));
-            let loss = context.longest() / reading.r.abs();
+            let loss = context.longest / reading.r.abs();
             draft.agree_angle(&theta, computed, reading.theta, loss);
         }
         if unknowns[0] {
@@ -113,7 +113,7 @@ fn sides(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
             let computed = draft.worked(&side.name, &(x * cos + y * sin), |r| {
                 format!("{} {UNIT}{}", f.number(r), f.unit)
             });
-            draft.agree(&side.name, computed, reading.r, context.longest());
+            draft.agree(&side.name, computed, reading.r, context.longest);
         }
     }
 }
@@ -125,7 +125,7 @@ fn between(context: &Context<'_>, side: &Side) -> Option<[Expression; 2]> {
         let mut points = scene.mechanism.point_ids();
         let point = points.find(|&point| scene.point_name(point) == Some(name))?;
         let at = context.state.position(point);
-        let size = context.longest();
+        let size = context.longest;
         let coordinate = |axis: &str, value: f64| {
             Expression::known(
                 symbols::of_point(axis, name),

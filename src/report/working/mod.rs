@@ -185,6 +185,7 @@ impl Working {
             },
             notation: WorkingNotation::Krank,
             readings: Vec::new(),
+            longest: 0.0,
             fastest: [0.0; 2],
         };
         context.read_sides();

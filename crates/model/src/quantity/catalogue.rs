@@ -7,6 +7,7 @@ use crate::scene::Scene;
 use crate::solver::Order;
 use crate::wording::words;
 use crate::{Input, Slider};
+use std::collections::HashSet;
 use thiserror::Error;
 
 /// All quantities of a scene, in the order of the file.
@@ -271,13 +272,20 @@ impl Catalogue {
     /// The first pattern that matches nothing, with the nearest name.
     pub fn select(&self, patterns: &[impl AsRef<str>]) -> Result<Vec<Quantity>, UnknownColumn> {
         let mut selected: Vec<Quantity> = Vec::new();
+        // Few quantities share a name, so few are compared with all others.
+        let mut names: HashSet<String> = HashSet::new();
+        let mut add = |quantity: &Quantity| {
+            if names.insert(quantity.name.clone()) || !selected.contains(quantity) {
+                selected.push(quantity.clone());
+            }
+        };
         for pattern in patterns {
             let pattern = pattern.as_ref();
             let mut any = false;
             for quantity in self.quantities.iter().filter(|q| matches(pattern, &q.name)) {
                 any = true;
-                if !quantity.is_driver() && !selected.contains(quantity) {
-                    selected.push(quantity.clone());
+                if !quantity.is_driver() {
+                    add(quantity);
                 }
             }
             if any {
@@ -286,9 +294,7 @@ impl Catalogue {
             let made = self
                 .build_quantity(pattern)
                 .map_err(|why| self.unknown(pattern, why))?;
-            if !selected.contains(&made) {
-                selected.push(made);
-            }
+            add(&made);
         }
         Ok(selected)
     }

@@ -5,12 +5,12 @@
 //! solver places them. An edge between nodes that are already connected closes a loop, the shortest
 //! one at that time. So every group of the plan has the loops from which it is solved.
 
-use super::polygon::{Loop, Polygon, Term};
+use super::polygon::{Loop, Polygon, Term, diagonal};
 use super::sides::{Locks, Side, SideShape, Turns};
 use crate::scene::{Scene, VectorKind};
 use crate::solver::Plan;
 use crate::{Body, LinkId, PointId, SlideId, Vec2, angle};
-use std::collections::{HashMap, VecDeque};
+use std::collections::{HashMap, HashSet, VecDeque};
 
 /// The place at which a loop enters or leaves a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -38,6 +38,8 @@ struct LoopBuilder<'a> {
     known: HashMap<(usize, Port, Port), Term>,
     /// The invented names of unnamed points of guides.
     guides: HashMap<SlideId, String>,
+    /// The names of the scene and all invented ones.
+    taken: HashSet<String>,
     /// The indices of the edges at every node.
     ends: Vec<Vec<usize>>,
     edges: Vec<Edge>,
@@ -66,6 +68,7 @@ impl Polygon {
         let loops = loops.into_iter().filter(|(terms, _)| terms.len() > 1);
         Polygon {
             loops: loops.map(|(terms, group)| Loop { terms, group }).collect(),
+            diagonal: diagonal(scene, &loop_builder.sides),
             sides: loop_builder.sides,
             locks: loop_builder.locks,
         }
@@ -82,6 +85,7 @@ impl<'a> LoopBuilder<'a> {
             sides: Vec::new(),
             known: HashMap::new(),
             guides: HashMap::new(),
+            taken: taken(scene),
             ends: vec![Vec::new(); nodes],
             edges: Vec::new(),
         };
@@ -105,26 +109,11 @@ impl<'a> LoopBuilder<'a> {
             } else {
                 format!("Q{}", i + 1)
             };
-            while self.is_taken(&name) {
+            while !self.taken.insert(name.clone()) {
                 name.push('\'');
             }
             self.guides.insert(slide, name);
         }
-    }
-
-    fn is_taken(&self, name: &str) -> bool {
-        let scene = self.scene;
-        let points = scene.point_names.iter().flatten();
-        let elements = scene.link_names.iter().chain(&scene.slide_names);
-        let vectors = scene.vectors.iter().map(|vector| &vector.name);
-        let guides = self.guides.values();
-        let sides = self.sides.iter().map(|side| &side.name);
-        let mut names = points
-            .chain(elements)
-            .chain(vectors)
-            .chain(guides)
-            .chain(sides);
-        names.any(|other| other == name)
     }
 
     fn point_label(&self, point: PointId) -> String {
@@ -240,7 +229,7 @@ impl<'a> LoopBuilder<'a> {
         };
         let (tail, head) = (self.label(from), self.label(to));
         let side = Side {
-            name: self.side_name(&tail, &head),
+            name: self.take_name(&tail, &head),
             tail,
             head,
             shape: SideShape::Rigid(on, local),
@@ -252,15 +241,15 @@ impl<'a> LoopBuilder<'a> {
         self.known.get(&(body, from, to)).copied()
     }
 
-    /// Returns the name of a side without a name in the scene, composed of its ends: BK.
-    fn side_name(&self, tail: &str, head: &str) -> String {
+    /// Reserves a name for a side without a name in the scene, composed of its ends: BK.
+    fn take_name(&mut self, tail: &str, head: &str) -> String {
         let between = if tail.len() + head.len() <= 4 {
             ""
         } else {
             "_"
         };
         let mut name = format!("{tail}{between}{head}");
-        while self.is_taken(&name) {
+        while !self.taken.insert(name.clone()) {
             name.push('\'');
         }
         name
@@ -320,32 +309,33 @@ impl<'a> LoopBuilder<'a> {
     /// Returns the shortest path from one node to another, edge by edge; `None` if they are not
     /// connected.
     fn path(&self, from: usize, to: usize) -> Option<Vec<Edge>> {
-        let mut before: HashMap<usize, usize> = HashMap::new();
-        let mut waiting = VecDeque::from([from]);
         // An isolated end of the new edge cannot be reached.
         if self.ends[from].is_empty() || self.ends[to].is_empty() {
             return None;
         }
+        let mut before: Vec<Option<usize>> = vec![None; self.ends.len()];
+        let mut waiting = VecDeque::from([from]);
         while let Some(node) = waiting.pop_front() {
-            if node == to {
-                return Some(self.traced(from, to, &before));
-            }
             for &number in &self.ends[node] {
                 let next = self.edges[number].other(node);
-                if next != from && !before.contains_key(&next) {
-                    before.insert(next, number);
-                    waiting.push_back(next);
+                if next == from || before[next].is_some() {
+                    continue;
                 }
+                before[next] = Some(number);
+                if next == to {
+                    return Some(self.traced(from, to, &before));
+                }
+                waiting.push_back(next);
             }
         }
         None
     }
 
-    fn traced(&self, from: usize, to: usize, before: &HashMap<usize, usize>) -> Vec<Edge> {
+    fn traced(&self, from: usize, to: usize, before: &[Option<usize>]) -> Vec<Edge> {
         let mut path = Vec::new();
         let mut node = to;
         while node != from {
-            let Some(&number) = before.get(&node) else {
+            let Some(number) = before[node] else {
                 break;
             };
             path.push(self.edges[number]);
@@ -405,27 +395,31 @@ impl<'a> LoopBuilder<'a> {
     /// Turns sides without a name in the scene to the direction of the first loop that contains
     /// them.
     fn turn_unnamed(&mut self, loops: &mut [(Vec<Term>, Option<usize>)]) {
-        for number in 0..self.sides.len() {
-            let mut terms = loops.iter().flat_map(|(terms, _)| terms);
-            let first = terms.find(|term| term.side == number);
-            if self.sides[number].named || !first.is_some_and(|term| term.reversed) {
-                continue;
-            }
-            let name = self.side_name(&self.sides[number].head, &self.sides[number].tail);
+        let mut is_first_reversed = vec![None; self.sides.len()];
+        for term in loops.iter().flat_map(|(terms, _)| terms) {
+            is_first_reversed[term.side].get_or_insert(term.reversed);
+        }
+        let is_turned: Vec<bool> = is_first_reversed
+            .into_iter()
+            .zip(&self.sides)
+            .map(|(first, side)| !side.named && first == Some(true))
+            .collect();
+        for number in (0..self.sides.len()).filter(|&number| is_turned[number]) {
+            let [tail, head] =
+                [&self.sides[number].tail, &self.sides[number].head].map(String::clone);
+            let name = self.take_name(&head, &tail);
             let side = &mut self.sides[number];
+            self.taken.remove(&side.name);
             side.name = name;
             std::mem::swap(&mut side.tail, &mut side.head);
             if let SideShape::Rigid(body, local) = side.shape {
                 side.shape = SideShape::Rigid(body, -local);
                 side.turns = self.locks.turns(body, angle::degrees(-local));
             }
-            let terms = loops.iter_mut().flat_map(|(terms, _)| terms);
-            for term in terms
-                .chain(self.known.values_mut())
-                .filter(|t| t.side == number)
-            {
-                term.reversed = !term.reversed;
-            }
+        }
+        let terms = loops.iter_mut().flat_map(|(terms, _)| terms);
+        for term in terms.chain(self.known.values_mut()) {
+            term.reversed ^= is_turned[term.side];
         }
     }
 
@@ -469,6 +463,14 @@ impl<'a> LoopBuilder<'a> {
         }
         loops
     }
+}
+
+/// Returns all names of a scene.
+fn taken(scene: &Scene) -> HashSet<String> {
+    let points = scene.point_names.iter().flatten();
+    let elements = scene.link_names.iter().chain(&scene.slide_names);
+    let vectors = scene.vectors.iter().map(|vector| &vector.name);
+    points.chain(elements).chain(vectors).cloned().collect()
 }
 
 impl Edge {

@@ -1,6 +1,7 @@
 //! Vector polygons: the sides and the independent closed loops of a scene.
 
 use super::sides::{Locks, Side};
+use crate::scene::Scene;
 
 /// A side of a loop, and whether it is traversed backwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +24,24 @@ pub(in crate::report::working) struct Polygon {
     pub sides: Vec<Side>,
     pub loops: Vec<Loop>,
     pub locks: Locks,
+    /// The letter of the vector between the pivots of two arms.
+    pub diagonal: &'static str,
+}
+
+/// Letters for the vector between the pivots of two arms. The formula writers of pages recognize
+/// the symbols of its components.
+const DIAGONALS: [&str; 3] = ["m", "s", "f"];
+
+/// Returns the first letter for a diagonal that names no link and no side.
+pub(super) fn diagonal(scene: &Scene, sides: &[Side]) -> &'static str {
+    let is_free = |letter: &&str| {
+        let mut names = scene
+            .link_names
+            .iter()
+            .chain(sides.iter().map(|side| &side.name));
+        names.all(|name| name != letter)
+    };
+    DIAGONALS.into_iter().find(is_free).unwrap_or(DIAGONALS[0])
 }
 
 impl Polygon {
@@ -55,13 +74,13 @@ impl Polygon {
 
     /// Returns the sides that are not in any loop.
     pub(in crate::report::working) fn riders(&self) -> impl Iterator<Item = &Side> {
-        let is_in_loop = |side: usize| {
-            let mut terms = self.loops.iter().flat_map(|l| &l.terms);
-            terms.any(|term| term.side == side)
-        };
-        let sides = self.sides.iter().enumerate();
+        let mut is_in_loop = vec![false; self.sides.len()];
+        for term in self.loops.iter().flat_map(|l| &l.terms) {
+            is_in_loop[term.side] = true;
+        }
+        let sides = self.sides.iter().zip(is_in_loop);
         sides
-            .filter(move |(i, _)| !is_in_loop(*i))
-            .map(|(_, side)| side)
+            .filter(|(_, is_in_loop)| !is_in_loop)
+            .map(|(side, _)| side)
     }
 }

@@ -15,10 +15,6 @@ use crate::report::working::symbols;
 use crate::solver::Order;
 use crate::{Vec2, angle};
 
-/// Letters for the vector between the pivots of two arms. The formula writers of pages recognize
-/// the symbols of its components.
-const DIAGONALS: [&str; 3] = ["m", "s", "f"];
-
 /// A loop prepared for solving, with its known sides summed.
 pub(in crate::report::working) struct Solution<'a> {
     pub(in crate::report::working) context: &'a Context<'a>,
@@ -91,14 +87,7 @@ impl<'a> Solution<'a> {
     /// Returns the letter of the vector that the unknown sides add up to: the lecture's m, or
     /// another one if the scene uses m as the name of a vector or a link.
     pub(in crate::report::working) fn diagonal(&self) -> &'static str {
-        let scene = self.context.scene;
-        let is_free = |name: &&str| {
-            let sides = &self.context.polygon.sides;
-            let mut links = scene.mechanism.link_ids();
-            sides.iter().all(|side| side.name != **name)
-                && links.all(|link| scene.link_name(link) != *name)
-        };
-        DIAGONALS.into_iter().find(is_free).unwrap_or(DIAGONALS[0])
+        self.context.polygon.diagonal
     }
 
     /// Writes the components of the required sum of the unknown sides, m = -(known sides).

@@ -4,7 +4,6 @@ use super::super::context::{Context, Draft};
 use super::super::loops::group_unknowns::{ProblemForm, Stage};
 use super::super::loops::solution::Solution;
 use super::initial_values::Guesses;
-use super::problem::longest;
 use super::reduced::{ReducedLoop, figure};
 use crate::page::UNIT;
 use crate::report::error_text;
@@ -48,7 +47,7 @@ pub(super) fn halve(
         UnknownKind::Length => f.unit,
     };
     let [from, to] = [a, b].map(|v| format!("{} {UNIT}{unit}", f.angle(v)));
-    let largest = longest(context).powi(2);
+    let largest = context.longest.powi(2);
     let [low, high] = halved
         .ends
         .map(|v| format!("{} {UNIT}{}^2", f.format_or_zero(v, largest), f.unit));
@@ -81,7 +80,7 @@ pub(super) fn halve(
     draft.page.text(words().halved_until(&finest));
     table(draft, context, &reduced, &halved, unit);
     conclude(context, draft, &reduced, &halved);
-    let longest = longest(context);
+    let longest = context.longest;
     let errors = halved
         .halvings
         .iter()
@@ -168,7 +167,7 @@ fn table(
     let error = words().error_of_iteration();
     let rows = (0_usize..).zip(&halved.halvings).map(|(k, h)| {
         let [a, b, middle] = [h.a, h.b, h.middle].map(|v| f.number(v));
-        let error = reduced.error(h.middle, longest(context));
+        let error = reduced.error(h.middle, context.longest);
         let error = error.map_or_else(|| "-".into(), error_text);
         [k.to_string(), a, b, middle, f.number(h.value), error]
     });

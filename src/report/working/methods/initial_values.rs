@@ -5,7 +5,7 @@ use super::super::context::Context;
 use super::super::loops::group_unknowns::LoopUnknown;
 use super::super::loops::sides::{Side, SideShape, Turns};
 use super::PositionMethod;
-use super::problem::{kind, longest, name};
+use super::problem::{kind, name};
 use crate::expression::plain_unit;
 use crate::nearest::did_you_mean;
 use crate::page::UNIT;
@@ -157,7 +157,7 @@ impl Guesses {
         match unknown {
             LoopUnknown::Angle(link) => (self.rough_angle(context, link) / 10.0).round() * 10.0,
             LoopUnknown::Travel(slide) => {
-                let step = 10.0_f64.powf(longest(context).log10().floor()) / 2.0;
+                let step = 10.0_f64.powf(context.longest.log10().floor()) / 2.0;
                 let travel = self.opening.known().travel(slide).position;
                 (travel / step).round() * step
             }

@@ -28,7 +28,7 @@ impl LoopProblem {
                 .map(|&number| sum(context, stage, number))
                 .collect::<Option<_>>()?,
             kinds: kinds.collect(),
-            longest: longest(context),
+            longest: context.longest,
         };
         let names = stage.unknowns.iter().map(|&u| name(context, u));
         let right = stage.unknowns.iter().map(|&u| right(context, u));
@@ -72,11 +72,6 @@ fn right(context: &Context<'_>, unknown: LoopUnknown) -> Option<f64> {
         }
         LoopUnknown::Length(_) | LoopUnknown::Direction(_) => None,
     }
-}
-
-/// Returns the length of the longest side in this state.
-pub(super) fn longest(context: &Context<'_>) -> f64 {
-    context.longest()
 }
 
 fn sum(context: &Context<'_>, stage: &Stage, number: usize) -> Option<LoopSum> {

@@ -291,24 +291,25 @@ pub(in crate::report::working) fn named<'c>(
 
 /// Returns the intersection of the two lines with the largest angle between them, the farther joint
 /// first; `None` if that angle is too small.
-fn crossing(context: &Context<'_>, lines: &[CentreLine]) -> Option<(Vec2, [CentreLine; 2])> {
+fn crossing<'l>(context: &Context<'_>, lines: &'l [CentreLine]) -> Option<(Vec2, [CentreLine; 2])> {
     // The lines of a joint follow one another, and may be many: every link on it has one.
     let by_joint = lines.chunk_by(|one, other| one.joint == other.joint);
     let by_joint: Vec<&[CentreLine]> = by_joint.collect();
     let pairs = by_joint.iter().zip(1..).flat_map(|(own, next)| {
         let others = by_joint[next..].iter().copied().flatten();
-        own.iter()
-            .flat_map(move |one| others.clone().map(move |other| [*one, *other]))
+        own.iter().flat_map(move |one| {
+            let pair = move |other: &'l CentreLine| (one.u.cross(other.u).abs(), [one, other]);
+            others.clone().map(pair)
+        })
     });
-    let sine = |pair: &[CentreLine; 2]| pair[0].u.cross(pair[1].u).abs();
-    let best = pairs.max_by(|a, b| sine(a).total_cmp(&sine(b)))?;
-    if !(sine(&best) > CROSSING) {
+    let (sine, best) = pairs.max_by(|(a, _), (b, _)| a.total_cmp(b))?;
+    if !(sine > CROSSING) {
         return None;
     }
     let [p, q] = best.map(|line| context.state.position(line.joint));
     let [one, other] = best.map(|line| line.u);
     let at = p + one * ((q - p).cross(other) / one.cross(other));
-    let [first, second] = best;
+    let [first, second] = best.map(|line| *line);
     Some(match (at - p).norm() >= (at - q).norm() {
         true => (at, [first, second]),
         false => (at, [second, first]),

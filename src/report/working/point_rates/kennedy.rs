@@ -24,16 +24,25 @@ pub(in crate::report::working) fn instant_centres(context: &Context<'_>, draft: 
     if !joints.is_empty() {
         draft.page.text(words().common_centres(&joints.join("; ")));
     }
+    let size = longest(context);
+    let mechanism = &context.scene.mechanism;
+    let mut pivots = vec![None; mechanism.links().len()];
+    for centre in &centres {
+        if let CentreBasis::Pivot(pivot) = centre.basis {
+            pivots[centre.link.index()] = Some(pivot);
+        }
+    }
     for centre in &centres {
         let text = CentreDescription {
             context,
             centre,
             figures: figures(context, centre),
-            known: &centres,
+            pivots: &pivots,
+            size,
         };
         text.write(draft);
     }
-    table(context, draft, &centres);
+    table(context, draft, &centres, size);
 }
 
 /// Lists every joint of two moving links, as in `r2, r3: B`.
@@ -60,8 +69,7 @@ fn figures(context: &Context<'_>, centre: &LinkCentre) -> Figures {
 }
 
 /// Writes the table of all centres.
-fn table(context: &Context<'_>, draft: &mut Draft, centres: &[LinkCentre]) {
-    let size = longest(context);
+fn table(context: &Context<'_>, draft: &mut Draft, centres: &[LinkCentre], size: f64) {
     let rows = centres.iter().map(|centre| {
         let f = figures(context, centre);
         let [x, y] = match centre.place {
@@ -83,7 +91,10 @@ struct CentreDescription<'a> {
     context: &'a Context<'a>,
     centre: &'a LinkCentre,
     figures: Figures,
-    known: &'a [LinkCentre],
+    /// The pivot on the ground of every link that has one.
+    pivots: &'a [Option<PointId>],
+    /// The length of the longest vector.
+    size: f64,
 }
 
 impl CentreDescription<'_> {
@@ -148,10 +159,9 @@ impl CentreDescription<'_> {
 
     /// Returns the pivot's name, or the centre's symbol.
     fn centre_name(&self, link: LinkId) -> String {
-        let of = self.known.iter().find(|known| known.link == link);
-        match of.map(|known| &known.basis) {
-            Some(CentreBasis::Pivot(pivot)) => self.point_name(*pivot).to_owned(),
-            _ => symbol(self.context, link),
+        match self.pivots[link.index()] {
+            Some(pivot) => self.point_name(pivot).to_owned(),
+            None => symbol(self.context, link),
         }
     }
 
@@ -159,10 +169,7 @@ impl CentreDescription<'_> {
     fn coordinate(&self, axis: &str, point: PointId) -> Expression {
         let at = self.context.state.position(point);
         let value = if axis == "x" { at.x } else { at.y };
-        let figure = self
-            .context
-            .figures
-            .format_or_zero(value, longest(self.context));
+        let figure = self.context.figures.format_or_zero(value, self.size);
         Expression::known(coordinate(self.context, axis, point), figure, value)
     }
 
@@ -186,7 +193,7 @@ impl CentreDescription<'_> {
         let above =
             distance("x") * of(Function::Sin, &gamma) - distance("y") * of(Function::Cos, &gamma);
         let t = above / of(Function::Sin, &(gamma.clone() - beta.clone()));
-        let size = longest(context);
+        let size = self.size;
         let t = draft.worked("t", &t, |t| {
             format!("{} {UNIT}{}", f.format_or_zero(t, size), f.unit)
         });
@@ -250,7 +257,7 @@ impl CentreDescription<'_> {
         };
         let x = self.coordinate("x", base) - part("y", v.y) / w.clone();
         let y = self.coordinate("y", base) + part("x", v.x) / w;
-        let size = longest(context);
+        let size = self.size;
         for (symbol, sum) in [("x", x), ("y", y)] {
             draft.worked(symbol, &sum, |v| {
                 format!("{} {UNIT}{}", f.format_or_zero(v, size), f.unit)
@@ -276,7 +283,7 @@ impl CentreDescription<'_> {
         let w = state.omega(self.centre.link);
         let name = symbol(self.context, self.centre.link);
         let unit = f.length_unit(1);
-        let size = longest(self.context);
+        let size = self.size;
         for point in named(self.context, self.centre.link).filter(|&point| point != text) {
             let point_name = self.point_name(point);
             let distance = (state.position(point) - at).norm();
