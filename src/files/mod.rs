@@ -43,7 +43,7 @@ pub(crate) use bounded_read::{from_home, open_to_read, read_file};
 #[cfg(feature = "tui")]
 pub(crate) use fingerprint::Stamp;
 #[cfg(not(unix))]
-pub(crate) use non_unix::{Output, recover_all};
+pub(crate) use non_unix::{Output, ReplacedFile, recover_all};
 pub(crate) use reading::{limited, read_any_file, read_without_waiting};
 pub(crate) use row_file::{AppendFile, ResumableFile};
 pub(crate) use same_file::is_same_file;
@@ -53,7 +53,7 @@ pub(crate) use {
     temporary::DraftFile,
 };
 #[cfg(unix)]
-pub(crate) use {in_place::recover_all, output::Output};
+pub(crate) use {in_place::recover_all, output::Output, temporary::ReplacedFile};
 
 use crate::wording::words;
 use std::io;
@@ -65,6 +65,10 @@ pub(crate) enum WriteError {
     /// The file exists, and replacing it was not confirmed.
     #[error("{}", words().exists_already())]
     Exists,
+    /// Another process has created the file since the output began.
+    #[cfg(unix)]
+    #[error("{}", words().created_meanwhile())]
+    Appeared,
     /// The file has changed since it was read.
     #[error("{}", words().changed_on_disk())]
     Changed,

@@ -58,6 +58,28 @@ impl Output {
         }
         Ok(File::options().append(true).open(&self.target)?)
     }
+
+    /// Commits; the file that is replaced is not kept.
+    ///
+    /// # Errors
+    /// See [`Output::commit`].
+    pub(crate) fn commit_reversibly(
+        self,
+        records: Option<&Path>,
+    ) -> Result<(File, Option<ReplacedFile>), WriteError> {
+        Ok((self.commit(records)?, None))
+    }
+}
+
+/// A replaced file that was kept; never on these systems.
+#[derive(Debug)]
+pub(crate) enum ReplacedFile {}
+
+impl ReplacedFile {
+    /// Gives the old file its name back.
+    pub(crate) fn restore(self) -> io::Result<()> {
+        match self {}
+    }
 }
 
 impl Drop for Output {

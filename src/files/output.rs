@@ -8,7 +8,7 @@ use super::fingerprint::Stamp;
 use super::in_place::{create_private_folder, write_into};
 use super::lock::{self, LockOutcome};
 use super::target::Target;
-use super::temporary::DraftFile;
+use super::temporary::{DraftFile, ReplacedFile};
 use rustix::fs::OFlags;
 use std::fs::{File, Metadata};
 use std::io::{self, ErrorKind, Write};
@@ -100,6 +100,27 @@ impl Output {
     /// Returns an I/O error, or an error if the file was changed in the meantime; it is then
     /// unchanged.
     pub(crate) fn commit(self, records: Option<&Path>) -> Result<File, WriteError> {
+        self.prepare()?;
+        self.take_place(records, false)
+            .map(|(file, _)| file)
+            .map_err(appeared)
+    }
+
+    /// Commits, and keeps the file that is replaced. The second value is `None` if there is none,
+    /// or if the file system cannot keep it.
+    ///
+    /// # Errors
+    /// See [`Output::commit`].
+    pub(crate) fn commit_reversibly(
+        self,
+        records: Option<&Path>,
+    ) -> Result<(File, Option<ReplacedFile>), WriteError> {
+        self.prepare()?;
+        self.take_place(records, true).map_err(appeared)
+    }
+
+    /// Ensures that the draft is on the disk, and that the file to be replaced has not changed.
+    fn prepare(&self) -> Result<(), WriteError> {
         self.sync()?;
         if let Some(OldFile { path, stamp, .. }) = &self.old
             && let (Some(then), Some(now)) = (stamp, Stamp::of(path))
@@ -107,7 +128,7 @@ impl Output {
         {
             return Err(WriteError::Changed);
         }
-        self.take_place(records)
+        Ok(())
     }
 
     /// Ensures that a draft that will replace a file is on the disk.
@@ -119,13 +140,18 @@ impl Output {
         }
     }
 
-    fn take_place(self, records: Option<&Path>) -> Result<File, WriteError> {
+    /// Writes the text to its target. `keeps_old` keeps a file that is replaced.
+    fn take_place(
+        self,
+        records: Option<&Path>,
+        keeps_old: bool,
+    ) -> Result<(File, Option<ReplacedFile>), WriteError> {
         let Output { way, old } = self;
-        let kept = || old.map(|old| old.file).ok_or(WriteError::Changed);
+        let old = old.map(|old| old.file).ok_or(WriteError::Changed);
         match way {
             OutputMode::Stream(mut file) => {
                 file.flush()?;
-                Ok(file)
+                Ok((file, None))
             }
             OutputMode::New { draft, target } => {
                 let file = draft.appear(&target).map_err(|e| match e.kind() {
@@ -133,21 +159,25 @@ impl Output {
                     _ => e.into(),
                 })?;
                 sync_folder_of(&target);
-                Ok(file)
+                Ok((file, None))
             }
             OutputMode::Over { draft, target } => {
-                let mut text = draft.file.try_clone()?;
-                match draft.replace(&target) {
-                    Ok(file) => {
+                let (old, mut text) = (old?, draft.file.try_clone()?);
+                let replaced = match keeps_old {
+                    true => draft.exchange(&target, old.try_clone()?),
+                    false => draft.replace(&target).map(|file| (file, None)),
+                };
+                match replaced {
+                    Ok(written) => {
                         sync_folder_of(&target);
-                        Ok(file)
+                        Ok(written)
                     }
                     // A file of another user in a sticky folder, or a file that is itself a mount
                     // point.
                     Err(e) if is_denied(&e) => {
                         let records = records.ok_or(WriteError::NoJournal)?;
                         write_into(&target, &mut text, records)?;
-                        kept()
+                        Ok((old, None))
                     }
                     Err(e) => Err(e.into()),
                 }
@@ -158,7 +188,7 @@ impl Output {
                 folder,
             } => {
                 write_into(&target, &mut draft.file, &folder)?;
-                kept()
+                Ok((old?, None))
             }
         }
     }
@@ -220,6 +250,14 @@ fn draft_for(target: &Path, found: &Metadata) -> Result<Option<DraftFile>, Write
             Err(e.into())
         }
         Err(_) => Ok(None),
+    }
+}
+
+/// Names the cause if a file exists that did not exist when the output began.
+fn appeared(error: WriteError) -> WriteError {
+    match error {
+        WriteError::Exists => WriteError::Appeared,
+        other => other,
     }
 }
 
@@ -286,5 +324,5 @@ pub(crate) fn save(
     if Stamp::of(&path) != before {
         return Err(WriteError::Changed);
     }
-    output.take_place(saving.records).map(drop)
+    output.take_place(saving.records, false).map(drop)
 }

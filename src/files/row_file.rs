@@ -5,7 +5,7 @@
 //! leads to it and that its length is unchanged, so that rows are never lost silently.
 
 use super::lock::{self, LockOutcome, is_at};
-use super::{Output, WriteError};
+use super::{Output, ReplacedFile, WriteError};
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, Read, Seek, Write};
 use std::path::{Path, PathBuf};
@@ -30,8 +30,13 @@ enum RowTarget {
         length: u64,
     },
     /// The file itself, with its expected length in bytes.
-    More { file: File, length: u64 },
-    /// No target, because the first rows could not replace the older file.
+    More {
+        file: File,
+        length: u64,
+        /// The file that it replaced, until all rows are written.
+        older: Option<ReplacedFile>,
+    },
+    /// No target, because rows could not be written.
     Failed,
 }
 
@@ -75,16 +80,24 @@ impl AppendFile {
     ///
     /// # Errors
     /// Returns an error if another process has deleted, replaced or changed the file, or an I/O
-    /// error.
+    /// error; an older file that the rows replaced is then restored.
     pub(crate) fn write(&mut self, lines: &str) -> Result<(), WriteError> {
         self.check()?;
+        let written = self.append(lines);
+        if written.is_err() {
+            self.restore_older();
+        }
+        written
+    }
+
+    fn append(&mut self, lines: &str) -> Result<(), WriteError> {
         match &mut self.rows {
             RowTarget::First { output, length, .. } => {
                 output.write_all(lines.as_bytes())?;
                 *length += length_of(lines);
                 self.take_place()
             }
-            RowTarget::More { file, length } => {
+            RowTarget::More { file, length, .. } => {
                 file.write_all(lines.as_bytes())?;
                 *length += length_of(lines);
                 Ok(())
@@ -93,19 +106,34 @@ impl AppendFile {
         }
     }
 
+    /// Restores the older file after a failed write, as on a full disk. Rows that replaced no file
+    /// stay, and can be resumed.
+    fn restore_older(&mut self) {
+        if let RowTarget::More { older, .. } = &mut self.rows
+            && let Some(older) = older.take()
+            && older.restore().is_ok()
+        {
+            self.rows = RowTarget::Failed;
+        }
+    }
+
     /// Ensures that all rows are on the disk, under the name of the file.
     ///
     /// # Errors
     /// Returns an error if another process has deleted, replaced or changed the file, or an I/O
-    /// error.
+    /// error; an older file that the rows replaced is then restored.
     pub(crate) fn finish(mut self) -> Result<(), WriteError> {
         if let RowTarget::First { .. } = self.rows {
             self.take_place()?;
         }
-        if let RowTarget::More { file, .. } = &self.rows {
-            file.sync_all()?;
+        self.check()?;
+        if let RowTarget::More { file, .. } = &self.rows
+            && let Err(error) = file.sync_all()
+        {
+            self.restore_older();
+            return Err(error.into());
         }
-        self.check()
+        Ok(())
     }
 
     /// Returns `true` if no other process can add rows in the meantime; some network file systems
@@ -127,10 +155,11 @@ impl AppendFile {
             length,
         } = first
         {
-            let file = output.commit(records.as_deref())?;
+            let (file, older) = output.commit_reversibly(records.as_deref())?;
             self.rows = RowTarget::More {
                 file: appending(file)?,
                 length,
+                older,
             };
         }
         Ok(())
@@ -138,7 +167,7 @@ impl AppendFile {
 
     fn check(&self) -> Result<(), WriteError> {
         match &self.rows {
-            RowTarget::More { file, length }
+            RowTarget::More { file, length, .. }
                 if !is_at(file, &self.name) || file.metadata()?.len() != *length =>
             {
                 Err(WriteError::Disturbed)
@@ -236,6 +265,7 @@ impl ResumableFile {
             rows: RowTarget::More {
                 file: appending(self.file)?,
                 length: self.end,
+                older: None,
             },
         })
     }
@@ -287,6 +317,44 @@ mod tests {
         let file = AppendFile::create(path, "head\n", None).unwrap();
         file.finish().unwrap();
         assert_eq!(fs::read_to_string(path).unwrap(), "head\n");
+    }
+
+    /// Regression: a disk that filled while rows were appended cost the older file. The error here
+    /// is that of a file that is open for reading only.
+    #[test]
+    fn failed_write_restores_the_older_file() {
+        let folder = place("restored").with_extension("folder");
+        fs::create_dir(&folder).unwrap();
+        let path = folder.join("rows.csv");
+        let fail = |file: &mut AppendFile| {
+            let RowTarget::More { file, .. } = &mut file.rows else {
+                panic!("no rows were written");
+            };
+            *file = File::open(&path).unwrap();
+        };
+        for is_old in [true, false] {
+            if is_old {
+                fs::write(&path, "old").unwrap();
+            }
+            let mut file = AppendFile::create(&path, "head\n", None).unwrap();
+            file.write("0\n").unwrap();
+            assert_eq!(fs::read_to_string(&path).unwrap(), "head\n0\n");
+            fail(&mut file);
+            assert!(matches!(file.write("1\n"), Err(WriteError::Io(_))));
+            drop(file);
+            // Rows of a new file stay for a later run.
+            let left = if is_old { "old" } else { "head\n0\n" };
+            assert_eq!(fs::read_to_string(&path).unwrap(), left);
+            fs::remove_file(&path).unwrap();
+            assert_eq!(fs::read_dir(&folder).unwrap().count(), 0, "{is_old}");
+        }
+        fs::write(&path, "old").unwrap();
+        let mut file = AppendFile::create(&path, "head\n", None).unwrap();
+        file.write("0\n").unwrap();
+        file.finish().unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), "head\n0\n");
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+        fs::remove_dir_all(folder).unwrap();
     }
 
     /// Regression: rows were written to a deleted file, or after a hole in a truncated one.

@@ -135,6 +135,27 @@ impl DraftFile {
         self.file.try_clone()
     }
 
+    /// Replaces an existing file like [`DraftFile::replace`], and keeps that file under the name of
+    /// the draft. `held` is the file to be replaced, open and locked. The second value is `None` if
+    /// the file system cannot exchange two names: the old file is then lost.
+    pub(super) fn exchange(
+        mut self,
+        target: &Path,
+        held: File,
+    ) -> io::Result<(File, Option<ReplacedFile>)> {
+        let path = self.name()?;
+        if renameat_with(CWD, &path, CWD, target, RenameFlags::EXCHANGE).is_err() {
+            return Ok((self.replace(target)?, None));
+        }
+        self.path = None;
+        let replaced = ReplacedFile {
+            path,
+            target: target.to_owned(),
+            _held: held,
+        };
+        Ok((self.file.try_clone()?, Some(replaced)))
+    }
+
     /// Moves to a name that must not exist yet. Returns the file, still open and locked.
     pub(super) fn appear(mut self, target: &Path) -> io::Result<File> {
         if self.path.is_none() {
@@ -165,6 +186,30 @@ impl Drop for DraftFile {
             // The next sweep removes what cannot be removed now.
             let _ = fs::remove_file(path);
         }
+    }
+}
+
+/// An old file that can take its name back from the file that replaced it; removed if it is dropped.
+#[derive(Debug)]
+pub(crate) struct ReplacedFile {
+    path: PathBuf,
+    target: PathBuf,
+    /// Keeps the lock, without which another process would remove the file as abandoned.
+    _held: File,
+}
+
+impl ReplacedFile {
+    /// Gives the old file its name back. The file that replaced it is removed.
+    pub(crate) fn restore(self) -> io::Result<()> {
+        // Afterwards nothing is left to be removed by `drop`.
+        fs::rename(&self.path, &self.target)
+    }
+}
+
+impl Drop for ReplacedFile {
+    fn drop(&mut self) {
+        // The next sweep removes what cannot be removed now.
+        let _ = fs::remove_file(&self.path);
     }
 }
 

@@ -413,7 +413,8 @@ fn file_being_written_by_another_is_rejected() {
     let mut late = Output::to(&folder.join("new.csv"), None).unwrap();
     late.write_all(b"late").unwrap();
     write(&folder.join("new.csv"), b"early", None).unwrap();
-    assert!(matches!(late.commit(None), Err(WriteError::Exists)));
+    let refused = late.commit(None).unwrap_err();
+    assert!(refused.to_string().contains("another program has created"));
     // A file changed by a writer without locks is kept, too.
     let mut late = Output::to(&file, None).unwrap();
     late.write_all(b"late").unwrap();

@@ -519,3 +519,25 @@ fn check_reports_error_of_each_range_end() {
     let full = json(&run_ok(&["check", "four-bar", "--format", "json"]));
     assert_eq!(full["range_bounds"], serde_json::json!([0.0, 0.0]));
 }
+
+/// The hint contains the number that was meant.
+#[test]
+fn typing_slips_in_numbers_have_a_hint_with_the_number() {
+    let frame = |line: &str| format!("[ground]\nA = [0, 0]\n{line}\n");
+    let link = |value: &str| format!("[links]\nr2 = {{ from = \"A\", to = \"B\", {value} }}\n");
+    for (text, hint) in [
+        (frame("D = [400,5, 0]"), "decimals with a point: 400.5"),
+        (frame("D = [0, -12,25]"), "decimals with a point: -12.25"),
+        (frame("D = [1,5, 2,5]"), "decimals with a point: 1.5"),
+        (frame("D = [1,5,2,5]"), "decimals with a point: 0.5"),
+        (link("length = 3.5\""), "remove the quote: 3.5; or"),
+        (link("length = 3.5\""), "in quotes: \"3.5 in\""),
+        (frame("D = [3\", 0]"), "remove the quote: 3; or"),
+        ("[driver]\nangle = 60\"\n".into(), "the number alone: 60"),
+    ] {
+        let file = folder("slips").join("slip.toml");
+        std::fs::write(&file, &text).unwrap();
+        let shown = refused(2, &["check", file.to_str().unwrap()]);
+        assert!(shown.contains(hint), "{hint:?} is not in:\n{shown}");
+    }
+}

@@ -133,6 +133,29 @@ fn resume_completes_truncated_files_and_rejects_others() {
     }
 }
 
+/// Regression: a disk that filled after the first rows cost the older file. A limit on the size of
+/// files fails in the same way.
+#[test]
+fn study_restores_the_older_file_if_a_write_fails() {
+    let folder = folder("study-full");
+    let file = folder.join("out.csv");
+    fs::write(&file, "old").unwrap();
+    let vary = "--vary r2.length=30..40/20000 --threads 1";
+    let study = format!("study {CRANK} --columns {COLUMNS} {vary}");
+    let script = format!("trap '' XFSZ; ulimit -f 64; exec \"$0\" {study} -o \"$1\"");
+    let run = std::process::Command::new("/bin/sh")
+        .args(["-c", &script, env!("CARGO_BIN_EXE_krank")])
+        .arg(&file)
+        .env("LC_ALL", "C.UTF-8")
+        .output()
+        .unwrap();
+    let shown = String::from_utf8(run.stderr).unwrap();
+    assert_eq!(run.status.code(), Some(1), "{shown}");
+    assert!(shown.contains("out.csv"), "{shown}");
+    assert_eq!(fs::read_to_string(&file).unwrap(), "old");
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+}
+
 /// A changed row in the middle is detected, and the file is not changed.
 #[test]
 fn resume_rejects_a_file_in_which_a_row_was_changed() {

@@ -120,7 +120,7 @@ impl ConfirmReason {
     /// Returns the reason to ask about a failed write; `None` if no permission would help.
     pub(crate) fn of(error: &WriteError) -> Option<ConfirmReason> {
         match error {
-            WriteError::Exists => Some(ConfirmReason::Exists),
+            WriteError::Exists | WriteError::Appeared => Some(ConfirmReason::Exists),
             WriteError::Changed => Some(ConfirmReason::Changed),
             WriteError::ReadOnly => Some(ConfirmReason::ReadOnly),
             WriteError::NoFile(_)

@@ -18,4 +18,4 @@ pub use reader::{ByteSpan, Name, NamedNumbers, Reader, is_probable_misspelling, 
 pub use sanitize::ascii_letter;
 pub use sanitize::with_ascii_letters;
 pub use sanitize::{is_harmful, sanitized};
-pub use syntax::{foreign, has_decimal_comma, has_key, parse};
+pub use syntax::{first_with_point, foreign, has_decimal_comma, has_key, parse};

@@ -128,6 +128,18 @@ pub fn has_decimal_comma(text: &str) -> bool {
         .any(|bytes| matches!(bytes, [a, b',', c] if a.is_ascii_digit() && c.is_ascii_digit()))
 }
 
+/// Returns the first number of a list that has a decimal comma, with a point: `400.5` for
+/// `[400,5, 0]`. `None` if the digits have several commas, so that their meaning is unclear.
+pub fn first_with_point(list: &str) -> Option<String> {
+    let is_of_number = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | ',');
+    let mut numbers = list
+        .split(|c| !is_of_number(c))
+        .map(|n| n.trim_matches(','));
+    let first = numbers.find(|number| has_decimal_comma(number))?;
+    let is_clear = first.matches(',').count() == 1 && !first.contains('.');
+    is_clear.then(|| first.replace(',', "."))
+}
+
 /// Returns the diagnostic of a duplicate key.
 fn duplicate(text: &str, root: &DeTable<'_>, span: ByteSpan) -> Diagnostic {
     let key = text.get(span.clone()).unwrap_or("");

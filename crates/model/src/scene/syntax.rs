@@ -24,9 +24,30 @@ pub fn fix(text: &str, message: &str, span: &ByteSpan) -> Option<String> {
     if message.starts_with("invalid unquoted key") && at.starts_with('\'') {
         return Some(words().quote_the_name().to_owned());
     }
+    let number = match at.starts_with('"') {
+        true => number_at_end(before),
+        // In a list, the parser reports the number itself.
+        false => {
+            let (number, rest) = at.split_at(number_length(at));
+            (!number.is_empty() && rest.starts_with('"')).then_some(number)
+        }
+    };
+    if let Some(number) = number {
+        return Some(match is_angle(&text[start..span.start]) {
+            true => words().angle_alone(number),
+            false => words().quote_after_number(number),
+        });
+    }
     message
         .starts_with("key with no value")
         .then(|| words().write_key_and_value().to_owned())
+}
+
+/// Returns the number at the end of a text; `None` if there is none.
+fn number_at_end(text: &str) -> Option<&str> {
+    let is_of_number = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | '_');
+    let number = &text[text.trim_end_matches(is_of_number).len()..];
+    (!number.is_empty() && number_length(number) == number.len()).then_some(number)
 }
 
 /// Returns `true` if the last key in front of a value is that of an angle.

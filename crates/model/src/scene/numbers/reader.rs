@@ -2,7 +2,9 @@
 
 use crate::arithmetic::Decimal;
 pub(crate) use crate::document::{ByteSpan, Name, Reader, quoted};
-use crate::document::{Diagnostic, WrittenValue, has_decimal_comma, items, number_of};
+use crate::document::{
+    Diagnostic, WrittenValue, first_with_point, has_decimal_comma, items, number_of,
+};
 use crate::expression;
 use crate::scene::numbers::numeral::{is_rounded, number_length};
 use crate::wording::words;
@@ -111,7 +113,10 @@ impl Reader<'_> {
         let count = items.len();
         let typed = self.text().get(value.span()).unwrap_or("");
         let help = match count > 2 && has_decimal_comma(typed) {
-            true => words().decimals_have_a_point("0.5"),
+            true => {
+                let number = first_with_point(typed);
+                words().decimals_have_a_point(number.as_deref().unwrap_or("0.5"))
+            }
             false => words().for_example(example),
         };
         self.report(
