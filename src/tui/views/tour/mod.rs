@@ -12,6 +12,7 @@ pub(crate) mod screens;
 use super::{columns, print_line, title};
 use crate::tui::app::App;
 use crate::tui::appearance::theme::ScreenPart;
+use crate::tui::commands::key::Key;
 use crate::tui::commands::keymap::Keymap;
 use crate::tui::views::tour::screens::{SCREENS, TourPage, screen, wrapped};
 use crate::wording::words;
@@ -33,10 +34,20 @@ pub(super) fn render(app: &App, page: TourPage, body: Rect, buffer: &mut Buffer)
     let next = if last { words().done() } else { words().next() };
     let heading = |space| {
         let own = screen(page.screen, app.keymap()).title;
-        let title = words().tour_title(page.screen + 1, SCREENS, own);
-        let keys = words().tour_keys(next);
-        let has_room = columns(&title) + columns(&keys) < space;
-        (title, if has_room { keys } else { String::new() })
+        let number = page.screen + 1;
+        let title = words().tour_title(number, SCREENS, own);
+        // The last line of a narrow terminal has the key that ends the tour.
+        let enter = format!("{} {next}", Key::Enter);
+        let forms = [
+            (title.clone(), words().tour_keys(next)),
+            (title.clone(), enter.clone()),
+            (format!("{number}/{SCREENS} {own}"), enter),
+        ];
+        let fits = |(left, right): &(String, String)| columns(left) + columns(right) <= space;
+        forms
+            .into_iter()
+            .find(fits)
+            .unwrap_or((title, String::new()))
     };
     let top = Rect { height: 1, ..place };
     title::over_pane(app, true, heading, top, buffer);
