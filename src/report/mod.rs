@@ -38,7 +38,8 @@ pub use designs::{
 pub use document::{Report, ReportFormat};
 pub use exercise::{
     AnswerFile, AnsweredRow, FileRemarks, GradedAnswers, GradedFigure, InvalidCell, MadeExercise,
-    NoAnswers, answer_key, blank_answers, class_csv, class_page, is_blank, named_again,
+    NoAnswers, QuestionState, answer_key, blank_answers, class_csv, class_page, is_blank,
+    named_again,
 };
 pub use external_comparison::{ForeignFigures, Measured, NoFigures};
 pub use forces::{

@@ -1,22 +1,17 @@
 //! `krank exercise`: writes a sheet, a file for the answers and a solution for each seed.
 
-use crate::Ball;
 use crate::cli::choice::one_of;
 use crate::cli::commands::report::FORMATS;
 use crate::cli::failure::Failure;
 use crate::cli::formats::{CsvArgs, OutputFormat};
 use crate::cli::output::write_text;
-use crate::cli::place::out_of_reach;
 use crate::cli::progress::Progress;
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene};
 use crate::files::read_without_waiting;
-use crate::report::{
-    CsvDialect, MadeExercise, Report, ReportFormat, answer_key, blank_answers, is_blank,
-};
+use crate::report::{CsvDialect, MadeExercise, Report, ReportFormat, blank_answers, is_blank};
 use crate::scene::{MAX_FILE_SIZE, Scene};
-use crate::solver::{Order, Solver, State, Workspace};
-use crate::study::{AnswerKey, ExerciseMaker, SheetScene};
+use crate::study::ExerciseMaker;
 use crate::wording::words;
 use clap::Args;
 use std::io::ErrorKind;
@@ -71,10 +66,12 @@ pub(in crate::cli) fn exercise(args: &ExerciseArgs, screen: TextScreen) -> Resul
         }
     }
     let unwritable = |e| Failure::Output(Some(folder.clone()), e);
-    std::fs::create_dir_all(folder).map_err(unwritable)?;
     let mut progress = Progress::new(args.count.into(), words().parts(), screen, false);
     for (done, seed) in (1..).zip(seeds) {
-        made(seed)?.write(folder, style)?;
+        let exercise = made(seed)?;
+        // A scene without exercises leaves no folder behind.
+        std::fs::create_dir_all(folder).map_err(unwritable)?;
+        exercise.write(folder, style)?;
         progress.report_progress(done);
     }
     progress.end();
@@ -119,48 +116,6 @@ fn for_shell(word: &str) -> String {
     match !word.is_empty() && word.chars().all(is_plain) {
         true => word.to_owned(),
         false => format!("'{}'", word.replace('\'', r"'\''")),
-    }
-}
-
-/// The solved state for the questions of a sheet.
-pub(in crate::cli) struct QuestionState {
-    state: Workspace,
-    enclosure: Workspace<Ball>,
-}
-
-impl QuestionState {
-    /// Solves a scene at a coordinate. Returns an error if there are no accelerations, because then
-    /// there are no questions.
-    pub(super) fn new(scene: &Scene, solver: &Solver, at: f64) -> Result<QuestionState, Failure> {
-        let mut state = solver.state();
-        let mut enclosure = solver.enclosure();
-        let condition = solver.solve(at, Order::Force, &mut state);
-        if condition == crate::solver::Condition::NoAssembly {
-            return Err(out_of_reach(scene, solver, at));
-        }
-        if !state.has(Order::Acceleration) {
-            return Err(Failure::Cannot(words().no_figures_at(&at.to_string())));
-        }
-        solver.enclose(&mut state, Order::Force, &mut enclosure);
-        Ok(QuestionState { state, enclosure })
-    }
-
-    /// Returns the scene at this coordinate, for finding answers that misread its given values.
-    pub(super) fn opened<'a>(&self, scene: &'a Scene, solver: &'a Solver) -> SheetScene<'a> {
-        SheetScene {
-            scene,
-            solver,
-            at: self.state().at(),
-        }
-    }
-
-    pub(super) fn state(&self) -> &State {
-        self.state.state()
-    }
-
-    /// Returns the answers to all questions and to the quantities in `more`.
-    pub(super) fn key(&self, scene: &Scene, solver: &Solver, more: &[String]) -> AnswerKey {
-        answer_key(scene, solver, self.state(), self.enclosure.state(), more)
     }
 }
 

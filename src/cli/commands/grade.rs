@@ -1,18 +1,20 @@
 //! `krank grade`: grades the answers of one student or of a class.
 
-use crate::cli::commands::exercise::QuestionState;
 use crate::cli::failure::{Failure, note};
 use crate::cli::formats::{CsvArgs, OutputFormat};
 use crate::cli::output::{OutputArgs, write_text, write_to};
-use crate::cli::place::{PlaceArgs, place};
+use crate::cli::place::{PlaceArgs, out_of_reach, place};
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{
     AssemblyArgs, SolvableScene, check_output_differs, check_output_differs_from_input, find, load,
 };
 use crate::files::read_without_waiting;
 use crate::page::TextStyle;
-use crate::report::{AnswerFile, GradedAnswers, NoAnswers, class_csv, class_page, named_again};
+use crate::report::{
+    AnswerFile, GradedAnswers, NoAnswers, QuestionState, class_csv, class_page, named_again,
+};
 use crate::scene::MAX_FILE_SIZE;
+use crate::solver::Condition;
 use crate::wording::words;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf, is_separator};
@@ -123,7 +125,11 @@ impl Grader<'_> {
                 let scene = load(&find(path)?, &self.args.assembly.wishes)?;
                 let SolvableScene { scene: of, solver } = &scene;
                 let at = place(&self.args.place, of, solver, self.screen);
-                let requested = QuestionState::new(of, solver, at)?;
+                let requested = QuestionState::new(solver, at);
+                let requested = requested.map_err(|condition| match condition {
+                    Condition::NoAssembly => out_of_reach(of, solver, at),
+                    _ => Failure::Cannot(words().no_figures_at(&at.to_string())),
+                })?;
                 self.sheets.push(OpenSheet {
                     path: path.to_owned(),
                     scene,

@@ -1,9 +1,8 @@
 //! Makes the exercise of a seed, with its sheet, solution and answers.
 
 use crate::report::document::Report;
-use crate::report::exercise::requested_values::answer_key;
+use crate::report::exercise::question_state::QuestionState;
 use crate::scene::Scene;
-use crate::solver::{Order, Workspace};
 use crate::study::{AnswerKey, Exercise, ExerciseMaker, ExerciseTitles};
 use crate::wording::words;
 
@@ -14,7 +13,7 @@ const DIGITS: usize = 6;
 #[derive(Debug)]
 pub struct MadeExercise {
     exercise: Exercise,
-    state: Workspace,
+    state: QuestionState,
     key: AnswerKey,
 }
 
@@ -38,14 +37,10 @@ impl MadeExercise {
         let exercise = maker.exercise(seed, &titles);
         let exercise = exercise.ok_or_else(|| words().no_exercise(seed))?;
         let Exercise { scene, solver } = &exercise;
-        let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
         let at = scene.mechanism.driver().start;
-        let _ = solver.solve(at, Order::Force, &mut state);
-        if !state.has(Order::Acceleration) {
-            return Err(words().no_figures_at(&at.to_string()));
-        }
-        solver.enclose(&mut state, Order::Force, &mut enclosure);
-        let key = answer_key(scene, solver, state.state(), enclosure.state(), &[]);
+        let state = QuestionState::new(solver, at);
+        let state = state.map_err(|_| words().no_figures_at(&at.to_string()))?;
+        let key = state.key(scene, solver, &[]);
         Ok(MadeExercise {
             exercise,
             state,
