@@ -32,11 +32,16 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     for tab in &tabs {
         x = render_tab(app, tab, (x, area.y), buffer) + gap;
     }
-    let hints = hints(app);
-    if x + GAP + columns(&hints) < area.right() {
+    if hints_start(app, area, x).is_some() {
         let style = theme::part(ScreenPart::Quiet);
-        print_right(buffer, area.right() - 1, area.y, &hints, style);
+        print_right(buffer, area.right() - 1, area.y, &hints(app), style);
     }
+}
+
+/// Returns the column where the hints begin, if they fit behind the tabs, which end at `end`.
+fn hints_start(app: &App, area: Rect, end: u16) -> Option<u16> {
+    let start = area.right().checked_sub(1 + columns(&hints(app)))?;
+    (end + GAP <= start).then_some(start)
 }
 
 /// Returns the view whose tab is at a column.
@@ -57,10 +62,7 @@ pub(super) fn at(app: &App, area: Rect, x: u16) -> Option<View> {
 pub(super) fn key_at(app: &App, area: Rect, x: u16) -> Option<Key> {
     let (tabs, gap) = fitted(app, area.width);
     let end = area.x + needed(&tabs, gap) + gap;
-    let start = area.right().checked_sub(1 + columns(&hints(app)))?;
-    if end + GAP > start {
-        return None;
-    }
+    let start = hints_start(app, area, end)?;
     let mut ends = HINTS.iter().scan(start, |at, action| {
         *at += hint(app, *action).map_or(0, |hint| columns(&hint)) + HINT_GAP;
         Some((*action, *at))
