@@ -436,4 +436,8 @@ fn exercise_is_written_as_by_the_command_line() {
         assert_eq!(different, None);
         assert_eq!(written.lines().count(), sheet.lines().count());
     }
+    // The command line reads the file, so it would make another exercise.
+    session.press("6 Down >");
+    let refused = session.press(":").type_in("exercise 7").press("Enter");
+    assert!(refused.painted_text().contains("save the scene first"));
 }

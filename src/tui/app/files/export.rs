@@ -263,6 +263,9 @@ impl App {
         if scene.lead.is_some() {
             return self.shell.set_message(words().shows_the_driver_only());
         }
+        if self.is_unsaved() {
+            return self.shell.set_message(words().exercise_of_saved_scene());
+        }
         let typed = match open_scene.origin() {
             Origin::File(path) => path.display().to_string(),
             Origin::Preset(_) | Origin::New(_) | Origin::Stdin => self.stem(),

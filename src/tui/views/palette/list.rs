@@ -151,7 +151,10 @@ fn spelled(typed: &str) -> Vec<ListEntry> {
 /// Returns `true` if a word begins the name of exercises, with at least three letters.
 fn is_exercise(word: &str) -> bool {
     let names = ["exercise", words().exercise_name()];
-    word.len() >= 3 && names.iter().any(|name| name.starts_with(&*plain(word)))
+    word.len() >= 3
+        && names
+            .iter()
+            .any(|name| plain(name).starts_with(&plain(word)))
 }
 
 /// Returns the steps of a count that ends with the usual key of a step: `10.` or `10,`.
@@ -406,6 +409,7 @@ mod tests {
         for typed in ["tema koyu", "theme dark", "tema d"] {
             assert_eq!(listed(typed)[0], ListEntry::Theme(Theme::Dark), "{typed}");
         }
+        assert_eq!(listed("odev 7")[0], ListEntry::Exercise(7));
         assert_eq!(listed("tema acik")[0], ListEntry::Theme(Theme::Light));
         Language::English.speak();
     }
