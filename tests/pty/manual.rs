@@ -25,7 +25,7 @@ fn topic_is_shown_in_the_users_pager() {
             session.settle();
         }
         // A pager that is still drawing, or handling Ctrl-C, drops keys.
-        session.send_until(" ", "[slides]", |seen| {
+        session.send_until("/slides]\r", "[slides]", |seen| {
             seen.terminal.screen().contents().contains("[slides]")
         });
         session.send("q");
