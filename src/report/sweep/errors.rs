@@ -63,7 +63,9 @@ impl<'a> ErrorCells<'a> {
         state: &mut Workspace,
         cells: &mut Vec<Option<f64>>,
     ) {
-        solver.enclose(state, order, &mut self.enclosure);
+        if self.needs_bounds() {
+            solver.enclose(state, order, &mut self.enclosure);
+        }
         let derivatives = self.sensitivity.as_mut().and_then(|s| s.at(state.at()));
         let missing = self.sensitivity.is_some() && derivatives.is_none();
         self.rows_without_derivatives +=
@@ -108,14 +110,22 @@ impl<'a> ErrorCells<'a> {
         if quantity.is_driver() {
             return Some(value);
         }
-        let bound = quantity.bound(state, &self.enclosure);
         self.figures += 1;
+        if !self.needs_bounds() {
+            return Some(value);
+        }
+        let bound = quantity.bound(state, &self.enclosure);
         self.unproved += u64::from(bound.is_none());
         Some(if self.rounded {
             display_value(value, bound)
         } else {
             value
         })
+    }
+
+    /// Returns `true` if bounds are written, or if values are shown as zero by them.
+    fn needs_bounds(&self) -> bool {
+        self.columns.extra.bounds || self.rounded
     }
 
     /// Returns the counts of missing bounds and derivatives.

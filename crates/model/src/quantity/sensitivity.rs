@@ -36,7 +36,8 @@ pub struct Sensitivity {
     ready: Vec<Option<Ready>>,
 }
 
-type Ready = (ByLength, Workspace<Dual>);
+/// In a box, because it is taken out and put back for each state.
+type Ready = Box<(ByLength, Workspace<Dual>)>;
 
 /// Maximum number of derivatives, of all quantities by all lengths, that is useful to a reader.
 pub const MAX_DERIVATIVES: usize = 1 << 22;
@@ -154,20 +155,21 @@ impl Sensitivity {
         let mut numbers = vec![0.0; self.figures.len() * count];
         let mut exists = vec![true; self.figures.len()];
         for number in 0..count {
-            let (by_length, mut workspace) = match self.ready[number].take() {
+            let mut ready = match self.ready[number].take() {
                 Some(ready) => ready,
                 None => self.made(number)?,
             };
-            let solved = by_length.solve(&self.base, self.order, &mut workspace);
+            let (by_length, workspace) = &mut *ready;
+            let solved = by_length.solve(&self.base, self.order, workspace);
             for (i, quantity) in self.figures.iter().enumerate().filter(|_| solved) {
-                let slope = slope(quantity, &workspace);
+                let slope = slope(quantity, workspace);
                 exists[i] &= slope.is_some();
                 numbers[i * count + number] = slope.unwrap_or_default();
                 if let Some(slope) = slope {
-                    bends[i] = bends[i].max(bend(quantity, slope, &kinks[i], &workspace));
+                    bends[i] = bends[i].max(bend(quantity, slope, &kinks[i], workspace));
                 }
             }
-            self.keep(number, (by_length, workspace));
+            self.keep(number, ready);
             if !solved {
                 return None;
             }
@@ -189,7 +191,7 @@ impl Sensitivity {
     fn made(&self, number: usize) -> Option<Ready> {
         let made = self.solver.by_length(self.lengths[number], &self.demand)?;
         let workspace = made.state();
-        Some((made, workspace))
+        Some(Box::new((made, workspace)))
     }
 
     fn keep(&mut self, number: usize, ready: Ready) {

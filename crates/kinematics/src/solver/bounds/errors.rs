@@ -45,7 +45,7 @@ pub(super) struct LinkError {
 }
 
 /// The errors of all points and links, and the influence of each constraint on their rests.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(in crate::solver) struct Errors {
     pub(super) points: Vec<PointError>,
     pub(super) links: Vec<LinkError>,
@@ -63,6 +63,38 @@ pub(in crate::solver) struct Errors {
     /// The maximum error of a driver coordinate that was not typed but follows from a time, in its
     /// own unit.
     pub(in crate::solver) driven: f64,
+}
+
+impl Clone for Errors {
+    fn clone(&self) -> Errors {
+        let mut copy = Errors::default();
+        copy.clone_from(self);
+        copy
+    }
+
+    /// Copies errors without allocating their memory again: walks copy a workspace at each step.
+    fn clone_from(&mut self, other: &Errors) {
+        let Errors {
+            points,
+            links,
+            influences,
+            sharp,
+            has_close_steps,
+            feeds_double_double,
+            edge,
+            is_decimal,
+            driven,
+        } = self;
+        points.clone_from(&other.points);
+        links.clone_from(&other.links);
+        influences.clone_from(&other.influences);
+        sharp.clone_from(&other.sharp);
+        *has_close_steps = other.has_close_steps;
+        *feeds_double_double = other.feeds_double_double;
+        edge.clone_from(&other.edge);
+        *is_decimal = other.is_decimal;
+        *driven = other.driven;
+    }
 }
 
 /// Returns the sum of the absolute values of the components.

@@ -21,15 +21,33 @@ use std::ops::Range;
 
 /// The displacement of a point by a unit of each source so far. A link's row has its rotation in
 /// `x`.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 struct InfluenceRow {
     x: Vec<f64>,
     y: Vec<f64>,
     len: usize,
 }
 
+impl Clone for InfluenceRow {
+    fn clone(&self) -> InfluenceRow {
+        InfluenceRow {
+            x: self.x.clone(),
+            y: self.y.clone(),
+            len: self.len,
+        }
+    }
+
+    /// Copies a row without allocating its memory again.
+    fn clone_from(&mut self, other: &InfluenceRow) {
+        let InfluenceRow { x, y, len } = self;
+        x.clone_from(&other.x);
+        y.clone_from(&other.y);
+        *len = other.len;
+    }
+}
+
 /// The sources so far, and the rows.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Influences {
     /// The bounds of the sources, by order.
     bounds: [Vec<f64>; 3],
@@ -43,6 +61,34 @@ pub(super) struct Influences {
     links: Vec<usize>,
     /// The effects on the newest point of all sources but its own two.
     inherited: Effects,
+}
+
+impl Clone for Influences {
+    fn clone(&self) -> Influences {
+        let mut copy = Influences::default();
+        copy.clone_from(self);
+        copy
+    }
+
+    /// Copies influences without allocating their memory again.
+    fn clone_from(&mut self, other: &Influences) {
+        let Influences {
+            bounds,
+            known,
+            is_long,
+            rows,
+            points,
+            links,
+            inherited,
+        } = self;
+        bounds.clone_from(&other.bounds);
+        *known = other.known;
+        *is_long = other.is_long;
+        rows.clone_from(&other.rows);
+        points.clone_from(&other.points);
+        links.clone_from(&other.links);
+        *inherited = other.inherited;
+    }
 }
 
 /// Maximum number of dyads through which rests may widen freely. Each dyad can enlarge them

@@ -458,6 +458,9 @@ impl Walker<'_> {
                 if let Some(limit) = self.limit_passed() {
                     return Err(Stop::Limit(limit));
                 }
+                if next == to {
+                    return Ok(());
+                }
                 saved.clone_from(&self.state);
                 good = next;
                 step *= 2.0;
