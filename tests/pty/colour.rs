@@ -1,7 +1,8 @@
 //! Tests of colours on a terminal: the background is detected behind the first frame, and a moving
 //! point has a trail.
 
-use crate::session::{Session, Setup};
+use crate::session::{Seen, Setup};
+use std::cell::RefCell;
 use std::collections::HashSet;
 
 /// The query of the background's colour.
@@ -13,8 +14,7 @@ const TRAIL: &str = "Idx(148)";
 type Ink = (u16, u16, String);
 
 /// Returns the foreground colours of all cells with text, with their places.
-fn inks(session: &Session) -> HashSet<Ink> {
-    let seen = session.seen.lock().unwrap();
+fn inks(seen: &Seen) -> HashSet<Ink> {
     let screen = seen.terminal.screen();
     let (rows, cols) = screen.size();
     let places = (0..rows.get()).flat_map(|row| (0..cols.get()).map(move |col| (row, col)));
@@ -29,29 +29,24 @@ fn inks(session: &Session) -> HashSet<Ink> {
 fn colours_on(ground: Option<&str>) -> HashSet<String> {
     let mut session = Setup::krank(&["four-bar"]).without("COLORFGBG").start();
     session.wait_for("60.00 deg").wait_for("-3.9164");
-    session.wait_until("the query", |seen| seen.count(GROUND_QUERY) == 1);
     // The first frame is complete before any answer.
-    let before = inks(&session);
+    let first = RefCell::new(HashSet::new());
+    session.wait_until("the query", |seen| {
+        first.replace(inks(seen));
+        seen.count(GROUND_QUERY) == 1 && seen.is_between_frames()
+    });
+    let last = RefCell::new(first.borrow().clone());
     if let Some(ground) = ground {
         session.send_bytes(format!("\x1b]11;{ground}\x1b\\").as_bytes());
         session.wait_until("other colours", |seen| {
-            let screen = seen.terminal.screen();
-            let changed = |(row, col, colour): &Ink| {
-                screen
-                    .cell(*row, *col)
-                    .is_some_and(|cell| format!("{:?}", cell.fgcolor()) != *colour)
-            };
-            before.iter().any(changed)
+            last.replace(inks(seen));
+            seen.is_between_frames() && last != first
         });
-        session.settle();
     }
-    let colours = inks(&session)
-        .into_iter()
-        .map(|(.., colour)| colour)
-        .collect();
     session.send("q");
     assert!(session.ended_as_found().success());
-    colours
+    let last = last.into_inner().into_iter();
+    last.map(|(.., colour)| colour).collect()
 }
 
 #[test]
@@ -73,23 +68,24 @@ fn moving_point_has_trail() {
         .env("COLORFGBG", "15;0")
         .size(120, 40)
         .start();
-    let trail = |session: &Session| -> HashSet<(u16, u16)> {
-        let inks = inks(session).into_iter();
-        let of_trail = inks.filter(|(.., colour)| colour == TRAIL);
+    let trail = |seen: &Seen| -> HashSet<(u16, u16)> {
+        let of_trail = inks(seen)
+            .into_iter()
+            .filter(|(.., colour)| colour == TRAIL);
         of_trail.map(|(row, col, _)| (row, col)).collect()
     };
-    session.wait_for(" ok ").settle();
-    let before = trail(&session);
-    assert!(before.len() >= 3, "{before:?}");
+    let before = RefCell::new(HashSet::new());
+    session.wait_until("a trail", |seen| {
+        before.replace(trail(seen));
+        before.borrow().len() >= 3
+    });
     for _ in 0..6 {
         session.send(".");
     }
-    session.settle();
-    let after = trail(&session);
-    assert!(
-        after.len() >= 3 && !after.is_subset(&before),
-        "{before:?} {after:?}"
-    );
+    session.wait_until("another trail", |seen| {
+        let after = trail(seen);
+        after.len() >= 3 && !after.is_subset(&before.borrow())
+    });
     session.send("q");
     assert!(session.ended_as_found().success());
 }

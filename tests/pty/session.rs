@@ -36,6 +36,15 @@ impl Seen {
         }
     }
 
+    /// Returns `true` if the last frame has arrived completely.
+    pub(crate) fn is_between_frames(&self) -> bool {
+        let last = |sequence: &[u8]| {
+            let mut all = self.bytes.windows(sequence.len());
+            all.rposition(|bytes| bytes == sequence)
+        };
+        last(b"\x1b[?2026h") < last(b"\x1b[?2026l")
+    }
+
     pub(crate) fn take(&mut self, bytes: &[u8]) {
         self.bytes.extend_from_slice(bytes);
         self.terminal.process(bytes);
