@@ -2,18 +2,18 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | `reading`, `same` | files named on the command line |
-//! | `guard` | opening existing files: permitted kinds, and limits on the size read |
+//! | `reading`, `same_file` | files named on the command line |
+//! | `bounded_read` | opening existing files: permitted kinds, and limits on the size read |
 //! | `target` | resolving the name of a file to write: symbolic links and open descriptors |
-//! | `draft` | temporary files that replace their target, with its permissions from the first byte on |
-//! | `rights` | copying owner, group, mode and extended attributes of a file to its draft |
-//! | `stamp` | detecting changes of a file without reading it |
+//! | `temporary` | temporary files that replace their target, with its permissions from the first byte on |
+//! | `metadata` | copying owner, group, mode and extended attributes of a file to its temporary file |
+//! | `fingerprint` | detecting changes of a file without reading it |
 //! | `in_place` | writing into a file that cannot be replaced, and completing interrupted writes |
 //! | `lock` | locks for comparing and replacing without interference |
 //! | `output` | atomic writes: a file is complete or unchanged |
-//! | `elsewhere` | the subset available on systems other than Unix |
-//! | `growing` | tables written row by row, which can be resumed |
-//! | `places` | krank's own folders |
+//! | `non_unix` | the subset available on systems other than Unix |
+//! | `row_file` | tables written row by row, which can be resumed |
+//! | `directories` | krank's own folders |
 
 #[cfg(unix)]
 mod bounded_read;

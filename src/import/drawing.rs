@@ -267,11 +267,14 @@ impl Drawing {
 /// Returns the part of two travels that both permit; `None` permits everything.
 pub(super) fn both_travels(one: Option<[f64; 2]>, other: Option<[f64; 2]>) -> Option<[f64; 2]> {
     match (one, other) {
-        (Some([low, high]), Some([other_low, other_high])) => {
-            Some([low.max(other_low), high.min(other_high)])
-        }
+        (Some(one), Some(other)) => Some(common_travel(one, other)),
         (one, other) => one.or(other),
     }
+}
+
+/// Returns the part of two travels that both permit; its first end exceeds the second if there is none.
+pub(super) fn common_travel(one: [f64; 2], other: [f64; 2]) -> [f64; 2] {
+    [one[0].max(other[0]), one[1].min(other[1])]
 }
 
 /// Returns a travel as seen from the other part, or along the opposite direction.

@@ -3,7 +3,7 @@
 
 use super::drawing::{
     Drawing, DrawnAngleLimit, DrawnInput, DrawnLink, DrawnPart, DrawnSlide, DrawnSlider,
-    InputElement, both_travels, difference, reversed_travel,
+    InputElement, both_travels, common_travel, difference, reversed_travel,
 };
 use crate::wording::words;
 use std::collections::{BTreeSet, HashMap};
@@ -174,12 +174,7 @@ fn limit_further_inputs(drawing: &mut Drawing) {
             .iter_mut()
             .filter(|kept| kept.link == limit.link && kept.from == limit.from);
         match same.next() {
-            Some(same) => {
-                same.travel = [
-                    same.travel[0].max(limit.travel[0]),
-                    same.travel[1].min(limit.travel[1]),
-                ];
-            }
+            Some(same) => same.travel = common_travel(same.travel, limit.travel),
             None => kept.push(limit),
         }
     }

@@ -6,6 +6,7 @@
 //! only `main` imports the command line.
 
 mod english;
+mod module_maps;
 mod wording;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -311,7 +312,8 @@ impl Source {
         let Some(space) = self.path.get(1).filter(|_| self.path[0] == "tui") else {
             return Vec::new();
         };
-        let own = place(space).unwrap_or_else(|| panic!("`tui::{space}` has no place in ROOMS"));
+        let own =
+            place(space).unwrap_or_else(|| panic!("`tui::{space}` has no layer in TUI_MODULES"));
         let named = self.names_in(&["tui"]).into_iter();
         let wrong = named.filter(|name| {
             let place = place(name).filter(|_| *name != self.path[1]);
@@ -335,7 +337,7 @@ impl Source {
     /// Returns all disallowed imports of the file.
     fn faults(&self, exports: &BTreeMap<String, String>) -> Vec<String> {
         let module = self.module();
-        let own = place(module).unwrap_or_else(|| panic!("`{module}` has no place in PLACES"));
+        let own = place(module).unwrap_or_else(|| panic!("`{module}` has no layer in MODULES"));
         let mut faults = Vec::new();
         for name in self.root_names() {
             let target = exports.get(&name).unwrap_or(&name);

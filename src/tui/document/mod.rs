@@ -1,4 +1,4 @@
-//! The scene as text: edits with undo, its file, and recovery of unsaved edits. The `clerk` module
+//! The scene as text: edits with undo, its file, and recovery of unsaved edits. The `io_thread` module
 //! runs file operations on a background thread.
 
 pub(crate) mod difference;

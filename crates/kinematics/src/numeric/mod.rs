@@ -4,13 +4,13 @@
 //! and returns `None` if it does not exist there. This module does not know its meaning.
 //!
 //! ```text
-//! root       the root between two places where the signs differ, and all roots along many places
-//! turns      at which of many samples a function turns, by more than noise
-//! polynomial all real roots of a polynomial
-//! lowest     the minimum around a place, by values alone
-//! chance     numbers drawn by chance, the same for the same seed
-//! evolution  trial designs of a search without derivatives
-//! chebyshev  a smooth function as a sum of polynomials, whose turns, roots and integral follow from it
+//! root             the root between two places where the signs differ, and all roots along many places
+//! sampled_extrema  samples at which a function has an extremum, by more than noise
+//! polynomial       all real roots of a polynomial
+//! lowest           the minimum around a place, from values alone
+//! random           random numbers, the same for the same seed
+//! evolution        trial designs of a search without derivatives
+//! chebyshev        a smooth function as a sum of polynomials, with its extrema, roots and integral
 //! ```
 //!
 //! If a function is smooth and its slope is known, an extremum is a root of the slope, and as

@@ -12,17 +12,17 @@
 //! same function with all angles negative: it is proposed if the given scales and datums allow it.
 //!
 //! ```text
-//! wanted         the task in radians and in parts of its size
+//! task           the task in radians and in parts of its size
 //! angle, slide   all linkages through as many pairs as there are unknowns, by algebra
 //! lines          linear equations with a condition of the third degree
 //! trigonometric  zeros of a trigonometric polynomial
 //! linkage        the output of a linkage, with derivatives
 //! refine         least squares of the output's error
 //! search         where scales are free, or pairs are many: from many starts
-//! stages         pieces of work on several cores, with one account of what is done
+//! stages         pieces of work on several cores, with one progress count
 //! fit            datums and scales from where the pins are
-//! run            what a proposal makes of every x: the structural error
-//! spacing        where to ask a function for pairs
+//! run            the structural error of a proposal at every x
+//! spacing        the places at which a function is sampled
 //! ```
 
 mod angle;

@@ -8,14 +8,14 @@
 //! proves no completeness.
 //!
 //! ```text
-//! wanted     the path in a frame of its own
-//! shape      crank and coupler of a linkage of known ratios
-//! linear     its place, turning, size and tracer, by least squares
-//! evolution  from chance to a rough linkage
-//! descent    from a rough linkage to a minimum
-//! order      angles of the crank that go one way, where noise has put points out of order
-//! wishes     what is wished beside the path
-//! distinct   which minima are different linkages
+//! task         the path in a frame of its own
+//! shape        crank and coupler of a linkage of known ratios
+//! linear       its position, rotation, size and tracer, by least squares
+//! evolution    from random numbers to a rough linkage
+//! descent      from a rough linkage to a minimum
+//! order        increasing crank angles, where noise has put points out of order
+//! preferences  preferences beside the path
+//! distinct     selects minima that are different linkages
 //! ```
 
 mod descent;

@@ -6,17 +6,18 @@
 //! each pivot or pin.
 //!
 //! ```text
-//! space       homogeneous coordinates in twice the digits
-//! polynomial  real roots, determinants of linear forms
-//! form        bilinear equations in pin and pivot, made independent
-//! guidance    poses and their equations, in the unit that suits both
-//! dyad        the equation of a dyad; a solution as a pin and what holds it, checked at every pose
-//! three       a pin for each pivot, a pivot for each pin, a slide for each direction
-//! four        the curve of all dyads        trace   along its length, in pieces
-//! five        all dyads, by a resultant
-//! family      five poses that any number of dyads lead through
-//! free        which of these, by how many equations the poses are
-//! choice      two dyads as a linkage; those of many that promise most and are different
+//! space           homogeneous coordinates in twice the digits
+//! polynomial      real roots, determinants of linear forms
+//! form            bilinear equations in pin and pivot, made independent
+//! dyad_equations  poses and their equations, in the unit that suits both
+//! dyad            a solution as a pin and what holds it, checked at every pose
+//! three           a pin for each pivot, a pivot for each pin, a slide for each direction
+//! four            the curve of all dyads
+//! trace           points along this curve, in pieces
+//! five            all dyads, by a resultant
+//! family          five poses that any number of dyads lead through
+//! free            which of these, by the number of independent equations
+//! choice          two dyads as a linkage; selects the most promising different ones
 //! ```
 
 mod choice;

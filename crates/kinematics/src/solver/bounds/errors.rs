@@ -52,7 +52,7 @@ pub(in crate::solver) struct Errors {
     pub(super) influences: Influences,
     /// The state in double-double, in which rare steps and the forces run.
     pub(in crate::solver) sharp: Option<Box<Workspace<Sharp>>>,
-    /// Whether some step always needs the double-double state. `feeds_sharp`: whether this run
+    /// Whether some step always needs the double-double state. `feeds_double_double`: whether this run
     /// needs it.
     has_close_steps: bool,
     feeds_double_double: bool,

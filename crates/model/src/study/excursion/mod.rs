@@ -2,15 +2,15 @@
 //! largest rates.
 //!
 //! ```text
-//! sampler       quantities and their slopes by the driver's coordinate, anywhere in the motion
-//! breaks        jumps where a direction passes a full turn, and places of unbounded growth
-//! turning       extrema: the roots of the slope, without losing any between two samples
-//! plateau       the intervals in which a quantity keeps its extreme value
-//! quickest      the place of the largest rate
-//! strokes       time ratios and dwells, computed from the extrema
-//! cycle_figure  names of these results in goals and columns: `C.x.stroke`, `swing.ratio`
-//! evaluated     the values for these names, of many mechanisms of one kind
-//! seam          reference values for directions, so that none jumps at a full turn
+//! sampler             quantities and their slopes by the driver's coordinate, anywhere in the motion
+//! discontinuities     jumps where a direction passes a full turn, and places of unbounded growth
+//! extrema             the roots of the slope, without losing any between two samples
+//! plateau             the intervals in which a quantity keeps its extreme value
+//! largest_rate        the place of the largest rate
+//! strokes             time ratios and dwells, computed from the extrema
+//! cycle_figure        names of these results in goals and columns: `C.x.stroke`, `swing.ratio`
+//! evaluated           the values for these names, of many mechanisms of one kind
+//! periodic_reference  reference values for directions, so that none jumps at a full turn
 //! ```
 //!
 //! A slope by the coordinate is the rate at a driver speed of 1, so extrema are as accurate as the

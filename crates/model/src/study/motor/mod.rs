@@ -2,18 +2,18 @@
 //! Further results are a flywheel, the forces on the ground, and the ram of a press.
 //!
 //! ```text
-//! course     the driver's travel through one cycle: full turns, or to and fro
-//! marks      the places in the cycle where a load has a kink or jumps
-//! bends      the places where springs do
-//! pieces     the torque between these places, as sums of Chebyshev polynomials
-//! periodic   the trapezoidal rule over the whole cycle, if it has no kinks
-//! cycle      peaks, means, energies, fluctuation and shaking, computed from these
-//! duty       a mechanism and its solver over the cycle
-//! source     the driving torque in one state of the cycle
-//! flywheel   compares a flywheel and a motor with the cycle
-//! ram        a slide as the ram of a press: stroke, dwell, speed and force at a height
-//! guide      the slide at any coordinate of the driver
-//! timed      the driving torque over the period of a motion over time
+//! cycle_travel   the driver's travel through one cycle: full turns, or back and forth
+//! marks          the places in the cycle where a load has a kink or jumps
+//! spring_kinks   the places where springs have a kink
+//! torque_pieces  the torque between these places, as sums of Chebyshev polynomials
+//! periodic       the trapezoidal rule over the whole cycle, if it has no kinks
+//! cycle          peaks, means, energies, fluctuation and shaking, computed from these
+//! duty           a mechanism and its solver over the cycle
+//! source         the driving torque in one state of the cycle
+//! flywheel       compares a flywheel and a motor with the cycle
+//! ram            a slide as the ram of a press: stroke, dwell, speed and force at a height
+//! guide          the slide at any coordinate of the driver
+//! over_time      the driving torque over the period of a motion over time
 //! ```
 //!
 //! The driver's effort is called torque: N m if a link is turned, N if a slide is pushed. These
