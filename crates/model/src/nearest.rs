@@ -6,15 +6,15 @@ use crate::wording::words;
 /// product of the lengths.
 const MAX_LEN: usize = 64;
 
-/// Returns the known word closest to a text, if it is similar enough. A difference in case counts
-/// as distance zero.
+/// Returns the known word closest to a text, if it is similar enough. A difference in case or in a
+/// plural `s` counts as distance zero: `load` means `loads`, not `lead`.
 pub fn nearest<'k>(text: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
     if text.len() > MAX_LEN {
         return None;
     }
     let allowed = 1 + text.chars().count() / 4;
     let distance = |word: &str| {
-        if word.eq_ignore_ascii_case(text) {
+        if singular(word).eq_ignore_ascii_case(singular(text)) {
             0
         } else {
             strsim::osa_distance(text, word)
@@ -28,6 +28,13 @@ pub fn nearest<'k>(text: &str, known: impl IntoIterator<Item = &'k str>) -> Opti
         .filter(|&(d, word)| d <= allowed && d < text.len().max(word.len()))
         .min_by_key(|&(d, _)| d)
         .map(|(_, word)| word)
+}
+
+fn singular(word: &str) -> &str {
+    match word.strip_suffix('s') {
+        Some(stem) if stem.len() > 2 => stem,
+        _ => word,
+    }
 }
 
 /// Returns "did you mean ...?" if a known word is similar enough.
@@ -50,7 +57,8 @@ mod tests {
     }
 
     #[test]
-    fn nearest_prefers_word_differing_only_in_case() {
+    fn nearest_prefers_word_differing_only_in_case_or_number() {
         assert_eq!(nearest("c.x", ["A.x", "C.x"]), Some("C.x"));
+        assert_eq!(nearest("load", ["lead", "loads"]), Some("loads"));
     }
 }

@@ -4,6 +4,7 @@
 //! Scenes and the configuration are such documents. They differ only in the meaning of their
 //! values.
 
+mod balance;
 mod diagnostic;
 mod node;
 mod reader;

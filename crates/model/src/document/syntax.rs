@@ -1,5 +1,6 @@
 //! Parses the TOML of a document, and explains its syntax errors.
 
+use super::balance::imbalance;
 use super::diagnostic::Diagnostic;
 use super::reader::{ByteSpan, Reader, quoted};
 use crate::wording::words;
@@ -35,17 +36,28 @@ fn is_usable(
     let text = reader.text();
     let mut last_line = None;
     let mut is_whole = true;
+    let imbalance = (!errors.is_empty()).then(|| imbalance(text)).flatten();
+    let span_of = |error: &Error| error.span().unwrap_or(text.len()..text.len());
+    let line_of = |error: &Error| {
+        let before = &text.as_bytes()[..span_of(error).start.min(text.len())];
+        before.iter().rposition(|&b| b == b'\n')
+    };
+    // The parser reports unreadable values last. In a line, its first error is the best.
+    let mut errors: Vec<&Error> = errors.iter().collect();
+    errors.sort_by_key(|error| line_of(error));
     for error in errors {
-        let span = error.span().unwrap_or(text.len()..text.len());
-        let line = text.as_bytes()[..span.start.min(text.len())]
-            .iter()
-            .rposition(|&b| b == b'\n');
+        let (span, line) = (span_of(error), line_of(error));
         // Further errors in one line mostly follow from the first.
         if last_line == Some(line) {
             continue;
         }
         last_line = Some(line);
         if reader.is_full() {
+            return false;
+        }
+        // An unclosed bracket makes every line after it an error.
+        if let Some(fault) = imbalance.as_ref().and_then(|i| i.fault(error, &span)) {
+            reader.report(fault);
             return false;
         }
         let twice = error.message().starts_with("duplicate key");

@@ -1,6 +1,6 @@
 //! Splits a formula into lexemes.
 
-use super::{FormulaError, is_of_name};
+use super::{DASHES, FormulaError, is_of_name};
 use crate::wording::words;
 use std::ops::Range;
 
@@ -50,10 +50,11 @@ impl<'t> Lexer<'t> {
         if !is_of_name(first) {
             let shown: String = first.escape_debug().collect();
             let span = from..from + first.len_utf8();
-            return Err(FormulaError::new(
-                span,
-                words().no_part_of_a_formula(&shown),
-            ));
+            let fault = FormulaError::new(span, words().no_part_of_a_formula(&shown));
+            return Err(match DASHES.contains(&first) {
+                true => fault.help(words().minus_sign()),
+                false => fault,
+            });
         }
         let end = from + self.word_length(rest);
         let span = from..end;

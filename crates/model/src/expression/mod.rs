@@ -81,6 +81,10 @@ impl FormulaError {
     }
 }
 
+/// Dashes that are typed or pasted for a minus sign: the mathematical one and three typographic
+/// ones.
+pub(crate) const DASHES: [char; 4] = ['\u{2212}', '\u{2010}', '\u{2013}', '\u{2014}'];
+
 /// Returns `true` if a name reads as a difference of known names and numbers, such as `a-b` or
 /// `rod-2`. It is one name unless there are blanks around its `-`.
 pub(crate) fn is_difference(name: &str, is_known: impl Fn(&str) -> bool) -> bool {
