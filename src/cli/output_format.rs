@@ -1,6 +1,7 @@
 //! Chooses the output format by the extension of the output file, if the command line names no format.
 
 use crate::cli::failure::Failure;
+use crate::files::foreign_extension;
 use crate::wording::words;
 use clap::Command;
 use clap::parser::ValueSource;
@@ -17,8 +18,11 @@ const EXTENSIONS: [(&str, &str); 6] = [
     ("txt", "text"),
 ];
 
-/// The commands that refuse an extension without a format: other programs open their files.
+/// The commands that refuse any extension without a format: other programs open their files.
 const PICTURES: [&str; 2] = ["draw", "plot"];
+
+/// The extensions that other commands write, but that are refused where the command has no such format.
+const OF_OTHER_COMMANDS: [&str; 6] = ["cast", "dxf", "htm", "html", "svg", "tex"];
 
 /// The command whose output file is a scene, and whose format is that of standard output.
 const SOLVE: &str = "solve";
@@ -27,7 +31,7 @@ const SOLVE: &str = "solve";
 /// of the command and the arguments name no format.
 ///
 /// # Errors
-/// Returns an error for a picture whose extension belongs to no format.
+/// Returns an error for an extension that promises another format than the command writes.
 pub(super) fn add_format(
     arguments: &mut Vec<OsString>,
     krank: fn() -> Command,
@@ -64,12 +68,15 @@ fn format_of_file(
     if file.formats.iter().any(|name| name == format) {
         return Ok(Some((file.command, format.to_owned())));
     }
-    if !PICTURES.contains(&&*file.command) {
+    let is_refused = PICTURES.contains(&&*file.command)
+        || OF_OTHER_COMMANDS.contains(&&*file.extension)
+        || file.is_foreign;
+    if !is_refused {
         return Ok(None);
     }
     let extension_of = |format: &String| {
         let other = EXTENSIONS.iter().find(|(_, name)| name == format);
-        other.map_or_else(|| format.clone(), |(extension, _)| (*extension).to_owned())
+        format!(".{}", other.map_or(&**format, |(extension, _)| extension))
     };
     let known: Vec<String> = file.formats.iter().map(extension_of).collect();
     Err(Failure::Usage(
@@ -84,6 +91,8 @@ struct OutputFile {
     formats: Vec<String>,
     /// The extension in lower case.
     extension: String,
+    /// The extension belongs to a format that no command writes as text.
+    is_foreign: bool,
 }
 
 impl OutputFile {
@@ -106,6 +115,7 @@ impl OutputFile {
             command: command.get_name().to_owned(),
             formats: formats.collect(),
             extension: output.extension()?.to_str()?.to_ascii_lowercase(),
+            is_foreign: foreign_extension(output).is_some(),
         })
     }
 }

@@ -12,12 +12,14 @@
 //! | `lock` | locks for comparing and replacing without interference |
 //! | `output` | atomic writes: a file is complete or unchanged |
 //! | `non_unix` | the subset available on systems other than Unix |
+//! | `extension` | extensions of other programs' formats |
 //! | `row_file` | tables written row by row, which can be resumed |
 //! | `directories` | krank's own folders |
 
 #[cfg(unix)]
 mod bounded_read;
 pub(crate) mod directories;
+mod extension;
 #[cfg(unix)]
 mod fingerprint;
 #[cfg(unix)]
@@ -40,6 +42,7 @@ mod temporary;
 
 #[cfg(feature = "tui")]
 pub(crate) use bounded_read::{from_home, open_to_read, read_file};
+pub(crate) use extension::foreign_extension;
 #[cfg(feature = "tui")]
 pub(crate) use fingerprint::Stamp;
 #[cfg(not(unix))]

@@ -33,7 +33,7 @@ fn unknown_extension_of_a_picture_is_refused() {
         .concat();
         let _ = std::fs::remove_file(&file);
         let message = refused(2, &args);
-        let expected = "no picture has the extension `pdf`; use txt, svg";
+        let expected = "extension .pdf; use .txt, .svg";
         assert!(message.contains(expected), "{message}");
         assert!(!file.exists());
         assert_eq!(run_ok(&[&args[..], &["--format", "text"]].concat()), "");

@@ -318,6 +318,27 @@ fn unknown_file_extension_is_rejected() {
 }
 
 #[test]
+fn extensions_of_other_formats_are_rejected() {
+    let here = folder("foreign-ending");
+    for (command, ending, format) in [
+        ("table", "xlsx", "csv"),
+        ("sweep", "svg", "json"),
+        ("cycle", "docx", "text"),
+        ("check", "PDF", "json"),
+        ("explain", "html", "markdown"),
+    ] {
+        let file = here.join(format!("{command}.{ending}"));
+        let _ = std::fs::remove_file(&file);
+        let path = file.to_str().unwrap();
+        let text = refused(2, &[command, "four-bar", "-o", path]);
+        assert!(text.contains(&ending.to_lowercase()), "{text}");
+        assert!(!file.exists());
+        run_ok(&[command, "four-bar", "--format", format, "-o", path]);
+        assert!(file.exists());
+    }
+}
+
+#[test]
 fn output_does_not_overwrite_the_compared_file() {
     let here = folder("report-over");
     let file = here.join("notes.csv");

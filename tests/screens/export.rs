@@ -269,6 +269,21 @@ fn unwritable_path_is_reported_and_can_be_retyped() {
 }
 
 #[test]
+fn extension_of_another_program_is_rejected_and_can_be_retyped() {
+    let file = folder("foreign").join("report.pdf");
+    let mut session = four_bar(80, 24);
+    session.press("E Ctrl-U").type_in(file.to_str().unwrap());
+    let screen = collapse_blanks(&session.press("Enter").painted_text());
+    assert!(screen.contains("not .pdf: type another name"), "{screen}");
+    assert!(!file.exists());
+    for _ in 0..3 {
+        session.press("Backspace");
+    }
+    session.type_in("md").press("Enter");
+    assert!(file.with_extension("md").exists());
+}
+
+#[test]
 fn screen_and_drawing_are_written_to_files() {
     let here = folder("pictures");
     let file = here.join("screen.txt");

@@ -1,11 +1,12 @@
 //! Asks for file names and for permission to write.
 
-use crate::files::{directories, from_home};
+use crate::files::{directories, foreign_extension, from_home};
 use crate::tui::app::{App, Effect, Mode};
 use crate::tui::commands::key::Key;
 use crate::tui::commands::line::EditLine;
 use crate::tui::document::saving::Leave;
 use crate::tui::document::writing::{Prompt, SavedContent};
+use crate::wording::words;
 use std::time::Duration;
 
 impl App {
@@ -31,9 +32,14 @@ impl App {
     /// Writes to the typed file, without permission to overwrite an existing one.
     pub(in crate::tui::app) fn accept_file(&mut self, prompt: Prompt) {
         let typed = prompt.name.text().trim();
+        let to = from_home(typed, directories::environment);
+        if let Some(extension) = foreign_extension(&to) {
+            self.shell.set_message(words().is_no_text_file(&extension));
+            self.shell.mode = Mode::FileName(prompt);
+            return;
+        }
         self.shell.mode = Mode::Normal;
         if !typed.is_empty() {
-            let to = from_home(typed, directories::environment);
             self.store(prompt.content, to, Leave::default());
         }
     }
