@@ -100,6 +100,8 @@ fn a_scene_that_needs_more_is_written_and_explained() {
     // A line of the scene is not called one of the file.
     let foreign = refused(2, &["check", &file("gears.linkage2")]);
     assert!(foreign.contains("scene made from "), "{foreign}");
+    let printed = krank(&["import", &file("gears.linkage2")]);
+    assert!(printed.err.contains("scene made from "), "{}", printed.err);
     // Later commands say the same.
     let later = refused(2, &["check", scene.to_str().unwrap()]);
     assert!(output.err.ends_with(&later), "{later}\n{}", output.err);

@@ -217,6 +217,13 @@ fn rows_without_counterpart_are_marked() {
         .press("Down Up Enter")
         .painted_text();
     assert!(screen.contains("driven at 15.0 and 200 rad/s"), "{screen}");
+    let mut narrow = open_with_scenes("speeds", Glyphs::Ascii, 40, 12);
+    let screen = narrow
+        .press("2 D")
+        .type_in("slider-crank")
+        .press("Down Up Enter");
+    let screen = screen.painted_text();
+    assert!(screen.contains(" 15.0 and 200 rad/s; this - "), "{screen}");
 }
 
 #[test]

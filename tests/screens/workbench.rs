@@ -1,6 +1,6 @@
 //! Tests the workbench as a whole: opening, moving, help, the lengths view, and every size.
 
-use crate::claims::assert_shown;
+use crate::claims::{assert_shown, collapse_blanks};
 use crate::screen::{SWINGING, Session, emulator, krank, made_up, masked, open, preset, timed};
 use krank::drawing::Glyphs;
 use krank::scene::presets;
@@ -246,6 +246,8 @@ fn tiny_screens_state_the_required_size() {
         let mut session = four_bar(Glyphs::Ascii, cols, rows);
         assert_eq!(session.painted_text().trim(), "krank needs 20 x 6");
     }
+    let narrow = four_bar(Glyphs::Ascii, 12, 6).painted_text();
+    assert_eq!(collapse_blanks(&narrow).trim(), "krank needs 20 x 6");
     four_bar(Glyphs::Ascii, 1, 1).painted_text();
 }
 

@@ -183,7 +183,16 @@ fn over_constrained(
     if !others.is_empty() {
         item = item.note(words().the_others_are(&element_list(scene, others)));
     }
-    let item = item.help(words().correct_its_dimensions());
+    let mut item = item.help(words().correct_its_dimensions());
+    let further: Vec<String> = scene
+        .mechanism
+        .inputs()
+        .skip(1)
+        .map(|input| format!("`{}`", scene.input_name(input)))
+        .collect();
+    if !further.is_empty() {
+        item = item.help(words().or_drive_fewer(&further.join(", ")));
+    }
     // The misfit grows during the motion, so the suggested value is the next power of ten at or
     // above five times its size.
     let accepted = 10.0_f64.powf((GROWTH * misfit).log10().ceil());

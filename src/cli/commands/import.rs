@@ -29,7 +29,11 @@ pub(in crate::cli) fn import(args: &ImportArgs, screen: TextScreen) -> Result<()
     }
     write_scene(output, &imported.text)?;
     // What was left out may be needed: the scene is written, and its fault is an error.
-    let origin = file(output).unwrap_or(&args.file).display().to_string();
+    let origin = match file(output) {
+        Some(output) => output.display().to_string(),
+        // Lines are counted in the scene.
+        None => words().import_scene_made_from(&args.file.display().to_string()),
+    };
     let scene = Scene::parse(&imported.text, &origin).map_err(Failure::Scene)?;
     match Solver::new(&scene.mechanism) {
         Ok(_) => Ok(()),

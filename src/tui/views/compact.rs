@@ -20,7 +20,10 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let text = theme::part(ScreenPart::Text);
     if !fits_text(app.size()) {
         let needed = words().screen_too_small(MIN_VALUE.width, MIN_VALUE.height);
-        print(buffer, area.x, area.y, area.width, &needed, text);
+        let lines = status::broken(&needed, area.width.into());
+        for (line, row) in lines.iter().zip(area.rows()) {
+            print(buffer, row.x, row.y, row.width, line, text);
+        }
         return;
     }
     let mut put = |y: u16, line: &str| {

@@ -109,19 +109,23 @@ impl App {
         if !compared.is_assembled() {
             return Some(words().has_no_assembly_here(name));
         }
-        let mut title = words().this_less(name);
-        let long = words().difference_from(name);
-        if long.chars().count() <= width {
-            title = long;
-        }
-        let speeds = compared
-            .speeds(&self.player.open_scene)
-            .map(|s| words().driven_at(&s));
+        let speeds = compared.speeds(&self.player.open_scene);
+        let driven_at = speeds.as_ref().map(|speeds| words().driven_at(speeds));
         let there = compared.pairing().only_there();
         let there = (!there.is_empty()).then(|| words().only_there(&there.join(" ")));
-        for part in speeds.into_iter().chain(there) {
-            title = format!("{title}; {part}");
-        }
-        Some(title)
+        let (long, short) = (words().difference_from(name), words().this_less(name));
+        let joined = |parts: [Option<&String>; 3]| {
+            let parts: Vec<&str> = parts.into_iter().flatten().map(String::as_str).collect();
+            parts.join("; ")
+        };
+        // All rates depend on the speeds, so that these are never cut off.
+        let forms = [
+            joined([Some(&long), driven_at.as_ref(), there.as_ref()]),
+            joined([Some(&short), driven_at.as_ref(), there.as_ref()]),
+            joined([speeds.as_ref(), Some(&short), there.as_ref()]),
+        ];
+        let [.., shortest] = &forms;
+        let fits = |form: &&String| form.chars().count() <= width;
+        Some(forms.iter().find(fits).unwrap_or(shortest).clone())
     }
 }

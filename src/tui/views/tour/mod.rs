@@ -41,7 +41,8 @@ pub(super) fn render(app: &App, page: TourPage, body: Rect, buffer: &mut Buffer)
         let forms = [
             (title.clone(), words().tour_keys(next)),
             (title.clone(), enter.clone()),
-            (format!("{number}/{SCREENS} {own}"), enter),
+            (format!("{number}/{SCREENS} {own}"), enter.clone()),
+            (format!("{number}/{SCREENS}"), enter),
         ];
         let fits = |(left, right): &(String, String)| columns(left) + columns(right) <= space;
         forms
