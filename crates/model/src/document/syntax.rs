@@ -88,7 +88,7 @@ fn fault(text: &str, error: &Error, span: ByteSpan, fix: SyntaxHint) -> Diagnost
         .maybe_help(help)
 }
 
-/// Recognizes pasted text in another format, an address or JSON, and returns its description.
+/// Recognizes text in another format, an address, JSON or a CSV table, and returns its description.
 pub fn foreign(text: &str) -> Option<&'static str> {
     let text = text.trim_start();
     let is_of_pmks = || text.to_ascii_lowercase().contains("pmks");
@@ -97,6 +97,10 @@ pub fn foreign(text: &str) -> Option<&'static str> {
             true => words().is_a_pmks_address(),
             false => words().is_an_address(),
         });
+    }
+    let first = text.lines().next().unwrap_or("");
+    if first.contains([',', ';', '\t']) && !first.contains(['=', '[', '{', '#', '"']) {
+        return Some(words().is_a_table());
     }
     let is_json = text.starts_with('{') || text.starts_with("[{");
     is_json.then(|| match is_of_pmks() {
