@@ -570,6 +570,53 @@ fn change_point_has_torque_but_no_reactions() {
     }
 }
 
+/// A parallelogram in a turned frame, with a load on its coupler.
+const TURNED_PARALLELOGRAM: &str = r#"unit = "mm"
+[ground]
+A = [0, 0]
+D = [180, 240]
+[driver]
+link = "r2"
+angle = 60
+speed = "1 rad/s"
+[links]
+r2 = { from = "A", to = "B", length = 100 }
+r3 = { from = "B", to = "C", length = 300, points.P = [100, 40] }
+r4 = { from = "D", to = "C", length = 100 }
+[start]
+C = [230, 326]
+[[loads]]
+point = "P"
+force = [20, -100]
+"#;
+
+/// Beside a change point the reactions are millions of times the load, and cancel in the torque and
+/// in the force on the frame. P moves as B does, so that the torque has a closed form.
+#[test]
+fn torque_beside_change_point_has_all_digits() {
+    let (_, solver) = opened(TURNED_PARALLELOGRAM);
+    let at = solver.motion().change_points[0];
+    let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
+    for distance in [1.0, 1e-3, 1e-6, 1e-8] {
+        let degrees = at + distance;
+        let condition = solver.solve(degrees, Order::Force, &mut state);
+        assert_eq!(condition, Condition::Ok);
+        solver.enclose(&mut state, Order::Force, &mut enclosure);
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let torque = 0.1 * (20.0 * sin + 100.0 * cos);
+        let error = state.drive().unwrap() - torque;
+        assert!(error.abs() < 1e-12, "{distance}: {error}");
+        let frame = state.frame_force().unwrap();
+        let error = (frame.x - 20.0).hypot(frame.y + 100.0);
+        assert!(error < 1e-12, "{distance}: {error}");
+        // Closer, the rates have no bound.
+        if distance >= 1e-3 {
+            let bound = enclosure.drive().unwrap().bound(torque).unwrap();
+            assert!(bound < 1e-6, "{distance}: {bound}");
+        }
+    }
+}
+
 /// A load in a link's frame equals a load in the ground frame rotated with it. A load scaled by a
 /// table vanishes where the table is zero.
 #[test]

@@ -130,9 +130,8 @@ impl<T: Number> ForceState<T> {
     /// Returns the residual of each check, in the solver's lengths about its origin.
     #[inline(always)]
     pub(super) fn misses(&self) -> Residual<T> {
-        let [load, gravity, inertia] = self.work;
         Residual {
-            drive: self.drive - (load + gravity + inertia),
+            drive: self.drive - self.virtual_work(),
             force: self.frame - self.sum,
             moment: self.frame_moment - self.sum_moment,
         }

@@ -174,6 +174,13 @@ impl<T: Number> ForceState<T> {
         (self.extent == Extent::All).then_some(self)
     }
 
+    /// Returns the effort that the loads require on the driver's coordinate: their virtual work. The
+    /// reactions give the same effort, but cancel in it beside change points.
+    fn virtual_work(&self) -> T {
+        let [load, gravity, inertia] = self.work;
+        load + gravity + inertia
+    }
+
     /// Returns the driver's torque or force against the virtual work of a part.
     fn virtual_work_force(&self, part: TorquePart) -> T {
         // Subtracted, so that zero has no negative sign.

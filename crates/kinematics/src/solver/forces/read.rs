@@ -56,13 +56,10 @@ impl<T: Number> State<T> {
         if self.free.is_some() {
             return self.effort(*forces.inputs.first()?);
         }
-        let drive = match forces.extent {
-            Extent::Nothing | Extent::WithheldReason(_) => None,
-            Extent::Drive => self.drive_parts().map(|[a, b, c]| a + b + c),
-            // Subtracted, so that zero has no negative sign.
-            Extent::All => Some(T::default() - forces.drive * forces.scale.drive),
-        };
-        drive.filter(|drive| drive.is_finite())
+        let is_known = matches!(forces.extent, Extent::Drive | Extent::All);
+        // Subtracted, so that zero has no negative sign.
+        let drive = T::default() - forces.virtual_work() * forces.scale.drive;
+        is_known.then_some(drive).filter(|drive| drive.is_finite())
     }
 
     /// Returns the own torque of an input in N m, or its force in N. If further inputs follow the
@@ -75,8 +72,12 @@ impl<T: Number> State<T> {
             Input::Turn(_) => forces.scale.couple,
             Input::Push(_) => T::exactly(1.0),
         };
+        let effort = match forces.efforts[..] {
+            [_] => forces.virtual_work(),
+            _ => forces.efforts[number],
+        };
         // Subtracted, so that zero has no negative sign.
-        let effort = T::default() - forces.efforts[number] * unit;
+        let effort = T::default() - effort * unit;
         Some(effort).filter(|effort| effort.is_finite())
     }
 
@@ -132,10 +133,11 @@ impl<T: Number> State<T> {
         (!is_open).then(|| forces.moments[slide.index()] * forces.scale.couple)
     }
 
-    /// Returns the shaking force: the total force on the frame, in N.
+    /// Returns the shaking force: the total force on the frame, in N. It is the sum of all loads,
+    /// which [`State::residual`] compares with the reactions on the frame.
     #[must_use]
     pub fn frame_force(&self) -> Option<Vec2<T>> {
-        Some(self.balanced()?.frame)
+        Some(self.balanced()?.sum)
     }
 
     /// Returns the shaking moment: the total moment on the frame, motor included, in N m about the
@@ -144,7 +146,7 @@ impl<T: Number> State<T> {
     pub fn frame_moment(&self) -> Option<T> {
         let forces = self.balanced()?;
         let TorqueScale { couple, origin, .. } = forces.scale;
-        Some(forces.frame_moment * couple + origin.cross(forces.frame))
+        Some(forces.sum_moment * couple + origin.cross(forces.sum))
     }
 
     /// Returns the residuals of the checks, even if the forces are not shown because of them.
