@@ -232,7 +232,14 @@ impl Walker<'_> {
                 }
                 // The steps in between were computed on the wrong side.
                 (from, closed, passed) = (beyond, None, self.ahead(beyond));
-                k = (self.ahead(beyond) / step) as usize + 1;
+                let skipped = k..(self.ahead(beyond) / step) as usize + 1;
+                k = skipped.end;
+                // A turn may close between the change point and the end of its passage.
+                let turns = (k - 1) / per_turn;
+                if turns > 0 && skipped.contains(&(turns * per_turn)) {
+                    let at = start + sense * step * (turns * per_turn) as f64;
+                    closed = self.closes_at(at, turns, &first_z).then_some(turns);
+                }
                 continue;
             }
             self.check_fit()?;
@@ -240,9 +247,9 @@ impl Walker<'_> {
             if let Some(turns) = closed {
                 return Ok(WalkEnd::Closed(turns));
             }
-            let comes_round = || self.engine.repeats_after(k / per_turn);
-            if k % per_turn == 0 && comes_round() && self.has_closed(&first_z) {
-                closed = Some(k / per_turn);
+            let turns = k / per_turn;
+            if k % per_turn == 0 && self.has_closed(turns, &first_z) {
+                closed = Some(turns);
             }
             (from, k) = (to, k + 1);
         }
@@ -369,10 +376,22 @@ impl Walker<'_> {
         );
     }
 
-    /// Returns `true` if every group is back at its start.
-    fn has_closed(&self, first: &[f64]) -> bool {
+    /// Returns `true` if every group is back at its start after some turns, at this coordinate of a
+    /// passage through a change point. Keeps the state.
+    fn closes_at(&mut self, at: f64, turns: usize, first: &[f64]) -> bool {
+        let beyond = self.state.clone();
+        self.predict_nearest(at);
+        let closes =
+            self.run(at, Order::Position) == Condition::Ok && self.has_closed(turns, first);
+        self.state = beyond;
+        closes
+    }
+
+    /// Returns `true` if every group is back at its start after some turns.
+    fn has_closed(&self, turns: usize, first: &[f64]) -> bool {
         let now = &self.state.scratch.numbers;
-        self.state.signs == self.engine.signs
+        self.engine.repeats_after(turns)
+            && self.state.signs == self.engine.signs
             && self.engine.program.coupled.iter().all(|group| {
                 let z = group.offset..group.offset + group.width();
                 now[z.clone()]
