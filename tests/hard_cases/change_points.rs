@@ -59,6 +59,24 @@ fn close(seen: f64, expected: f64, tolerance: f64, what: &str) {
     );
 }
 
+/// A turn closes wherever it begins, also in the part of the motion that a passage through a change
+/// point covers.
+#[test]
+fn turn_that_begins_beside_change_point_closes() {
+    for offset in [1e-9, 1e-6, 1e-3, 0.01, 0.057, 0.06] {
+        for start in [offset, -offset, 180.0 + offset, 180.0 - offset] {
+            let pin = krank::angle::unit(start) + Vec2::new(3.0, 0.0);
+            let m = four_bar([1.0, 3.0, 1.0, 3.0], start, pin);
+            let motion = m.solver.motion();
+            assert_eq!(motion.range, Range::Full { period: 360.0 }, "{start}");
+            assert_eq!(motion.change_points.len(), 2, "{start}");
+            let there = m.place(start + 400.0);
+            let expected = krank::angle::unit(start + 400.0) + Vec2::new(3.0, 0.0);
+            assert!((there - expected).norm() < 1e-12, "{start}: {there:?}");
+        }
+    }
+}
+
 #[test]
 fn h01_parallelogram_keeps_shape_through_change_points() {
     let bar = four_bar([1.0, 3.0, 1.0, 3.0], 60.0, Vec2::new(3.5, 0.87));

@@ -134,22 +134,26 @@ impl Walker<'_> {
         }
         let flat = self.flat(limit);
         let is_hidden = self.may_hide(&flat);
-        let pair = flat.iter().find_map(|&step| self.pair_near(step, limit));
+        // The search up to the last of them covers all.
+        let last = flat.last();
+        let pair = last.and_then(|&step| self.pair_near(step, limit));
         let pair = pair.filter(|pair| !self.is_passed(pair));
         let beyond = pair.and_then(|pair| self.pass_extreme(&pair.into()));
         if beyond.is_some() {
             return beyond;
         }
-        let stretched = self.stretched(&flat, limit);
-        if stretched.is_empty() {
-            let hidden = is_hidden.then(|| self.pass_hidden(&flat, limit)).flatten();
-            return hidden.or_else(|| self.cross(limit));
-        }
         // Only dyads of the plan's first group are certain: later ones depend on its side.
-        let passed = stretched.into_iter().find_map(|(step, at)| {
+        let mut is_stretched = false;
+        let passed = flat.iter().find_map(|&step| {
+            let at = self.extreme(step, limit)?;
+            is_stretched = true;
             let at = self.exactly(step, at)?;
             self.pass_extreme(&ReachExtreme::single(step, at))
         });
+        if !is_stretched {
+            let hidden = is_hidden.then(|| self.pass_hidden(&flat, limit)).flatten();
+            return hidden.or_else(|| self.cross(limit));
+        }
         // A coupled group may cross first, and with it a dyad behind it.
         passed.or_else(|| self.has_path().then(|| self.cross(limit)).flatten())
     }
@@ -420,15 +424,6 @@ impl Walker<'_> {
             let sign = &mut self.state.state.signs[group];
             *sign = -*sign;
         }
-    }
-
-    /// Returns the dyads that reach an extreme of their stretch close to a limit, as step and
-    /// coordinate.
-    fn stretched(&mut self, flat: &[usize], limit: f64) -> Vec<(usize, f64)> {
-        let found = flat
-            .iter()
-            .filter_map(|&step| Some((step, self.extreme(step, limit)?)));
-        found.collect()
     }
 
     /// Returns the steps of all dyads almost in line at a limit, up to the first open one.
