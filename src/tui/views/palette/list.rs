@@ -41,6 +41,10 @@ pub(crate) enum ListEntry {
 /// The cost of a keyword match, higher than that of any match in a command's name.
 const KEYWORD: usize = 1000;
 
+/// Maximum length of a text that is searched for, in bytes. A longer one is a file name or was
+/// pasted, and comparing it with all commands at each key would delay the next key.
+const MAX_SEARCHED: usize = 60;
+
 /// All commands, filtered by the typed text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct CommandList {
@@ -68,8 +72,12 @@ impl CommandList {
     /// Lists the matching commands: exact names, then beginnings of words, then the closest, then
     /// the shortest, and in the table's order if they are equal. Presets and tasks precede commands
     /// that merely contain the letters. Commands that the text spells out, such as `w` or `135`, come
-    /// first.
+    /// first. A text longer than all names lists only these.
     pub(crate) fn narrow(&mut self) {
+        if self.line.text().len() > MAX_SEARCHED {
+            self.list = List::new(spelled(self.line.text()));
+            return;
+        }
         let typed = plain(self.line.text());
         let costs = rows().enumerate().filter_map(|(at, row)| {
             let texts = [row.name, (row.hint)(words()), (row.help)(words())];
@@ -291,6 +299,20 @@ mod tests {
             _ => None,
         });
         topics.collect()
+    }
+
+    #[test]
+    fn long_text_lists_only_what_it_spells_out() {
+        let mut palette = CommandList::new();
+        let name = "w /a/".to_owned() + &"long/".repeat(40);
+        let entries = |text: &str, palette: &mut CommandList| {
+            text.chars().for_each(|c| palette.line.push(c));
+            palette.narrow();
+            palette.list.listed().copied().collect::<Vec<ListEntry>>()
+        };
+        assert_eq!(entries(&name, &mut palette), [ListEntry::SaveTo]);
+        let mut palette = CommandList::new();
+        assert_eq!(entries(&"abc123 ".repeat(40), &mut palette), []);
     }
 
     /// Terms that occur in no name and no help text find the command, or the topic of the manual
