@@ -42,6 +42,7 @@ pub use strokes::{DwellStretch, TimeRatio};
 
 use crate::angle::TURN;
 use crate::expression::DirectionCut;
+use crate::parallel;
 use crate::quantity::Quantity;
 use crate::solver::{Range, Solver};
 use extrema::ExtremaSet;
@@ -188,14 +189,27 @@ impl Excursion {
             let degree = if options.rates { 2 } else { 1 };
             let mut complete = MotionSampler::new(solver, source, of, degree);
             let sampled = complete.sample_motion();
-            let count = own.len();
-            for first in (0..count).step_by(BLOCK) {
-                let block = first..count.min(first + BLOCK);
-                let mut part = (block.len() < count).then(|| complete.of_columns(block.clone()));
-                let sampler = part.as_mut().unwrap_or(&mut complete);
-                for (column, k) in block.enumerate() {
-                    found[own[k]] = Excursion::follow(sampler, column, &sampled[k], options);
+            let follow = |sampler: &mut MotionSampler, sampled: &[SampledFigure]| {
+                let columns = sampled.iter().enumerate();
+                let followed =
+                    columns.map(|(column, of)| Self::follow(sampler, column, of, options));
+                followed.collect::<Vec<Result<Excursion, NoFigure>>>()
+            };
+            let blocks: Vec<&[SampledFigure]> = sampled.chunks(BLOCK).collect();
+            let followed = match blocks[..] {
+                [all] => vec![follow(&mut complete, all)],
+                _ => {
+                    let work = |(): &mut (), i: usize| {
+                        let first = i * BLOCK;
+                        let columns = first..first + blocks[i].len();
+                        follow(&mut complete.of_columns(columns), blocks[i])
+                    };
+                    let threads = parallel::cores();
+                    parallel::each(blocks.len(), threads, || (), work, &mut |_| true)
                 }
+            };
+            for (i, excursion) in own.into_iter().zip(followed.into_iter().flatten()) {
+                found[i] = excursion;
             }
         }
         found
