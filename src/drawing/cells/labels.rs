@@ -115,17 +115,15 @@ const MAX_ROW: i32 = 2;
 /// Number of seats that are tried without a plan.
 const UNPLANNED: usize = 22;
 
-/// Cost per character that hides part of an arrow: more than any free seat.
-const OVER_ARROW: i32 = 9;
-/// Cost per character that hides part of the ground or of a guide.
-const OVER_GROUND: i32 = 3;
-/// Cost of a mark directly before or after the label.
-const MARK_COST: i32 = 5;
-/// Cost of a line directly before or after the label.
-const LINE_COST: i32 = 3;
-/// Maximum cost of a label. A more expensive one is left out, because it would hide more than it
-/// shows.
-const MAX_COST: i32 = 20;
+/// Cost per character that hides part of the ground, of a guide or of a plate: as much as any free
+/// seat.
+const OVER_GROUND: i32 = 9;
+/// Cost of a bar, a mark or an arrow directly before or after the label, and per character that
+/// hides part of an arrow.
+const TOUCHING: i32 = 200;
+/// Maximum cost of a label, which may lie between two bars. A more expensive one is left out,
+/// because it would hide more than it shows.
+const MAX_COST: i32 = 2 * TOUCHING + 20;
 /// Maximum cost if the names together are longer than the lines: only names in free space help
 /// then.
 const MAX_COST_CROWDED: i32 = 3;
@@ -158,8 +156,8 @@ impl Labels {
                 self.places.push(LabelPlace::New);
             }
             let place = match self.planned(count, view) {
-                Some(side) => {
-                    let place = side.best_place(raster, point, text, self.places[count]);
+                Some((side, seat)) => {
+                    let place = side.best_place(raster, point, text, seat);
                     if place == LabelPlace::Hidden && raster.cell(point.0, point.1).is_some() {
                         self.leave_out(count);
                     }
@@ -307,7 +305,7 @@ fn cover_for(
             // Free, so that names do not move when ghosts and traces appear or disappear.
             Role::Empty | Role::Ghost | Role::Echo | Role::Trace | Role::Trail => 0,
             Role::Ground | Role::Guide | Role::Plate(_) | Role::DriverPlate => OVER_GROUND,
-            Role::Velocity | Role::Acceleration => OVER_ARROW,
+            Role::Velocity | Role::Acceleration => TOUCHING,
             role if role.is_body() || role == Role::Spring => over_bar?,
             // Marks and other names. A size over part of another force would be read as the size
             // of both.
@@ -318,10 +316,9 @@ fn cover_for(
         let role = raster.cell(c, row).map_or(Role::Empty, |cell| cell.role);
         sum += match role {
             Role::Empty => 0,
-            role if role.is_mark() => MARK_COST,
             role if role.is_behind() && role != Role::Spring => 0,
-            role if role.is_body() => LINE_COST,
-            Role::Spring | Role::Velocity | Role::Acceleration | Role::Force => LINE_COST,
+            role if role.is_body() || role.is_mark() => TOUCHING,
+            Role::Spring | Role::Velocity | Role::Acceleration | Role::Force => TOUCHING,
             // `B` next to `C` would read as one name.
             _ => return None,
         };

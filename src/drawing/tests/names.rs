@@ -134,3 +134,107 @@ fn every_name_of_textbook_linkages_is_shown() {
     }
     assert!(hidden.is_empty(), "{hidden:#?}");
 }
+
+/// Prints how often names touch other parts over whole motions.
+#[test]
+#[ignore = "prints a measurement"]
+fn measure_names() {
+    let wanted = std::env::var("KRANK_STAGE").unwrap_or_default();
+    let arrows = std::env::var("KRANK_ARROWS").is_ok();
+    for ((cols, rows), glyphs) in [
+        ((40, 12), Glyphs::Ascii),
+        ((80, 24), Glyphs::Ascii),
+        ((80, 24), Glyphs::Braille),
+        ((120, 40), Glyphs::Braille),
+    ] {
+        let mut total = [0_usize; 8];
+        for stage in DrawingStage::presets() {
+            if !stage.name.contains(&wanted) {
+                continue;
+            }
+            let points = usual_arrows(&stage.scene.mechanism);
+            let overlay = stage.overlay(&OverlayRequest {
+                velocities: points,
+                ..OverlayRequest::default()
+            });
+            let figure_at = |at: f64| {
+                let state = stage.state(at);
+                let mut figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
+                if arrows {
+                    overlay.add_to(&mut figure, &stage.scene, &stage.solver, &state, 1.0);
+                }
+                figure
+            };
+            let view = WorldView::fit(&stage.reach, cols, rows, 2.0);
+            let mut labels = Labels::default();
+            let mut raster = Raster::new();
+            let start = stage.scene.mechanism.driver().start;
+            if std::env::var("KRANK_FRESH").is_err() {
+                render_into(&figure_at(start), &view, glyphs, &mut labels, &mut raster);
+            }
+            labels.plan(&stage.reach, start, &view, glyphs, figure_at);
+            let mut sides: Vec<Vec<Side>> = Vec::new();
+            // names, hidden, on a bar, beside a bar, beside a mark, on or beside an arrow, a name
+            let mut own = [0_usize; 8];
+            let mut plain = Raster::new();
+            for state in stage.motion().step_by(3) {
+                labels.go(&stage.reach, state.at());
+                let figure = figure_at(state.at());
+                render_into(&figure, &view, glyphs, &mut labels, &mut raster);
+                crate::drawing::cells::render::render_bare(&figure, &view, glyphs, &mut plain);
+                sides.resize_with(labels.len(), Vec::new);
+                for (sides, side) in sides.iter_mut().zip(labels.sides()) {
+                    sides.push(side);
+                }
+                let spans: Vec<(i32, i32, i32)> = labels
+                    .placed_names(&figure, &view)
+                    .map(|(text, at, right, down)| {
+                        let (col, row) = cell(&view, at);
+                        let first = col + right;
+                        (row + down, first, first + text.chars().count() as i32)
+                    })
+                    .collect();
+                own[0] += labels.len();
+                own[1] += labels.hidden();
+                for (k, &(row, from, to)) in spans.iter().enumerate() {
+                    let role = |col| plain.cell(col, row).map_or(Role::Empty, |cell| cell.role);
+                    let is_bar = |col| role(col).is_body() || role(col) == Role::Spring;
+                    let is_arrow = |col| {
+                        matches!(role(col), Role::Velocity | Role::Acceleration | Role::Force)
+                    };
+                    own[2] += usize::from((from..to).any(is_bar));
+                    own[3] += usize::from([from - 1, to].into_iter().any(is_bar));
+                    own[4] += usize::from([from - 1, to].into_iter().any(|c| role(c).is_mark()));
+                    own[5] += usize::from((from - 1..=to).any(is_arrow));
+                    let others = spans.iter().enumerate().filter(|(other, _)| *other != k);
+                    let touches =
+                        |(_, s): (usize, &(i32, i32, i32))| s.0 == row && from <= s.2 && s.1 <= to;
+                    own[6] += usize::from(others.map(touches).any(|is| is));
+                }
+            }
+            for sides in &mut sides {
+                fill_gaps(sides);
+            }
+            let count = |sides: &Vec<Side>| sides.windows(2).filter(|w| w[0] != w[1]).count();
+            let changes: Vec<usize> = sides.iter().map(count).collect();
+            own[7] = changes.iter().filter(|changes| **changes > 2).count();
+            println!("{:24} {cols}x{rows} {own:?} {changes:?}", stage.name);
+            for (sum, own) in total.iter_mut().zip(own) {
+                *sum += own;
+            }
+        }
+        let share = |k: usize| 100.0 * total[k] as f64 / total[0] as f64;
+        println!(
+            "ALL {cols}x{rows} {glyphs:?}: names {}, hidden {:.2}, on bar {:.2}, by bar {:.2}, \
+             by mark {:.2}, arrow {:.2}, name {:.2} %, restless {}",
+            total[0],
+            share(1),
+            share(2),
+            share(3),
+            share(4),
+            share(5),
+            share(6),
+            total[7]
+        );
+    }
+}

@@ -8,7 +8,8 @@
 //! side a name may still move by a few cells.
 
 use super::{
-    Align, INERTIA, LabelPlace, Labels, MAX_ROW, SEATS, cell_of, cover_for, names, origin, width,
+    Align, INERTIA, LabelPlace, Labels, MAX_ROW, SEATS, TOUCHING, cell_of, cover_for, names,
+    origin, width,
 };
 use crate::drawing::cells::raster::Raster;
 use crate::drawing::cells::render::{Glyphs, render_bare};
@@ -25,16 +26,18 @@ const MAX_SHAPES: usize = 600;
 /// Number of names above which they take each other's places.
 const MANY_NAMES: usize = 16;
 
-/// Cost of a step at which the name lies on a bar.
-const BLOCKED: i32 = 400;
-/// Cost of a step without the name.
-const HIDDEN: i32 = 500;
-/// Cost of a change of sides.
-const CHANGE: i32 = 600;
-/// Cost of another side than the one that is shown when the plan begins.
-const OTHER_THAN_SHOWN: i32 = 2000;
 /// Cost per character of a planned name that hides part of a bar.
-const OVER_BAR: i32 = 100;
+const OVER_BAR: i32 = 300;
+/// Cost of a step without the name.
+const HIDDEN: i32 = 600;
+/// Cost of a step on a side without a seat.
+const NO_SEAT: i32 = 2 * HIDDEN;
+/// Cost of a change of sides.
+const CHANGE: i32 = 300;
+/// Cost of another side than the one that is shown when the plan begins.
+const OTHER_THAN_SHOWN: i32 = 1000;
+/// Cost that the planned seat saves: almost as much as touching something costs.
+const PLANNED: i32 = TOUCHING - 50;
 /// Number of steps around those without a place for a name, over which it is left out.
 const AROUND: usize = 4;
 /// Number of times that each name is planned, with the other names in place.
@@ -93,14 +96,14 @@ impl Side {
         SIDES[SEAT_SIDES[seat]]
     }
 
-    /// Returns the best place of a name on this side: a free one, or one on bars. Close to the best
-    /// one, the last place is kept.
+    /// Returns the best place of a name on this side: a free one, or one on bars. The planned seat
+    /// is taken unless the name would touch something there.
     pub(super) fn best_place(
         self,
         raster: &Raster,
         point: (i32, i32),
         text: &str,
-        last: LabelPlace,
+        planned: Option<usize>,
     ) -> LabelPlace {
         if raster.cell(point.0, point.1).is_none() {
             return LabelPlace::Hidden;
@@ -110,8 +113,8 @@ impl Side {
         let priced = seats.filter_map(|seat| {
             let (col, row) = origin(&SEATS[seat], point, width);
             let cover = cover_for(raster, col, row, width, Some(OVER_BAR))?;
-            let inertia = i32::from(last == LabelPlace::Seat(seat)) * INERTIA;
-            Some((cover + SEATS[seat].cost - inertia, seat))
+            let gain = i32::from(planned == Some(seat)) * PLANNED;
+            Some((cover + SEATS[seat].cost - gain, seat))
         });
         let best = priced.min();
         best.map_or(LabelPlace::Hidden, |(_, seat)| LabelPlace::Seat(seat))
@@ -127,18 +130,25 @@ pub(super) struct LabelPlan {
     names: Vec<PlannedName>,
 }
 
+/// The sides of a name, and its seat at each step: `None` without one.
+#[derive(Clone, Debug)]
+struct PlannedName {
+    sides: PlannedSides,
+    seats: Vec<Option<usize>>,
+}
+
 /// A side for the whole motion, and another one from a step up to a later one, or beyond the end and
 /// up to an earlier one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct PlannedName {
+struct PlannedSides {
     main: Side,
     other: Side,
     from: usize,
     to: usize,
 }
 
-impl PlannedName {
-    const HIDDEN: PlannedName = PlannedName {
+impl PlannedSides {
+    const HIDDEN: PlannedSides = PlannedSides {
         main: Side::Hidden,
         other: Side::Hidden,
         from: 0,
@@ -152,6 +162,29 @@ impl PlannedName {
             !(self.to..self.from).contains(&step)
         };
         if is_other { self.other } else { self.main }
+    }
+
+    /// Plans to leave the name out where other names take all its seats, and returns `true` if there
+    /// are such steps. It would appear and disappear. A name with a single side is left out over the
+    /// part of the motion that contains these steps, and any other one throughout.
+    fn leave_out_crowded(&mut self, costs: &SeatCosts, seats: &[Option<usize>]) -> bool {
+        let is_crowded = |step: &usize| {
+            let is_shown = self.side(*step) != Side::Hidden && costs.names[*step].is_some();
+            is_shown && seats[*step].is_none()
+        };
+        let mut steps = (0..seats.len()).filter(is_crowded);
+        let Some(first) = steps.next() else {
+            return false;
+        };
+        let last = steps.last().unwrap_or(first);
+        if self.main == self.other && last - first < seats.len() / 4 {
+            self.from = first.saturating_sub(AROUND);
+            self.to = (last + 1 + AROUND).min(seats.len());
+        } else {
+            self.main = Side::Hidden;
+        }
+        self.other = Side::Hidden;
+        true
     }
 }
 
@@ -208,24 +241,30 @@ impl Labels {
             closed: extents.poses().is_closed(),
             begin: start,
         };
-        let mut planned = vec![PlannedName::HIDDEN; count];
-        // The cells that each name takes at each step of its plan.
-        let mut spans: Vec<Vec<Option<Span>>> = vec![Vec::new(); count];
+        let none = PlannedName {
+            sides: PlannedSides::HIDDEN,
+            seats: vec![None; names[0].names.len()],
+        };
+        let mut planned = vec![none; count];
         for _ in 0..ROUNDS {
             for (name, costs) in names.iter().enumerate() {
-                spans[name].clear();
+                let last = planned[name].seats.last().copied().flatten();
+                planned[name].seats.fill(None);
                 let taken = |step: usize| {
-                    let others = spans.iter();
-                    others.filter_map(move |other| *other.get(step)?)
+                    let others = names.iter().zip(&planned);
+                    others.filter_map(move |(other, planned)| {
+                        Some(span(other.names[step].as_ref()?, planned.seats[step]?))
+                    })
                 };
                 let shown = self.places.get(name).map(|place| Side::of(*place));
                 let shown = shown.filter(|shown| *shown != Side::Hidden);
-                planned[name] = planning.best(&costs.with_others(taken), shown);
-                spans[name] = costs.spans(&planned[name]);
+                let mut sides = planning.best(&costs.with_others(taken), shown);
+                let mut seats = costs.seats(&sides, last, taken);
+                if sides.leave_out_crowded(costs, &seats) {
+                    seats = costs.seats(&sides, last, taken);
+                }
+                planned[name] = PlannedName { sides, seats };
             }
-        }
-        for _ in 0..ROUNDS {
-            leave_out_crowded(&mut planned, &names);
         }
         planned
     }
@@ -254,56 +293,16 @@ impl Labels {
         let plan = self.plan.as_mut();
         let plan = plan.filter(|plan| plan.names.len() > MANY_NAMES);
         if let Some(name) = plan.and_then(|plan| plan.names.get_mut(name)) {
-            (name.main, name.other) = (Side::Hidden, Side::Hidden);
+            name.sides = PlannedSides::HIDDEN;
         }
     }
 
-    /// Returns the planned side of a name; `None` without a plan for this window.
-    pub(super) fn planned(&self, name: usize, view: &WorldView) -> Option<Side> {
+    /// Returns the planned side and seat of a name; `None` without a plan for this window.
+    pub(super) fn planned(&self, name: usize, view: &WorldView) -> Option<(Side, Option<usize>)> {
         let plan = self.plan.as_ref().filter(|plan| plan.view == *view)?;
-        Some(plan.names.get(name)?.side(plan.step))
-    }
-}
-
-/// Plans to leave out names that would be without a place at some steps, because names before them
-/// take it. They would appear and disappear. A name with a single side is left out over the part of
-/// the motion that contains these steps, and any other one throughout.
-fn leave_out_crowded(planned: &mut [PlannedName], names: &[SeatCosts]) {
-    let mut crowded: Vec<Vec<usize>> = vec![Vec::new(); planned.len()];
-    let mut seats: Vec<Option<usize>> = vec![None; planned.len()];
-    for step in 0..names.first().map_or(0, |name| name.costs.len()) {
-        let mut taken: Vec<Span> = Vec::new();
-        for (index, (plan, costs)) in planned.iter().zip(names).enumerate() {
-            let side = plan.side(step);
-            let Some(name) = costs.names[step].as_ref().filter(|_| side != Side::Hidden) else {
-                continue;
-            };
-            seats[index] = costs.free_seat(side, step, &taken, seats[index]);
-            match seats[index] {
-                Some(seat) => taken.push(span(name, seat)),
-                None => crowded[index].push(step),
-            }
-        }
-    }
-    for ((plan, name), steps) in planned.iter_mut().zip(names).zip(crowded) {
-        let (Some(&first), Some(&last)) = (steps.first(), steps.last()) else {
-            continue;
-        };
-        let count = name.costs.len();
-        let is_short = last - first < count / 4;
-        *plan = match plan.main == plan.other && is_short {
-            true => PlannedName {
-                other: Side::Hidden,
-                from: first.saturating_sub(AROUND),
-                to: (last + 1 + AROUND).min(count),
-                ..*plan
-            },
-            false => PlannedName {
-                main: Side::Hidden,
-                other: Side::Hidden,
-                ..*plan
-            },
-        };
+        let name = plan.names.get(name)?;
+        let seat = name.seats.get(plan.step).copied().flatten();
+        Some((name.sides.side(plan.step), seat))
     }
 }
 
@@ -366,13 +365,22 @@ impl SeatCosts {
         self.names.push(name);
     }
 
-    /// Returns the cells that the name takes at each step of its plan.
-    fn spans(&self, plan: &PlannedName) -> Vec<Option<Span>> {
-        let spans = self.names.iter().enumerate().map(|(step, name)| {
-            let seat = self.free_seat(plan.side(step), step, &[], None)?;
-            Some(span(name.as_ref()?, seat))
+    /// Returns the seat of the name at each step of its plan, with these names at each step in
+    /// place, beginning after a seat.
+    fn seats<S: Iterator<Item = Span>>(
+        &self,
+        plan: &PlannedSides,
+        mut last: Option<usize>,
+        taken: impl Fn(usize) -> S,
+    ) -> Vec<Option<usize>> {
+        let mut others: Vec<Span> = Vec::new();
+        let seats = (0..self.names.len()).map(|step| {
+            others.clear();
+            others.extend(taken(step));
+            last = self.free_seat(plan.side(step), step, &others, last);
+            last
         });
-        spans.collect()
+        seats.collect()
     }
 
     /// Returns the seat of the name on a side at a step, clear of other names. Close to the best
@@ -403,11 +411,11 @@ impl SeatCosts {
     fn with_others<S: Iterator<Item = Span>>(&self, taken: impl Fn(usize) -> S) -> Vec<SideCosts> {
         let mut others: Vec<Span> = Vec::new();
         let sides = (0..self.costs.len()).map(|step| {
-            let mut sides = [HIDDEN; SIDES.len()];
             let Some(name) = &self.names[step] else {
-                sides[SIDES.len() - 1] = 0;
-                return sides;
+                return [0; SIDES.len()];
             };
+            let mut sides = [NO_SEAT; SIDES.len()];
+            sides[SIDES.len() - 1] = HIDDEN;
             others.clear();
             others.extend(taken(step).filter(|other| (other.0 - name.point.1).abs() <= MAX_ROW));
             for (seat, cost) in self.costs[step].iter().enumerate() {
@@ -415,10 +423,8 @@ impl SeatCosts {
                 let own = span(name, seat);
                 let is_taken = others.iter().any(|other| touch(own, *other));
                 if !is_taken {
-                    let is_on_bar = *cost >= OVER_BAR;
-                    let cost = 2 * cost + i32::from(is_on_bar) * BLOCKED;
                     let side = &mut sides[SEAT_SIDES[seat]];
-                    *side = cost.min(*side);
+                    *side = (*cost).min(*side);
                 }
             }
             sides
@@ -430,7 +436,7 @@ impl SeatCosts {
             let mut wide = sides[step];
             for (side, cost) in wide[..SIDES.len() - 1].iter_mut().enumerate() {
                 for near in near.iter().map(|at| sides[*at][side]) {
-                    if near >= BLOCKED {
+                    if near >= TOUCHING {
                         *cost = (*cost).max(near);
                     }
                 }
@@ -462,7 +468,7 @@ struct Planning {
 
 impl Planning {
     /// Returns the best sides of a name that is shown on a side when the plan begins.
-    fn best(&self, costs: &[SideCosts], shown: Option<Side>) -> PlannedName {
+    fn best(&self, costs: &[SideCosts], shown: Option<Side>) -> PlannedSides {
         let mut costs = costs.to_vec();
         if let (Some(start), Some(shown)) = (costs.get_mut(self.begin), shown) {
             let others = start
@@ -471,9 +477,9 @@ impl Planning {
                 .filter(|(_, side)| **side != shown);
             others.for_each(|(cost, _)| *cost += OTHER_THAN_SHOWN);
         }
-        let hidden = PlannedName::HIDDEN;
+        let hidden = PlannedSides::HIDDEN;
         let mut best = (i32::MAX, hidden);
-        let mut offer = |cost: i32, name: PlannedName| {
+        let mut offer = |cost: i32, name: PlannedSides| {
             if cost < best.0 {
                 best = (cost, name);
             }
@@ -482,7 +488,7 @@ impl Planning {
             let total = costs.iter().map(|costs| costs[main]).sum::<i32>();
             offer(
                 total,
-                PlannedName {
+                PlannedSides {
                     main: side,
                     other: side,
                     ..hidden
@@ -492,7 +498,7 @@ impl Planning {
                 let gain = |step: usize| costs[step][other] - costs[step][main];
                 let (gained, from, to) = self.best_part(costs.len(), gain);
                 let changes = if self.closed { 2 } else { 1 };
-                let name = PlannedName {
+                let name = PlannedSides {
                     main: side,
                     other: second,
                     from,
