@@ -18,6 +18,8 @@ pub(in crate::drawing) use plan::Side;
 #[derive(Clone, Debug, Default)]
 pub struct Labels {
     places: Vec<LabelPlace>,
+    /// The size of the window in which they were placed.
+    size: (u16, u16),
     plan: Option<LabelPlan>,
 }
 
@@ -138,6 +140,10 @@ impl Labels {
         view: &WorldView,
         raster: &mut Raster,
     ) {
+        let size = (raster.cols(), raster.rows());
+        if std::mem::replace(&mut self.size, size) != size {
+            self.places.clear();
+        }
         let labels = names(figure);
         // Sizes of forces are placed last and never displace a name.
         let own = labels.clone().filter(|(_, _, role)| *role != Role::Force);

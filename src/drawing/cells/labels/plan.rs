@@ -8,8 +8,7 @@
 //! side a name may still move by a few cells.
 
 use super::{
-    Align, INERTIA, LabelPlace, Labels, MAX_ROW, SEATS, TOUCHING, cell_of, cover_for, names,
-    origin, width,
+    Align, LabelPlace, Labels, MAX_ROW, SEATS, TOUCHING, cell_of, cover_for, names, origin, width,
 };
 use crate::drawing::cells::raster::Raster;
 use crate::drawing::cells::render::{Glyphs, render_bare};
@@ -32,6 +31,8 @@ const OVER_BAR: i32 = 300;
 const HIDDEN: i32 = 600;
 /// Cost of a step on a side without a seat.
 const NO_SEAT: i32 = 2 * HIDDEN;
+/// Cost of a move on a side.
+const MOVE: i32 = 40;
 /// Cost of a change of sides.
 const CHANGE: i32 = 300;
 /// Cost of another side than the one that is shown when the plan begins.
@@ -248,7 +249,6 @@ impl Labels {
         let mut planned = vec![none; count];
         for _ in 0..ROUNDS {
             for (name, costs) in names.iter().enumerate() {
-                let last = planned[name].seats.last().copied().flatten();
                 planned[name].seats.fill(None);
                 let taken = |step: usize| {
                     let others = names.iter().zip(&planned);
@@ -259,9 +259,9 @@ impl Labels {
                 let shown = self.places.get(name).map(|place| Side::of(*place));
                 let shown = shown.filter(|shown| *shown != Side::Hidden);
                 let mut sides = planning.best(&costs.with_others(taken), shown);
-                let mut seats = costs.seats(&sides, last, taken);
+                let mut seats = costs.seats(&sides, taken);
                 if sides.leave_out_crowded(costs, &seats) {
-                    seats = costs.seats(&sides, last, taken);
+                    seats = costs.seats(&sides, taken);
                 }
                 planned[name] = PlannedName { sides, seats };
             }
@@ -365,44 +365,45 @@ impl SeatCosts {
         self.names.push(name);
     }
 
-    /// Returns the seat of the name at each step of its plan, with these names at each step in
-    /// place, beginning after a seat.
+    /// Returns the best seat of the name at each step of its plan, with these names at each step in
+    /// place. A name moves on its side only if that saves more than a move costs.
     fn seats<S: Iterator<Item = Span>>(
         &self,
         plan: &PlannedSides,
-        mut last: Option<usize>,
         taken: impl Fn(usize) -> S,
     ) -> Vec<Option<usize>> {
+        // The minimum cost up to a step with the name on each seat; the seats before, and whether
+        // the name can be there.
+        let mut sums = [0; SEATS.len()];
         let mut others: Vec<Span> = Vec::new();
-        let seats = (0..self.names.len()).map(|step| {
+        let before = self.names.iter().enumerate().map(|(step, name)| {
             others.clear();
             others.extend(taken(step));
-            last = self.free_seat(plan.side(step), step, &others, last);
-            last
+            let side = plan.side(step);
+            let best = position_of_min(&sums);
+            let moved = sums[best] + MOVE;
+            let mut before = [(best, false); SEATS.len()];
+            for (seat, (sum, before)) in sums.iter_mut().zip(&mut before).enumerate() {
+                if *sum <= moved {
+                    before.0 = seat;
+                }
+                let cost = self.costs[step][seat].filter(|_| Side::of_seat(seat) == side);
+                let is_free = |name| !others.iter().any(|other| touch(span(name, seat), *other));
+                let cost = cost.filter(|_| name.as_ref().is_some_and(is_free));
+                before.1 = cost.is_some();
+                *sum = moved.min(*sum) + cost.unwrap_or(NO_SEAT);
+            }
+            before
         });
-        seats.collect()
-    }
-
-    /// Returns the seat of the name on a side at a step, clear of other names. Close to the best
-    /// one, the last seat is kept.
-    fn free_seat(
-        &self,
-        side: Side,
-        step: usize,
-        taken: &[Span],
-        last: Option<usize>,
-    ) -> Option<usize> {
-        let name = self.names[step].as_ref()?;
-        let costs = self.costs[step].iter().enumerate();
-        let own = costs.filter(|(seat, _)| Side::of_seat(*seat) == side);
-        let free = own.filter_map(|(seat, cost)| {
-            let cost = (*cost)?;
-            let own = span(name, seat);
-            let is_free = !taken.iter().any(|other| touch(own, *other));
-            let inertia = i32::from(last == Some(seat)) * INERTIA;
-            is_free.then_some((cost - inertia, seat))
-        });
-        free.min().map(|(_, seat)| seat)
+        let before: Vec<[(usize, bool); SEATS.len()]> = before.collect();
+        let mut seat = position_of_min(&sums);
+        let mut seats = vec![None; before.len()];
+        for (place, before) in seats.iter_mut().zip(&before).rev() {
+            let (last, is_possible) = before[seat];
+            *place = is_possible.then_some(seat);
+            seat = last;
+        }
+        seats
     }
 
     /// Returns the costs of each side over the motion, with these names at each step in place. A
@@ -445,6 +446,10 @@ impl SeatCosts {
         });
         wide.collect()
     }
+}
+
+fn position_of_min(sums: &[i32; SEATS.len()]) -> usize {
+    (0..SEATS.len()).min_by_key(|seat| sums[*seat]).unwrap_or(0)
 }
 
 /// Returns `true` if two names overlap or follow each other without a blank: `B` next to `C` would
