@@ -25,10 +25,10 @@ const MAX_SHAPES: usize = 600;
 /// Number of names above which they take each other's places.
 const MANY_NAMES: usize = 16;
 
-/// Cost per character of a planned name that hides part of a bar.
-const OVER_BAR: i32 = 300;
-/// Cost of a step without the name.
+/// Cost of a step without the name: more than between two bars.
 const HIDDEN: i32 = 600;
+/// Cost per character of a planned name that hides part of a bar.
+const OVER_BAR: i32 = 700;
 /// Cost of a step on a side without a seat.
 const NO_SEAT: i32 = 2 * HIDDEN;
 /// Cost of a move on a side.
@@ -358,7 +358,7 @@ impl SeatCosts {
             for (seat, cost) in SEATS.iter().zip(&mut costs) {
                 let (col, row) = origin(seat, point, width);
                 let cover = cover_for(raster, col, row, width, Some(OVER_BAR));
-                *cost = cover.map(|cover| cover + seat.cost);
+                *cost = cover.map(|cover| (cover + seat.cost).min(NO_SEAT));
             }
         }
         self.costs.push(costs);
