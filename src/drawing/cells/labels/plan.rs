@@ -27,9 +27,7 @@ const MANY_NAMES: usize = 16;
 
 /// Cost of a step without the name: more than between two bars.
 const HIDDEN: i32 = 600;
-/// Cost per character of a planned name that hides part of a bar.
-const OVER_BAR: i32 = 700;
-/// Cost of a step on a side without a seat.
+/// Cost of a step on a side without a seat, or on a bar.
 const NO_SEAT: i32 = 2 * HIDDEN;
 /// Cost of a move on a side.
 const MOVE: i32 = 40;
@@ -113,7 +111,7 @@ impl Side {
         let width = width(text);
         let priced = seats.filter_map(|seat| {
             let (col, row) = origin(&SEATS[seat], point, width);
-            let cover = cover_for(raster, col, row, width, Some(OVER_BAR))?;
+            let cover = cover_for(raster, col, row, width, Some(NO_SEAT))?;
             let gain = i32::from(planned == Some(seat)) * PLANNED;
             Some((cover + SEATS[seat].cost - gain, seat))
         });
@@ -357,7 +355,7 @@ impl SeatCosts {
         if let Some(NameAt { point, width }) = name {
             for (seat, cost) in SEATS.iter().zip(&mut costs) {
                 let (col, row) = origin(seat, point, width);
-                let cover = cover_for(raster, col, row, width, Some(OVER_BAR));
+                let cover = cover_for(raster, col, row, width, Some(NO_SEAT));
                 *cost = cover.map(|cover| (cover + seat.cost).min(NO_SEAT));
             }
         }
