@@ -311,7 +311,7 @@ fn cover_for(
             // Free, so that names do not move when ghosts and traces appear or disappear.
             Role::Empty | Role::Ghost | Role::Echo | Role::Trace | Role::Trail => 0,
             Role::Ground | Role::Guide | Role::Plate(_) | Role::DriverPlate => OVER_GROUND,
-            Role::Velocity | Role::Acceleration => TOUCHING,
+            Role::Velocity | Role::Acceleration => over_bar.unwrap_or(TOUCHING),
             role if role.is_body() || role == Role::Spring => over_bar?,
             // Marks and other names. A size over part of another force would be read as the size
             // of both.
