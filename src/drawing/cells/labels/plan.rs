@@ -33,8 +33,8 @@ const NO_SEAT: i32 = 2 * HIDDEN;
 const MOVE: i32 = 40;
 /// Cost of a change of sides.
 const CHANGE: i32 = 300;
-/// Cost of another side than the one that is shown when the plan begins.
-const OTHER_THAN_SHOWN: i32 = 1000;
+/// Cost of another seat than the one that is shown when the plan begins.
+const OTHER_THAN_SHOWN: i32 = 400;
 /// Cost that the planned seat saves: almost as much as touching something costs.
 const PLANNED: i32 = TOUCHING - 50;
 /// Number of steps around those without a place for a name, over which it is left out.
@@ -84,6 +84,7 @@ const SEAT_SIDES: [usize; SEATS.len()] = {
 
 impl Side {
     /// Returns the side of a place.
+    #[cfg(test)]
     pub(super) fn of(place: LabelPlace) -> Side {
         match place {
             LabelPlace::Seat(seat) => Side::of_seat(seat),
@@ -189,7 +190,7 @@ impl PlannedSides {
 
 impl Labels {
     /// Plans the sides of the names over the whole motion in a fixed window, beginning at a driver
-    /// coordinate, where names keep their sides if possible. `figure_at` returns the figure at a
+    /// coordinate, where names keep their places if possible. `figure_at` returns the figure at a
     /// coordinate. Without a motion, or for very many names, there is no plan.
     pub fn plan(
         &mut self,
@@ -236,9 +237,13 @@ impl Labels {
                 name.add(known.next(), view, &raster);
             }
         }
+        for (name, place) in names.iter_mut().zip(&self.places) {
+            if let LabelPlace::Seat(shown) = *place {
+                name.prefer(shown, start);
+            }
+        }
         let planning = Planning {
             closed: extents.poses().is_closed(),
-            begin: start,
         };
         let none = PlannedName {
             sides: PlannedSides::HIDDEN,
@@ -254,9 +259,7 @@ impl Labels {
                         Some(span(other.names[step].as_ref()?, planned.seats[step]?))
                     })
                 };
-                let shown = self.places.get(name).map(|place| Side::of(*place));
-                let shown = shown.filter(|shown| *shown != Side::Hidden);
-                let mut sides = planning.best(&costs.with_others(taken), shown);
+                let mut sides = planning.best(&costs.with_others(taken));
                 let mut seats = costs.seats(&sides, taken);
                 if sides.leave_out_crowded(costs, &seats) {
                     seats = costs.seats(&sides, taken);
@@ -363,6 +366,15 @@ impl SeatCosts {
         self.names.push(name);
     }
 
+    /// Makes other seats than this one more expensive at a step.
+    fn prefer(&mut self, shown: usize, step: usize) {
+        let costs = self.costs[step].iter_mut().enumerate();
+        let others = costs.filter(|(seat, _)| *seat != shown);
+        others
+            .filter_map(|(_, cost)| cost.as_mut())
+            .for_each(|cost| *cost += OTHER_THAN_SHOWN);
+    }
+
     /// Returns the best seat of the name at each step of its plan, with these names at each step in
     /// place. A name moves on its side only if that saves more than a move costs.
     fn seats<S: Iterator<Item = Span>>(
@@ -465,21 +477,11 @@ fn span(name: &NameAt, seat: usize) -> Span {
 /// The search for the best places of a name.
 struct Planning {
     closed: bool,
-    /// The step at which the plan begins.
-    begin: usize,
 }
 
 impl Planning {
-    /// Returns the best sides of a name that is shown on a side when the plan begins.
-    fn best(&self, costs: &[SideCosts], shown: Option<Side>) -> PlannedSides {
-        let mut costs = costs.to_vec();
-        if let (Some(start), Some(shown)) = (costs.get_mut(self.begin), shown) {
-            let others = start
-                .iter_mut()
-                .zip(&SIDES)
-                .filter(|(_, side)| **side != shown);
-            others.for_each(|(cost, _)| *cost += OTHER_THAN_SHOWN);
-        }
+    /// Returns the best sides of a name.
+    fn best(&self, costs: &[SideCosts]) -> PlannedSides {
         let hidden = PlannedSides::HIDDEN;
         let mut best = (i32::MAX, hidden);
         let mut offer = |cost: i32, name: PlannedSides| {
