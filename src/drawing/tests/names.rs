@@ -53,9 +53,9 @@ fn covering(figure: &Figure, view: &WorldView, glyphs: Glyphs, labels: &Labels) 
 const MAX_COVERING: usize = 150;
 /// Of this many names in frames of all presets, at most one touches a bar or an arrow.
 const MAX_TOUCHING: usize = 300;
-/// Of this many names in frames of all presets, at most one is not shown. Half of those of the
-/// scissor lift have no place.
-const MAX_HIDDEN: usize = 15;
+/// Of this many names in frames of all presets, at most one is not shown: up to a third of those of
+/// the scissor lift have no place.
+const MAX_HIDDEN: usize = 20;
 
 /// Removes single frames without the name, between two frames with it on one side, and returns their
 /// number.

@@ -27,8 +27,10 @@ const MANY_NAMES: usize = 16;
 
 /// Cost of a step without the name: more than between two bars.
 const HIDDEN: i32 = 600;
-/// Cost of a step on a side without a seat, or on a bar.
-const NO_SEAT: i32 = 2 * HIDDEN;
+/// Cost of a step on a bar.
+const ON_BAR: i32 = 2 * HIDDEN;
+/// Cost of a step on a side without a seat.
+const NO_SEAT: i32 = 5 * HIDDEN;
 /// Cost of a move on a side.
 const MOVE: i32 = 40;
 /// Cost of a change of sides.
@@ -112,7 +114,7 @@ impl Side {
         let width = width(text);
         let priced = seats.filter_map(|seat| {
             let (col, row) = origin(&SEATS[seat], point, width);
-            let cover = cover_for(raster, col, row, width, Some(NO_SEAT))?;
+            let cover = cover_for(raster, col, row, width, Some(ON_BAR))?;
             let gain = i32::from(planned == Some(seat)) * PLANNED;
             Some((cover + SEATS[seat].cost - gain, seat))
         });
@@ -358,8 +360,8 @@ impl SeatCosts {
         if let Some(NameAt { point, width }) = name {
             for (seat, cost) in SEATS.iter().zip(&mut costs) {
                 let (col, row) = origin(seat, point, width);
-                let cover = cover_for(raster, col, row, width, Some(NO_SEAT));
-                *cost = cover.map(|cover| (cover + seat.cost).min(NO_SEAT));
+                let cover = cover_for(raster, col, row, width, Some(ON_BAR));
+                *cost = cover.map(|cover| (cover + seat.cost).min(ON_BAR));
             }
         }
         self.costs.push(costs);
