@@ -5,7 +5,8 @@
 //! what a name would hide there on each side of its point. A name then has one side for the whole
 //! motion, or a second one over one part of it. So it changes sides at most twice per cycle.
 //! Between two limits the motion runs there and back, and the name changes once each way. On its
-//! side a name may still move by a few cells.
+//! side a name moves by a few cells where it would touch something. Its seat at each step is
+//! planned, too, so that names do not displace each other.
 
 use super::{
     Align, LabelPlace, Labels, MAX_ROW, SEATS, TOUCHING, cell_of, cover_for, names, origin, width,
@@ -178,7 +179,7 @@ impl PlannedSides {
         let Some(first) = steps.next() else {
             return false;
         };
-        let last = steps.last().unwrap_or(first);
+        let last = steps.next_back().unwrap_or(first);
         if self.main == self.other && last - first < seats.len() / 4 {
             self.from = first.saturating_sub(AROUND);
             self.to = (last + 1 + AROUND).min(seats.len());
