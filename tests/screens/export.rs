@@ -414,7 +414,10 @@ fn copied_differences_are_labelled_as_such() {
     let mut session = four_bar(80, 24);
     session.press("2 D d o u b l e Enter");
     let screen = session.painted_text();
-    assert!(screen.contains("difference: this - "), "{screen}");
+    assert!(
+        screen.contains("this - double-rocker; driven at "),
+        "{screen}"
+    );
     session.press("y r");
     let row = on_clipboard(&session.workbench.take_sent());
     assert!(row.starts_with("vector, difference\tlength [mm]"), "{row}");
