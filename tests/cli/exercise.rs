@@ -462,7 +462,7 @@ fn exercise_rejects_scene_without_lengths() {
 /// Each row names its file, a student with several files is reported, and no name contains control characters.
 #[test]
 fn class_table_names_files_and_duplicate_students() {
-    let here = fresh("grade-class");
+    let here = fresh("grade-class-faults");
     let mut files = Vec::new();
     for (file, student) in [
         ("a.csv", "Ayse"),

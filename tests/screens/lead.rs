@@ -236,7 +236,7 @@ fn led_drawing_shows_path_and_time() {
 #[test]
 fn row_is_written_at_the_time() {
     let mut session = plotter(100, 30);
-    let file = folder("lead").join("row.csv");
+    let file = folder("lead-row").join("row.csv");
     let _ = std::fs::remove_file(&file);
     session
         .press("g 1 Enter Y Ctrl-U")

@@ -126,7 +126,7 @@ fn missing_folder_is_named_and_can_be_corrected() {
 /// A deleted file cannot be reloaded over unsaved edits.
 #[test]
 fn deleted_file_is_not_offered_for_reload() {
-    let file = folder("gone").join("a.toml");
+    let file = folder("gone-words").join("a.toml");
     let text = presets::find("four-bar").unwrap().text;
     std::fs::write(&file, text).unwrap();
     let mut session = Session::new(
