@@ -6,7 +6,7 @@
 
 use krank::quantity::Catalogue;
 use krank::scene::{Scene, presets};
-use krank::solver::{Condition, Order, Solver};
+use krank::solver::{Condition, InputMoment, Order, Solver};
 
 /// A plain two-component vector, so that no code of the program is used.
 type V = [f64; 2];
@@ -614,6 +614,33 @@ fn torque_beside_change_point_has_all_digits() {
             let bound = enclosure.drive().unwrap().bound(torque).unwrap();
             assert!(bound < 1e-6, "{distance}: {bound}");
         }
+    }
+}
+
+/// An input that moves by itself, at any speed, needs the torque that it needs as the driver.
+#[test]
+fn single_free_input_has_the_torque_of_the_driver() {
+    let (scene, solver) = opened(presets::find("four-bar-load").unwrap().text);
+    let driver = *scene.mechanism.driver();
+    let mut state = solver.state();
+    let mut free = solver.free_inputs().unwrap();
+    for at in [20.0, 75.0, 200.0] {
+        let moment = InputMoment {
+            at,
+            // The coordinate is in degrees.
+            speed: driver.speed.to_degrees(),
+            acceleration: driver.acceleration.to_degrees(),
+        };
+        assert_eq!(free.solve(&[moment], Order::Force), Condition::Ok);
+        assert_eq!(solver.solve(at, Order::Force, &mut state), Condition::Ok);
+        let expected = state.drive().unwrap();
+        for found in [free.state().drive(), free.state().effort(driver.input)] {
+            let error = found.unwrap() - expected;
+            assert!(error.abs() < 1e-12 * expected.abs(), "{at}: {error}");
+        }
+        let [own, led] = [state.frame_force(), free.state().frame_force()];
+        let error = (own.unwrap() - led.unwrap()).norm();
+        assert!(error < 1e-9, "{at}: {error}");
     }
 }
 

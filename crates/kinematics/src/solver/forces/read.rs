@@ -73,7 +73,8 @@ impl<T: Number> State<T> {
             Input::Push(_) => T::exactly(1.0),
         };
         let effort = match forces.efforts[..] {
-            [_] => forces.virtual_work(),
+            // The velocities are those for a unit rate of the driver, except of free inputs.
+            [_] if self.free.is_none() => forces.virtual_work(),
             _ => forces.efforts[number],
         };
         // Subtracted, so that zero has no negative sign.
