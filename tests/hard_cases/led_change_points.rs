@@ -92,6 +92,56 @@ fn four_bar_turns_parallelogram_through_change_points() {
     assert_translates(&scene, &solver, Vec2::new(180.0, 240.0));
 }
 
+const PUSHED_COUPLER: &str = include_str!("scenes/pushed_coupler.toml");
+
+/// The crank's angles where the cranks of the parallelogram are in line with its frame, by the law
+/// of cosines.
+fn changes_of_pushed_coupler() -> [f64; 2] {
+    let (a, o) = (Vec2::new(-16.791, 33.536), Vec2::new(23.828207, -0.828588));
+    let along = Vec2::new(71.76, -75.348) * (1.0 / 104.052);
+    let across = Vec2::new(-along.y, along.x);
+    let p = a + along * (6.13 + 50.406) + across * 12.5 - o;
+    let (crank, rod) = (1.809_f64, 7.914091_f64);
+    let cosine = (crank * crank + p.norm2() - rod * rod) / (2.0 * crank * p.norm());
+    let (middle, half) = (p.y.atan2(p.x), cosine.acos());
+    [middle + half, middle - half].map(|at| at.to_degrees().rem_euclid(360.0))
+}
+
+/// A coupled group used to end where it opens within 3e-4 deg of its change point: the change point
+/// is crossed from a distance, which lies behind the start.
+#[test]
+fn coupled_group_that_opens_beside_its_change_point_passes_it() {
+    let changes = changes_of_pushed_coupler();
+    let offsets = [1e-5, 1e-4, 5e-4, 0.01, 0.05];
+    let starts = offsets
+        .iter()
+        .flat_map(|by| [changes[1] - by, changes[1] + by]);
+    for start in starts {
+        let angle = format!("angle = {}", start - 360.0);
+        let (scene, solver) = open(&PUSHED_COUPLER.replace("angle = -70", &angle));
+        assert_places(&solver, None, &changes);
+        assert!(solver.motion().near_misses.is_empty(), "{start}");
+        assert_translates(&scene, &solver, Vec2::new(71.76, -75.348));
+    }
+}
+
+/// Closer to its change point, the start has too few digits: the motion ends there, and the change
+/// point is named as the reason.
+#[test]
+fn range_names_the_group_that_ends_it_at_its_change_point() {
+    for start in ["-74.754044", "-74.75404"] {
+        let angle = format!("angle = {start}");
+        let (_, solver) = open(&PUSHED_COUPLER.replace("angle = -70", &angle));
+        let motion = solver.motion();
+        let (low, high) = motion.range.ends();
+        for end in [low, high] {
+            let named = motion.meeting_assemblies.iter().any(|m| m.at == end);
+            let is_whole = matches!(motion.range, Range::Full { .. });
+            assert!(named || is_whole, "{start}: {end}");
+        }
+    }
+}
+
 const SHORT_RANGE: &str = include_str!("scenes/short_range.toml");
 
 /// A coupled group with a range of 2e-6 cm used to lose the states from which it is solved: opening

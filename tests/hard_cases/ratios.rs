@@ -11,7 +11,7 @@ fn opened(text: &str) -> Result<Solver, Fault> {
 const RATIOS: [f64; 7] = [1.0, 1e-3, 1e-6, 1e-9, 1e-12, 4.4e-16, 1e-20];
 
 /// A kite whose crank lies along its frame: C may be anywhere on the circle around B and D. At all
-/// other angles the mobility is 1.
+/// other angles the mobility is 1, and both assemblies are listed.
 #[test]
 fn kite_is_singular_only_where_its_pivots_meet() {
     for tiny in RATIOS {
@@ -34,7 +34,11 @@ fn kite_is_singular_only_where_its_pivots_meet() {
             "{tiny:e} {fault:?}"
         );
         for angle in [60.0, 90.0, 180.0] {
-            assert_eq!(kite(angle).unwrap().plan().mobility, 1, "{tiny:e} {angle}");
+            let solver = kite(angle).unwrap();
+            assert_eq!(solver.plan().mobility, 1, "{tiny:e} {angle}");
+            let all = solver.assemblies(angle);
+            assert_eq!(all.list.len(), 2, "{tiny:e} {angle}");
+            assert!(all.current.is_some(), "{tiny:e} {angle}");
         }
     }
 }

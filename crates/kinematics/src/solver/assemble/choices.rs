@@ -230,7 +230,7 @@ impl Solver {
         own == others && groups.all(|(group, choice)| choice.is_some() || !group.has_choices())
     }
 
-    /// Returns an assembler of positions in double precision, for a request.
+    /// Returns an assembler of positions for a request.
     fn assembler<'a>(
         &'a self,
         network: &'a Network<'a>,
@@ -240,7 +240,7 @@ impl Solver {
             network,
             plan: &self.plan,
             request,
-            exact: None,
+            exact: self.exact.as_deref(),
             order: Order::Position,
         }
     }

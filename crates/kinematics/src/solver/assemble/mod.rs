@@ -168,7 +168,11 @@ impl Assembler<'_> {
     ) -> Vec<Placement> {
         self.run_before_placements(number, engine, state);
         if let Some(key) = self.key(number, engine) {
-            return match self.closing(key, engine, state) {
+            let closing = match self.closing(key, engine, state) {
+                StepOutcome::Stretched => StepOutcome::Stretched,
+                in_doubles => self.closing_closely(key, in_doubles, state),
+            };
+            return match closing {
                 StepOutcome::Open | StepOutcome::Unclear => Vec::new(),
                 StepOutcome::Done | StepOutcome::Stretched => {
                     let plus = side_of(self.network.mechanism, engine, key, AssemblyChoice::Plus)

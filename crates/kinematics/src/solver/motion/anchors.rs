@@ -135,6 +135,15 @@ impl Anchors {
         self.numbers.truncate(kept * Anchors::stride(engine));
     }
 
+    /// Reverses the order of the anchors from an index on.
+    pub(super) fn reverse_from(&mut self, engine: &Engine, first: usize) {
+        let stride = Anchors::stride(engine);
+        self.at[first..].reverse();
+        let numbers = self.numbers.split_off(first * stride);
+        let anchors = numbers.rchunks(stride.max(1));
+        anchors.for_each(|anchor| self.numbers.extend_from_slice(anchor));
+    }
+
     /// Removes the latest anchors at or beyond a limit.
     pub(super) fn forget_beyond(&mut self, engine: &Engine, limit: f64, sense: f64) {
         let is_on_the_way = |&at: &f64| (at - limit) * sense < 0.0;

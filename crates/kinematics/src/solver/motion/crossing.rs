@@ -8,6 +8,7 @@ use crate::Double;
 use crate::solver::Order;
 use crate::solver::coupled::{Correction, Crossing};
 use crate::solver::elements::REACH_SLACK;
+use crate::solver::plan::GroupId;
 use crate::solver::state::Condition;
 use crate::solver::workspace::Workspace;
 
@@ -33,6 +34,10 @@ const OPENED: f64 = 1e-13;
 /// Number of corrections in double-double. The second one has all digits, unless another kind of
 /// singularity is close.
 const CORRECTIONS: usize = 5;
+
+/// Maximum distance of a crossing from an end of the range that it causes, in radians or scaled
+/// lengths.
+const AT_END: f64 = 1e-6;
 
 impl Walker<'_> {
     /// Crosses a limit at which two solutions of a coupled group cross. Returns the coordinate
@@ -130,6 +135,29 @@ impl Walker<'_> {
             driver_states && self.crossing(step, (at, by), &saved).is_some()
         });
         crosses || self.has_pair(step, at)
+    }
+
+    /// Adds the coupled groups whose solutions cross at a limit to those that are not proved to pass.
+    /// `last` is the last state before the limit.
+    pub(super) fn add_crossing_groups(&mut self, limit: f64, last: &Workspace) {
+        let engine = self.engine;
+        let saved = self.state.clone();
+        for (step, of) in engine.program.steps.iter().enumerate() {
+            let Some(index) = of.coupled() else {
+                continue;
+            };
+            self.state.clone_from(last);
+            let dq = engine.difference(last.at, limit);
+            let group = &engine.program.coupled[index];
+            group.predict(&mut group.open(&mut self.state.scratch), dq);
+            let found = self.nearest_crossing(step, (limit, AT_END));
+            let meets = found.and_then(|(crossing, at)| self.meets(step, at, crossing));
+            let group = GroupId::new(group.group);
+            if meets.is_some() && !self.unproved.contains(&group) {
+                self.unproved.push(group);
+            }
+        }
+        self.state = saved;
     }
 
     /// Steps to a coordinate from the latest known state before it, by as many steps as the motion

@@ -203,6 +203,9 @@ impl Walker<'_> {
                         return Ok(WalkEnd::Limit(end));
                     }
                     let end = self.refined(limit, &last);
+                    if end.bound.is_none() {
+                        self.add_crossing_groups(limit, &last);
+                    }
                     let limit = self.last_resolved(from, limit);
                     // Beyond a change point that is not passed, the motion may be another one.
                     let beyond = self.sense * self.engine.difference(limit, end.at);
@@ -327,21 +330,24 @@ impl Walker<'_> {
             .predict_from_latest(self.engine, at, &mut self.state);
     }
 
-    /// Records a sample on the other side of the start, so that a minimum at the start is detected.
+    /// Records a sample on the other side of the start, so that a minimum at the start is detected,
+    /// and anchors there, from which a change point directly ahead is crossed.
     fn sample_behind_start(&mut self, step: f64) {
         let (at_start, kept) = (self.state.clone(), self.anchors.len());
-        let walked = self.samples.len();
+        let (walked, missed) = (self.samples.len(), self.misses.len());
         let after = self.start - self.sense * step;
         self.seen.clear();
+        // The motion behind the start is tracked later, and crosses a change point there only then.
         if self.advance(self.start, after).is_ok() {
             self.seen.drain(..self.seen.len().saturating_sub(1));
+            self.anchors.reverse_from(self.engine, kept);
         } else {
             self.seen.clear();
+            self.anchors.truncate(self.engine, kept);
         }
         self.state = at_start;
-        // The motion behind the start is tracked later, and crosses a change point there only then.
-        self.anchors.truncate(self.engine, kept);
         self.samples.truncate(walked);
+        self.misses.truncate(missed);
         self.note(self.start);
     }
 
