@@ -213,6 +213,11 @@ impl Assembler<'_> {
         let end = steps.end;
         match engine.run_steps(steps, self.request.at, self.order, state) {
             Condition::Ok => Condition::Ok,
+            stretched @ (Condition::DeadPoint | Condition::ChangePoint)
+                if self.order == Order::Position =>
+            {
+                stretched
+            }
             unclear => self.place_closely(end, state).unwrap_or(unclear),
         }
     }
