@@ -18,6 +18,7 @@ use super::working::{LoopVectors, WorkedState, Working, WorkingNotation, Working
 use crate::SlideId;
 use crate::drawing::Extents;
 use crate::page::{Block, Content, Illustration, Page};
+use crate::parallel;
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, State};
 use crate::wording::words;
@@ -57,14 +58,31 @@ impl Report {
         digits: usize,
         notation: WorkingNotation,
     ) -> Report {
-        let reported = ReportedState::new(scene, solver, state, digits);
-        let reported = ReportedState {
-            notation,
-            ..reported
+        let solution = || {
+            let reported = ReportedState::new(scene, solver, state, digits);
+            ReportedState {
+                notation,
+                ..reported
+            }
+            .solution()
         };
-        Report {
-            page: reported.page(),
+        let plots = || plots::plots(scene, solver);
+        let facts = || facts(scene, solver);
+        // The parts are written beside each other.
+        let parts: [&(dyn Fn() -> Page + Sync); 3] = [&solution, &plots, &facts];
+        let write = |(): &mut (), i: usize| parts[i]();
+        let cores = parallel::cores();
+        let written = parallel::each(parts.len(), cores, || (), write, &mut |_| true);
+        let mut written = written.into_iter();
+        let mut page = written.next().unwrap_or_default();
+        let headings = [words().plots_part(), words().facts_part()];
+        for (heading, part) in headings.into_iter().zip(written) {
+            page.part(heading);
+            for block in part.blocks {
+                page.add(block.content);
+            }
         }
+        Report { page }
     }
 
     /// Adds a comparison with values from lecture notes or another program: for the reported state,
@@ -120,7 +138,8 @@ impl ReportedState<'_> {
         self.state.known().has(Order::Acceleration)
     }
 
-    fn page(&self) -> Page {
+    /// Writes the solution with its additions.
+    fn solution(&self) -> Page {
         let WorkedState {
             mut page, parts, ..
         } = self.working.written(
@@ -147,8 +166,6 @@ impl ReportedState<'_> {
         for (part, blocks) in found {
             self.part(part, blocks, &mut page);
         }
-        self.plots(&mut page);
-        self.facts(&mut page);
         page
     }
 
@@ -207,16 +224,14 @@ impl ReportedState<'_> {
         page.blocks.extend(first.into_iter().chain(blocks));
         self.completed_tables(order, page);
     }
+}
 
-    /// Adds the facts of the scene for its whole motion.
-    fn facts(&self, page: &mut Page) {
-        page.part(words().facts_part());
-        let check = Check::new(self.scene, self.solver).page();
-        let facts = check.blocks.into_iter();
-        for block in facts.filter(|block| !matches!(block.content, Content::Title(_))) {
-            page.add(block.content);
-        }
-    }
+/// Returns the facts of a scene for its whole motion.
+fn facts(scene: &Scene, solver: &Solver) -> Page {
+    let mut page = Check::new(scene, solver).page();
+    page.blocks
+        .retain(|block| !matches!(block.content, Content::Title(_)));
+    page
 }
 
 /// Adds a picture to a page.
