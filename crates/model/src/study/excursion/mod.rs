@@ -248,7 +248,10 @@ impl Excursion {
         if options.dwells && !is_level && revolutions == 0.0 {
             let stroke = maximum.value - minimum.value;
             let tolerance = options.tolerance.unwrap_or(DEFAULT_DWELL * stroke);
-            excursion.dwells = Some((tolerance, excursion.dwelling(sampler, column, tolerance)));
+            excursion.dwells = Some((
+                tolerance,
+                excursion.dwelling(sampler, (column, sampled), tolerance),
+            ));
         }
         if options.rates {
             let within = |place| reduced(place, range);

@@ -1,6 +1,6 @@
 //! Computes time ratios and dwells from the extrema of a quantity.
 
-use super::sampler::{JUMP_DISTANCE, MotionSampler};
+use super::sampler::{JUMP_DISTANCE, MotionSampler, SampledFigure};
 use super::{Excursion, ExtremumPlace, FigurePlace, NoFigure};
 use crate::numeric::root;
 use crate::quantity::Clock;
@@ -149,12 +149,12 @@ impl Excursion {
     pub(super) fn dwelling(
         &self,
         sampler: &mut MotionSampler,
-        column: usize,
+        (column, sampled): (usize, &SampledFigure),
         tolerance: f64,
     ) -> Vec<DwellStretch> {
         let turnings = 0..self.turnings.len();
-        let found =
-            turnings.filter_map(|about| self.dwell_about(about, sampler, column, tolerance));
+        let of = (column, sampled);
+        let found = turnings.filter_map(|about| self.dwell_about(about, sampler, of, tolerance));
         let mut found: Vec<DwellStretch> = found.collect();
         let width = |dwell: &DwellStretch| dwell.to - dwell.from;
         found.sort_by(|a, b| width(b).total_cmp(&width(a)));
@@ -178,12 +178,12 @@ impl Excursion {
         &self,
         about: usize,
         sampler: &mut MotionSampler,
-        column: usize,
+        of: (usize, &SampledFigure),
         tolerance: f64,
     ) -> Option<DwellStretch> {
         let turning = self.turnings[about];
-        let [low, high] = [false, true]
-            .map(|forwards| self.stays_until(about, forwards, sampler, column, tolerance));
+        let [low, high] =
+            [false, true].map(|forwards| self.stays_until(about, forwards, sampler, of, tolerance));
         let (low, high) = (low?, high?);
         let (mut travel, mut from, to) =
             (low + high, turning.place.at - low, turning.place.at + high);
@@ -216,7 +216,7 @@ impl Excursion {
         about: usize,
         forwards: bool,
         sampler: &mut MotionSampler,
-        column: usize,
+        of: (usize, &SampledFigure),
         tolerance: f64,
     ) -> Option<f64> {
         let count = self.turnings.len();
@@ -238,7 +238,7 @@ impl Excursion {
                 } else {
                     edges[1]
                 };
-                let at = crossing([here, next], edge, sampler, column)?;
+                let at = crossing([here, next], edge, sampler, of)?;
                 return Some((at - turning.place.at).abs());
             }
             here = next;
@@ -287,15 +287,47 @@ fn crossing(
     [a, b]: [FigurePlace; 2],
     value: f64,
     sampler: &mut MotionSampler,
-    column: usize,
+    (column, sampled): (usize, &SampledFigure),
 ) -> Option<f64> {
     let nearby = 0.5 * (a.value + b.value);
+    let finest = f64::EPSILON * (b.at - a.at).abs();
+    let [a, b] = narrowed([a, b], value, sampler.range(), sampled);
     let off = |at| Some(sampler.sample(column, at, nearby).value - value);
-    root(
-        (a.at, a.value - value),
-        (b.at, b.value - value),
-        f64::EPSILON * (b.at - a.at).abs(),
-        off,
-    )
-    .ok()
+    let ends = [a, b].map(|place| (place.at, place.value - value));
+    root(ends[0], ends[1], finest, off).ok()
+}
+
+/// Narrows the part between two neighbouring extrema, in which a quantity passes a value, to the part
+/// between two samples.
+fn narrowed(
+    [mut a, mut b]: [FigurePlace; 2],
+    value: f64,
+    range: Range,
+    sampled: &SampledFigure,
+) -> [FigurePlace; 2] {
+    let first = sampled.at[0];
+    loop {
+        let middle = f64::midpoint(a.at, b.at);
+        let rounds = match range {
+            Range::Full { period } => period * ((middle - first) / period).floor(),
+            Range::Limited { .. } => 0.0,
+        };
+        let next = sampled.at.partition_point(|at| at + rounds < middle);
+        let Some(&at) = sampled.at.get(next) else {
+            return [a, b];
+        };
+        let place = FigurePlace {
+            at: at + rounds,
+            value: sampled.by_degree[0][next],
+        };
+        let is_between = (place.at - a.at) * (place.at - b.at) < 0.0;
+        if !is_between || !place.value.is_finite() {
+            return [a, b];
+        }
+        if (place.value > value) == (a.value > value) {
+            a = place;
+        } else {
+            b = place;
+        }
+    }
 }
