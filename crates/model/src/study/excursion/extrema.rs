@@ -133,7 +133,7 @@ fn find_extrema_between(
         let level = root((a.at, a.slope), (b.at, b.slope), finest, slope).ok();
         // At a kink of a formula the slope jumps to the other sign.
         let at = level.unwrap_or_else(|| jump(sampler, column, [a, b]));
-        let value = sampler.sample(column, at, a.value).value;
+        let value = sampler.value_near(column, at, a.value);
         found.push(FigurePlace { at, value });
         return;
     }
@@ -195,7 +195,7 @@ fn by_values(
             let after = at.get(k + 1).copied().unwrap_or(at[last]);
             let sense = if turn.is_peak { -1.0 } else { 1.0 };
             let nearby = values[k];
-            let f = |at| Some(sense * sampler.sample(column, at, nearby).value);
+            let f = |at| Some(sense * sampler.value_near(column, at, nearby));
             let first = (at[k], sense * values[k]);
             let found = lowest(f, [before, after], first).unwrap_or_else(MinimumError::best);
             FigurePlace {

@@ -34,7 +34,7 @@ impl ExtremaSet {
             // A longer plateau extends at least half of that to one side.
             let nearby = [-0.5, 0.5].map(|part| place.at + part * shortest);
             let mut stays_at = |at| {
-                let value = sampler.sample(column, at, place.value).value;
+                let value = sampler.value_near(column, at, place.value);
                 (value - place.value).abs() <= level
             };
             if !nearby.into_iter().any(&mut stays_at) {
@@ -107,7 +107,7 @@ fn stays(
         let mut outside = at;
         for _ in 0..HALVINGS {
             let middle = 0.5 * (inside + outside);
-            let value = sampler.sample(column, middle, place.value).value;
+            let value = sampler.value_near(column, middle, place.value);
             match is_there(value) {
                 true => inside = middle,
                 false => outside = middle,

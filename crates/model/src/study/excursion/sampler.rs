@@ -279,12 +279,17 @@ impl MotionSampler {
     pub(super) fn sample(&mut self, column: usize, at: f64, nearby: f64) -> FigureSample {
         // The higher order first: its state serves both.
         let slope = self.degree(column, 1, at).unwrap_or(f64::NAN);
+        let value = self.value_near(column, at, nearby);
+        FigureSample { at, value, slope }
+    }
+
+    /// Returns a quantity as [`MotionSampler::sample`] does, without its slope.
+    pub(super) fn value_near(&mut self, column: usize, at: f64, nearby: f64) -> f64 {
         let value = self.value(column, at).unwrap_or(f64::NAN);
-        let value = match self.cut(column) {
+        match self.cut(column) {
             DirectionCut::ByTurns => angle::unwrap_near(nearby, value),
             DirectionCut::Nowhere | DirectionCut::Otherwise => value,
-        };
-        FigureSample { at, value, slope }
+        }
     }
 
     /// Returns `true` if the sampled values of a column differ by more than a part of their size, and

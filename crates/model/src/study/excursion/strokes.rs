@@ -292,7 +292,7 @@ fn crossing(
     let nearby = 0.5 * (a.value + b.value);
     let finest = f64::EPSILON * (b.at - a.at).abs();
     let [a, b] = narrowed([a, b], value, sampler.range(), sampled);
-    let off = |at| Some(sampler.sample(column, at, nearby).value - value);
+    let off = |at| Some(sampler.value_near(column, at, nearby) - value);
     let ends = [a, b].map(|place| (place.at, place.value - value));
     root(ends[0], ends[1], finest, off).ok()
 }
