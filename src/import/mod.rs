@@ -141,7 +141,10 @@ pub fn import(bytes: &[u8], name: &str) -> Result<Imported, ImportError> {
     }
     let text = decoded(bytes);
     let text = trimmed(&text);
-    let format = recognize(bytes).ok_or_else(|| {
+    // Other JSON gets an error that says what it lacks.
+    let is_json = text.starts_with('{');
+    let format = recognize(bytes).or(is_json.then_some(ImportFormat::Pylinkage));
+    let format = format.ok_or_else(|| {
         ImportError::new(match is_address_argument(text) {
             true => words().is_a_pmks_address(),
             false => words().import_unknown_format(),

@@ -21,12 +21,28 @@ const OLDER_TYPES: [&str; 6] = [
     "Prismatic",
 ];
 
-/// Returns `true` for JSON with joints and links.
+/// Returns `true` for JSON with a joint of pylinkage and a list of links, also if its syntax is
+/// invalid.
 pub(super) fn is_pylinkage(text: &str) -> bool {
-    text.starts_with('{')
-        && ["\"joints\"", "\"links\""]
+    let has_keys = || {
+        ["\"joints\"", "\"links\""]
             .iter()
             .all(|key| text.contains(key))
+    };
+    if !text.starts_with('{') || !has_keys() {
+        return false;
+    }
+    let is_joint = |joint: &Value| pair_of(joint, "position").is_some() || is_older(joint);
+    let file: Result<Value, _> = serde_json::from_str(text);
+    file.map_or(true, |file| {
+        let joints = list(&file, "joints").filter(|_| list(&file, "links").is_some());
+        joints.is_some_and(|joints| joints.iter().any(is_joint))
+    })
+}
+
+/// Returns `true` for a joint of the older format.
+fn is_older(joint: &Value) -> bool {
+    text_of(joint, "type").is_some_and(|kind| OLDER_TYPES.contains(&kind))
 }
 
 /// Reads a mechanism.
@@ -36,8 +52,7 @@ pub(super) fn read_pylinkage(text: &str) -> Result<Drawing, ImportError> {
     let (Some(joints), Some(links)) = (list(&file, "joints"), list(&file, "links")) else {
         return Err(ImportError::new(words().import_other_json()));
     };
-    let older = |joint: &Value| text_of(joint, "type").is_some_and(|it| OLDER_TYPES.contains(&it));
-    if joints.iter().any(older) {
+    if joints.iter().any(is_older) {
         return Err(ImportError::new(words().import_older_pylinkage()));
     }
     if joints.len() > MAX_ELEMENTS || links.len() > MAX_ELEMENTS {

@@ -22,7 +22,7 @@ pub use examples::ExampleTask;
 
 use crate::Vec2;
 use crate::document::{
-    self, ByteSpan, Diagnostic, Diagnostics, Entries, Reader, WrittenValue, items,
+    self, ByteSpan, Diagnostic, Diagnostics, DocumentKind, Entries, Reader, WrittenValue, items,
 };
 use crate::nearest::did_you_mean;
 use crate::scene::{self, KeyTable, MAX_FILE_SIZE, Measure, Unit};
@@ -99,7 +99,7 @@ impl TaskFile {
     /// Returns all faults found, with their places.
     pub fn parse(text: &str, origin: &str) -> Result<TaskFile, Diagnostics> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let mut reader = Reader::new(text);
+        let mut reader = Reader::new(text, DocumentKind::Task);
         let root = document::parse(&mut reader, scene::fix);
         let file = root.and_then(|root| task_file(&mut reader, &root, origin));
         match file {

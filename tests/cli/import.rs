@@ -75,6 +75,52 @@ fn addresses_are_files() {
     assert!(other.contains("internet address"), "{other}");
 }
 
+/// JSON without a joint of pylinkage is no file of another program. `krank import` says what it
+/// lacks.
+#[test]
+fn other_json_is_named_as_json() {
+    let no_lists = "it has no lists `joints` and `links`";
+    let no_joint = "the file has no joint with coordinates";
+    let no_file = "this is not a file of PMKS";
+    for (text, lack) in [
+        (r#"{"joints": [], "links": []}"#, no_joint),
+        (r#"{"joints": [], "links": [{"id": "r2"}]}"#, no_joint),
+        (
+            r#"{"joints": [{"name": "A", "x": 0, "y": 0}], "links": []}"#,
+            no_joint,
+        ),
+        (r#"{"joints": {}, "links": []}"#, no_lists),
+        (r#"{"mechanism": {"joints": [], "links": []}}"#, no_lists),
+        (r#"{"a": 1}"#, no_lists),
+        ("{}", no_lists),
+        ("{", "the JSON is invalid"),
+        ("[]", no_file),
+        ("[[]]", no_file),
+        ("[ ]\n", no_file),
+        ("[\n  [0, 0],\n  [100, 0]\n]\n", no_file),
+        ("[{\"a\": 1}]", no_file),
+        (r#"["A", "B"]"#, no_file),
+    ] {
+        let path = folder("import").join("other.json");
+        fs::write(&path, text).unwrap();
+        let path = path.to_str().unwrap();
+        let checked = refused(2, &["check", path]);
+        assert!(
+            checked.starts_with("error: this is JSON, not TOML\n"),
+            "{text}: {checked}"
+        );
+        let imported = refused(2, &["import", path]);
+        assert!(imported.contains(lack), "{text}: {imported}");
+    }
+    // The headers of tables of a scene.
+    for text in ["[ground]\nA = [0, 0]\n", "[\"ab\"] # 1, 2\n"] {
+        let path = folder("import").join("header.toml");
+        fs::write(&path, text).unwrap();
+        let checked = refused(2, &["check", path.to_str().unwrap()]);
+        assert!(!checked.contains("JSON"), "{checked}");
+    }
+}
+
 /// The scene of a file with gears is written, and its fault ends the command with 2.
 #[test]
 fn a_scene_that_needs_more_is_written_and_explained() {

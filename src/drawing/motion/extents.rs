@@ -238,6 +238,24 @@ impl Extents {
         ]
     }
 
+    /// Returns `true` if the motion ends where it begins.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.poses.is_closed()
+    }
+
+    /// Returns driver coordinates at even steps along the motion; none without a motion.
+    pub fn steps(&self) -> impl Iterator<Item = f64> {
+        self.poses.steps(usize::from(SAMPLES))
+    }
+
+    /// Returns how much of the motion lies before a driver coordinate, from 0 to 1; `None` without a
+    /// motion.
+    #[must_use]
+    pub fn share(&self, at: f64) -> Option<f64> {
+        self.poses.share(at)
+    }
+
     /// Returns the extents of the poses along the motion.
     pub(in crate::drawing) fn poses(&self) -> &Poses {
         &self.poses

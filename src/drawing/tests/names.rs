@@ -2,16 +2,36 @@
 
 use super::*;
 use crate::drawing::cells::labels::Side;
+use crate::solver::PointLeader;
 
 /// Returns the figure of a linkage with the names of its points, as drawings show it, or with the
 /// arrows of an overlay.
-fn figure(stage: &DrawingStage, overlay: Option<&Overlay>, at: f64) -> Figure {
-    let state = stage.state(at);
-    let mut figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
+fn figure(stage: &DrawingStage, overlay: Option<&Overlay>, state: &State) -> Figure {
+    let mut figure = linkage(&stage.scene, &stage.reach, state, Layers::default());
     if let Some(overlay) = overlay {
-        overlay.add_to(&mut figure, &stage.scene, &stage.solver, &state, 1.0);
+        overlay.add_to(&mut figure, &stage.scene, &stage.solver, state, 1.0);
     }
     figure
+}
+
+/// Returns states of the motion that the workbench plays, by the driver or by a leading point, each
+/// with the share of the motion before it.
+fn played(stage: &DrawingStage) -> Vec<(f64, State)> {
+    let Some(lead) = &stage.scene.lead else {
+        let share = |state: &State| stage.reach.share(state.at()).expect("it moves");
+        let states = stage.motion().map(|state| stage.state(state.at()));
+        return states.map(|state| (share(&state), state)).collect();
+    };
+    let mut leader = PointLeader::new(&stage.solver, lead.lead()).expect("it opens on the path");
+    let [first, last] = lead.path.span();
+    let shares = (0..=200).map(|k| f64::from(k) / 200.0);
+    let states = shares.map(|share| {
+        let time = first + (last - first) * share;
+        let pose = leader.follow(&lead.path, time, Order::Force);
+        pose.expect("the inputs can follow");
+        (share, leader.state().clone())
+    });
+    states.collect()
 }
 
 /// Plans the labels of a stage, beginning where the scene opens.
@@ -21,12 +41,25 @@ fn planned(
     view: &WorldView,
     glyphs: Glyphs,
 ) -> Labels {
-    let mut labels = Labels::default();
-    let start = stage.scene.mechanism.driver().start;
-    let mut raster = Raster::new();
-    let figure_at = |at| figure(stage, overlay, at);
-    render_into(&figure_at(start), view, glyphs, &mut labels, &mut raster);
-    labels.plan(&stage.reach, start, view, glyphs, figure_at);
+    let (first, share, is_closed, states): (State, f64, bool, Vec<State>) = match &stage.scene.lead
+    {
+        Some(lead) => {
+            let states: Vec<State> = played(stage).into_iter().map(|(_, state)| state).collect();
+            (states[0].clone(), 0.0, lead.path.is_closed(), states)
+        }
+        None => {
+            let start = stage.scene.mechanism.driver().start;
+            let share = stage.reach.share(start).expect("it moves");
+            let states = stage.reach.steps().map(|at| stage.state(at));
+            let (first, is_closed) = (stage.state(start), stage.reach.is_closed());
+            (first, share, is_closed, states.collect())
+        }
+    };
+    let (mut labels, mut raster) = (Labels::default(), Raster::new());
+    let figure_of = |state: &State| figure(stage, overlay, state);
+    render_into(&figure_of(&first), view, glyphs, &mut labels, &mut raster);
+    let figures = states.iter().map(figure_of);
+    labels.plan(is_closed, Some(share), view, glyphs, figures);
     labels
 }
 
@@ -87,9 +120,9 @@ fn assert_calm((cols, rows): (u16, u16), glyphs: Glyphs, has_arrows: bool) {
         let mut raster = Raster::new();
         let mut sides: Vec<Vec<Side>> = Vec::new();
         let mut on_bars = 0;
-        for state in stage.motion().step_by(2) {
-            labels.go(&stage.reach, state.at());
-            let figure = figure(&stage, overlay, state.at());
+        for (share, state) in played(&stage).iter().step_by(2) {
+            labels.go(Some(*share));
+            let figure = figure(&stage, overlay, state);
             render_into(&figure, &view, glyphs, &mut labels, &mut raster);
             sides.resize_with(labels.len(), Vec::new);
             for (sides, side) in sides.iter_mut().zip(labels.sides()) {
@@ -156,13 +189,13 @@ fn every_name_of_textbook_linkages_is_shown() {
             Labels::default(),
             planned(&stage, None, &view, Glyphs::Ascii),
         ] {
-            for state in stage.motion() {
-                labels.go(&stage.reach, state.at());
-                let figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
+            for (share, state) in played(&stage) {
+                labels.go(Some(share));
+                let figure = figure(&stage, None, &state);
                 render_into(&figure, &view, Glyphs::Ascii, &mut labels, &mut raster);
                 if labels.hidden() > 0 {
-                    let (name, at, plan) = (&stage.name, state.at(), labels.is_planned());
-                    hidden.push(format!("{name} at {at:.1}, plan {plan}"));
+                    let (name, plan) = (&stage.name, labels.is_planned());
+                    hidden.push(format!("{name} at {share:.3}, plan {plan}"));
                 }
             }
         }

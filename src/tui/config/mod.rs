@@ -6,7 +6,7 @@ mod template;
 pub use template::template;
 
 use crate::capability::{Colours, PictureChoice};
-use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Entries, Reader};
+use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, DocumentKind, Entries, Reader};
 use crate::drawing::{Blocks, Glyphs};
 use crate::files::directories;
 use crate::nearest::did_you_mean;
@@ -158,7 +158,7 @@ impl Config {
     /// Returns all faults with their places. Unknown keys and actions alone are only warnings.
     pub fn parse(text: &str, origin: &str) -> Result<Config, Diagnostics> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let mut reader = Reader::new(text);
+        let mut reader = Reader::new(text, DocumentKind::Configuration);
         let mut config = Config::default();
         if let Some(file) = document::parse(&mut reader, fix) {
             let before = reader.found.len();
@@ -179,7 +179,7 @@ impl Config {
     #[must_use]
     pub(crate) fn language_in(text: &str) -> Option<Language> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let file = document::parse(&mut Reader::new(text), fix)?;
+        let file = document::parse(&mut Reader::new(text, DocumentKind::Configuration), fix)?;
         Language::named(file.get("language")?.get_ref().as_str()?)
     }
 

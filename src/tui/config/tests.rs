@@ -63,6 +63,19 @@ fn faults_report_line_and_fix() {
             "the configuration: unknown key `glyfs`",
             "did you mean `glyphs`?",
         ),
+        // Help for scenes would be wrong here.
+        (
+            "bar = 1",
+            1,
+            "the configuration: unknown key `bar`",
+            "known keys: `glyphs`",
+        ),
+        (
+            "gears = 1",
+            1,
+            "the configuration: unknown key `gears`",
+            "known keys: `glyphs`",
+        ),
         (
             "\nglyphs = \"asci\"",
             2,

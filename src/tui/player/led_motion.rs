@@ -136,6 +136,15 @@ impl LedMotion {
         self.span
     }
 
+    /// Returns how much of the motion lies before a time, from 0 to 1.
+    pub(crate) fn share(&self, time: f64) -> f64 {
+        let [first, end] = self.span;
+        match end > first {
+            true => ((time - first) / (end - first)).clamp(0.0, 1.0),
+            false => 0.0,
+        }
+    }
+
     /// Returns `true` if the inputs can follow the whole path.
     pub(crate) fn is_complete(&self) -> bool {
         self.is_complete

@@ -15,7 +15,9 @@ pub use diagnostic::not_utf8;
 pub use diagnostic::{Diagnostic, Diagnostics, Label};
 pub(crate) use node::number_of;
 pub use node::{Entries, WrittenValue, entries, items};
-pub use reader::{ByteSpan, Name, NamedNumbers, Reader, is_probable_misspelling, quoted};
+pub use reader::{
+    ByteSpan, DocumentKind, Name, NamedNumbers, Reader, is_probable_misspelling, quoted,
+};
 pub use sanitize::ascii_letter;
 pub use sanitize::with_ascii_letters;
 pub use sanitize::{is_harmful, sanitized};

@@ -41,6 +41,14 @@ pub fn quoted(text: &str) -> String {
     }
 }
 
+/// The kind of a document. Help that names tables of scenes is given for scenes only.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DocumentKind {
+    Scene,
+    Task,
+    Configuration,
+}
+
 /// The named numbers available to formulas of a document; a configuration has none.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NamedNumbers {
@@ -53,6 +61,7 @@ pub struct NamedNumbers {
 /// Collects diagnostics while values are read.
 pub struct Reader<'t> {
     text: &'t str,
+    pub(super) kind: DocumentKind,
     pub found: Vec<Diagnostic>,
     pub named: NamedNumbers,
     /// The values of formulas, by their start offset.
@@ -62,9 +71,10 @@ pub struct Reader<'t> {
 }
 
 impl<'t> Reader<'t> {
-    pub fn new(text: &'t str) -> Self {
+    pub fn new(text: &'t str, kind: DocumentKind) -> Self {
         Reader {
             text,
+            kind,
             found: Vec::new(),
             named: NamedNumbers::default(),
             worked: HashMap::new(),
@@ -198,13 +208,15 @@ impl<'t> Reader<'t> {
             let fault = Diagnostic::new(words().unknown_key_in(of, &quoted(text)))
                 .at(span, words().unknown_key_here());
             let near = (!self.is_full()).then(|| did_you_mean(text, known.iter().copied()));
-            if let Some(what) = not_modelled(text) {
-                self.report(fault.help(what));
-                continue;
-            }
-            if let Some(what) = word_of_others(text) {
-                self.report(fault.help(what).maybe_help(near.flatten()));
-                continue;
+            if self.kind == DocumentKind::Scene {
+                if let Some(what) = not_modelled(text) {
+                    self.report(fault.help(what));
+                    continue;
+                }
+                if let Some(what) = word_of_others(text) {
+                    self.report(fault.help(what).maybe_help(near.flatten()));
+                    continue;
+                }
             }
             let listed = || words().known_keys(&format!("`{}`", known.join("`, `")));
             self.report(fault.help(near.flatten().unwrap_or_else(listed)));

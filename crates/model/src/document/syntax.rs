@@ -2,7 +2,7 @@
 
 use super::balance::imbalance;
 use super::diagnostic::Diagnostic;
-use super::reader::{ByteSpan, Reader, quoted};
+use super::reader::{ByteSpan, DocumentKind, Reader, quoted};
 use crate::wording::words;
 use toml::de::{DeTable, DeValue, Error};
 
@@ -12,7 +12,12 @@ pub(crate) type SyntaxHint = fn(&str, &str, &ByteSpan) -> Option<String>;
 /// Parses the text; returns `None` if the syntax errors leave nothing usable.
 pub fn parse<'t>(reader: &mut Reader<'t>, fix: SyntaxHint) -> Option<DeTable<'t>> {
     if let Some(message) = foreign(reader.text()) {
-        reader.report(Diagnostic::new(message).help(words().krank_reads_toml()));
+        let help = match reader.kind {
+            DocumentKind::Scene => words().krank_reads_toml(),
+            DocumentKind::Task => words().tasks_are_toml(),
+            DocumentKind::Configuration => words().configurations_are_toml(),
+        };
+        reader.report(Diagnostic::new(message).help(help));
         return None;
     }
     let (root, errors) = DeTable::parse_recoverable(reader.text());
@@ -102,11 +107,22 @@ pub fn foreign(text: &str) -> Option<&'static str> {
     if first.contains([',', ';', '\t']) && !first.contains(['=', '[', '{', '#', '"']) {
         return Some(words().is_a_table());
     }
-    let is_json = text.starts_with('{') || text.starts_with("[{");
-    is_json.then(|| match is_of_pmks() {
+    is_json(text).then(|| match is_of_pmks() {
         true => words().is_json_of_pmks(),
         false => words().is_json(),
     })
+}
+
+/// Returns `true` for JSON: an object, or a list that cannot be the header of a table in TOML.
+fn is_json(text: &str) -> bool {
+    let inner = text.trim_start_matches(['[', ' ', '\t', '\r', '\n']);
+    let is_of_value = |c: char| c.is_ascii_digit() || c == '-' || c == '"';
+    let first = inner.lines().next().unwrap_or("");
+    let is_list = || {
+        inner.starts_with(['{', ']'])
+            || inner.starts_with(is_of_value) && first.split(']').next().unwrap_or("").contains(',')
+    };
+    text.starts_with('{') || text.starts_with('[') && is_list()
 }
 
 /// Returns the diagnostic of a line with a decimal comma, such as `length = 86,6`; `None` for other

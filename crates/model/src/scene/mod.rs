@@ -95,7 +95,7 @@ pub use syntax::fix;
 pub use table::{KeyTable, NumberRule};
 pub use values::{Value, ValueOwner};
 
-use crate::document::{self, NamedNumbers, Reader};
+use crate::document::{self, DocumentKind, NamedNumbers, Reader};
 use crate::wording::words;
 use crate::{
     Body, ElementId, Input, LimitId, LinkId, Mechanism, MotionLaw, PointId, SlideId, Tolerances,
@@ -208,7 +208,7 @@ impl Scene {
             return Err(too_large(origin));
         }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let mut reader = Reader::new(text);
+        let mut reader = Reader::new(text, DocumentKind::Scene);
         let root = document::parse(&mut reader, syntax::fix);
         let scene = root.as_ref().and_then(|root| {
             let draft = raw_elements::read(&mut reader, root);

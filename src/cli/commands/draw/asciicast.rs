@@ -39,7 +39,7 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
     let (mut labels, mut state) = (drawn.planned_labels(&view, glyphs), drawn.solver.state());
     let mut before = Raster::new();
     for (k, &at) in coordinates.iter().enumerate() {
-        labels.go(&drawn.links, at);
+        labels.go(drawn.links.share(at));
         let figure = drawn.figure_at(at, &mut state);
         let mut raster = Raster::new();
         drawing::render_into(&figure, &view, glyphs, &mut labels, &mut raster);

@@ -62,7 +62,7 @@ fn pictures(
     let mut labels = planned.clone();
     let mut state = drawn.solver.state();
     places.map(move |at| {
-        labels.go(&drawn.links, at);
+        labels.go(drawn.links.share(at));
         let figure = drawn.figure_at(at, &mut state);
         let ground = drawn.ground();
         let svg = drawing::svg_on(ground, &figure, &view, "", &legend, &mut labels);

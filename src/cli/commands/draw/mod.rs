@@ -277,12 +277,14 @@ impl<'a> DrawnScene<'a> {
         let mut labels = Labels::default();
         let mut state = self.solver.state();
         let mut figure_at = |at| self.figure_at(at, &mut state);
-        labels.plan(&self.links, self.state.at(), view, glyphs, &mut figure_at);
+        let (links, share) = (&self.links, self.links.share(self.state.at()));
+        let figures = links.steps().map(&mut figure_at);
+        labels.plan(links.is_closed(), share, view, glyphs, figures);
         // On its side, a name stays where the frame before had it. After a turn, the first frame of
         // an animation equals its last one.
         let mut raster = drawing::Raster::new();
         for at in animation_steps::places(self) {
-            labels.go(&self.links, at);
+            labels.go(links.share(at));
             drawing::render_into(&figure_at(at), view, glyphs, &mut labels, &mut raster);
         }
         labels

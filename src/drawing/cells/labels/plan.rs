@@ -14,11 +14,8 @@ use super::{
 use crate::drawing::cells::raster::Raster;
 use crate::drawing::cells::render::{Glyphs, render_bare};
 use crate::drawing::figure::{Figure, Role};
-use crate::drawing::motion::extents::Extents;
 use crate::drawing::view::WorldView;
 
-/// Number of steps of the plan along the motion: 1.5 degrees of a turn.
-const STEPS: usize = 240;
 /// Maximum number of names that are planned, and of shapes of a figure. Beyond them the plan would
 /// take longer than a frame may.
 const MAX_NAMES: usize = 40;
@@ -128,8 +125,8 @@ impl Side {
 #[derive(Clone, Debug)]
 pub(super) struct LabelPlan {
     view: WorldView,
-    /// The current step of the motion.
-    step: usize,
+    /// The share of the motion before the current place, from 0 to 1.
+    share: f64,
     names: Vec<PlannedName>,
 }
 
@@ -192,62 +189,60 @@ impl PlannedSides {
 }
 
 impl Labels {
-    /// Plans the sides of the names over the whole motion in a fixed window, beginning at a driver
-    /// coordinate, where names keep their places if possible. `figure_at` returns the figure at a
-    /// coordinate. Without a motion, or for very many names, there is no plan.
+    /// Plans the sides of the names over the whole motion in a fixed window. `share` of the motion
+    /// lies before its current place, where names keep their places if possible, and `figures` are
+    /// those of even steps along the motion. Without a share and figures, or for very many names,
+    /// there is no plan.
     pub fn plan(
         &mut self,
-        extents: &Extents,
-        at: f64,
+        is_closed: bool,
+        share: Option<f64>,
         view: &WorldView,
         glyphs: Glyphs,
-        figure_at: impl FnMut(f64) -> Figure,
+        figures: impl Iterator<Item = Figure>,
     ) {
-        let mut plan = LabelPlan {
+        let share = share.unwrap_or(0.0);
+        let names = self.planned_names(is_closed, share, view, glyphs, figures);
+        self.plan = Some(LabelPlan {
             view: *view,
-            step: 0,
-            names: Vec::new(),
-        };
-        if let Some(start) = step_of(extents, at) {
-            plan.step = start;
-            plan.names = self.planned_names(extents, (at, start), view, glyphs, figure_at);
-        }
-        self.plan = Some(plan);
+            share,
+            names,
+        });
     }
 
     /// Returns the plan of each name; empty if there are too many.
     fn planned_names(
         &self,
-        extents: &Extents,
-        (at, start): (f64, usize),
+        is_closed: bool,
+        share: f64,
         view: &WorldView,
         glyphs: Glyphs,
-        mut figure_at: impl FnMut(f64) -> Figure,
+        figures: impl Iterator<Item = Figure>,
     ) -> Vec<PlannedName> {
-        let first = figure_at(at);
-        let count = own_names(&first).count();
+        let mut figures = figures.peekable();
+        let Some(first) = figures.peek() else {
+            return Vec::new();
+        };
+        let count = own_names(first).count();
         if count == 0 || count > MAX_NAMES || first.shapes().len() > MAX_SHAPES {
             return Vec::new();
         }
         let mut raster = Raster::new();
         let mut names = vec![SeatCosts::default(); count];
-        let steps = extents.poses().steps(STEPS);
-        for coordinate in steps {
-            let figure = figure_at(coordinate);
+        for figure in figures {
             render_bare(&figure, view, glyphs, &mut raster);
             let mut known = own_names(&figure);
             for name in &mut names {
                 name.add(known.next(), view, &raster);
             }
         }
+        let start = step_of(share, names[0].names.len());
         for (name, place) in names.iter_mut().zip(&self.places) {
             if let LabelPlace::Seat(shown) = *place {
                 name.prefer(shown, start);
             }
         }
-        let planning = Planning {
-            closed: extents.poses().is_closed(),
-        };
+        let planning = Planning { closed: is_closed };
         let none = PlannedName {
             sides: PlannedSides::HIDDEN,
             seats: vec![None; names[0].names.len()],
@@ -284,10 +279,10 @@ impl Labels {
         self.plan.is_some()
     }
 
-    /// Sets the driver coordinate at which the plan is read.
-    pub fn go(&mut self, extents: &Extents, at: f64) {
-        if let (Some(plan), Some(step)) = (&mut self.plan, step_of(extents, at)) {
-            plan.step = step;
+    /// Sets the share of the motion at which the plan is read.
+    pub fn go(&mut self, share: Option<f64>) {
+        if let (Some(plan), Some(share)) = (&mut self.plan, share) {
+            plan.share = share;
         }
     }
 
@@ -305,8 +300,9 @@ impl Labels {
     pub(super) fn planned(&self, name: usize, view: &WorldView) -> Option<(Side, Option<usize>)> {
         let plan = self.plan.as_ref().filter(|plan| plan.view == *view)?;
         let name = plan.names.get(name)?;
-        let seat = name.seats.get(plan.step).copied().flatten();
-        Some((name.sides.side(plan.step), seat))
+        let step = step_of(plan.share, name.seats.len());
+        let seat = name.seats.get(step).copied().flatten();
+        Some((name.sides.side(step), seat))
     }
 }
 
@@ -316,15 +312,15 @@ fn own_names(figure: &Figure) -> impl Iterator<Item = (crate::Vec2, &str)> {
     own.map(|(at, text, _)| (at, text))
 }
 
-fn step_of(extents: &Extents, at: f64) -> Option<usize> {
-    let share = extents.poses().share(at)?;
+/// Returns the step, of this many, at a share of the motion.
+fn step_of(share: f64, count: usize) -> usize {
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "the share is between 0 and 1"
     )]
-    let step = (share * STEPS as f64) as usize;
-    Some(step.min(STEPS - 1))
+    let step = (share * count as f64) as usize;
+    step.min(count.saturating_sub(1))
 }
 
 /// The place of a name at a step: its point's cell and its number of characters.

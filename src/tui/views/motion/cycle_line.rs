@@ -114,14 +114,10 @@ impl CycleLine {
     fn led(led: &LedMotion) -> CycleLine {
         let [first, end] = led.span();
         let (span, is_closed) = (end - first, led.is_closed());
-        let share = |time: f64| match span > 0.0 {
-            true => ((time - first) / span).clamp(0.0, 1.0),
-            false => 0.0,
-        };
-        let inside = led.singular().iter().map(|(time, _)| share(*time));
+        let inside = led.singular().iter().map(|(time, _)| led.share(*time));
         let limit = || format!("{} {}", words().limit(), led.text(end));
         CycleLine {
-            share: share(led.time()),
+            share: led.share(led.time()),
             marks: inside
                 .filter(|share| *share > 0.0 && *share < 1.0)
                 .collect(),

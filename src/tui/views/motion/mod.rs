@@ -14,6 +14,7 @@ use crate::drawing::{
 };
 use crate::quantity::Subject;
 use crate::report::perpendicular_up;
+use crate::solver::State;
 use crate::tui::app::{App, Mode, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, MotionAction};
@@ -85,8 +86,9 @@ struct DrawnStage {
     setting: ViewportSetting,
     /// Whether a point leads.
     is_led: bool,
-    /// The driver coordinate at which the stage was drawn first, and the window then.
-    at: f64,
+    /// The share of the motion at which the stage was drawn first, if it has a motion, and the
+    /// window then.
+    share: Option<f64>,
     view: WorldView,
     highlighted: Option<Subject>,
 }
@@ -168,13 +170,17 @@ impl Sketch {
     /// the first frame that moves, so that neither the first frame nor an edit waits.
     fn place_labels(&mut self, app: &App, view: &WorldView, highlighted: Option<Subject>) {
         let (open_scene, viewport) = (app.open_scene(), &app.views.viewport);
-        let (extents, at) = (open_scene.extents(), open_scene.at());
+        let extents = open_scene.extents();
+        let share = match open_scene.led() {
+            Some(led) => Some(led.share(led.time())),
+            None => extents.share(open_scene.at()),
+        };
         let is_fixed = viewport.lens.is_fixed();
         let now = DrawnStage {
             scene: open_scene.edition().clone(),
             setting: viewport.setting(),
             is_led: open_scene.led().is_some(),
-            at,
+            share,
             view: *view,
             highlighted,
         };
@@ -189,17 +195,23 @@ impl Sketch {
             self.drawn = Some(now);
             return;
         }
-        if is_fixed && at != drawn.at && !self.labels.is_planned() {
-            let (solver, order) = (open_scene.solver(), viewport.order(open_scene));
-            let mut state = solver.state();
-            let figure_at = |at| {
-                let _ = solver.solve(at, order, &mut state);
-                viewport.figure_in(open_scene, state.state(), highlighted)
-            };
-            let glyphs = app.glyphs();
-            self.labels.plan(extents, drawn.at, view, glyphs, figure_at);
+        if is_fixed && share != drawn.share && !self.labels.is_planned() {
+            let figure_of = |state: &State| viewport.figure_in(open_scene, state, highlighted);
+            let (labels, glyphs) = (&mut self.labels, app.glyphs());
+            if let Some(led) = open_scene.led() {
+                let figures = led.states().map(figure_of);
+                labels.plan(led.is_closed(), drawn.share, view, glyphs, figures);
+            } else {
+                let (solver, order) = (open_scene.solver(), viewport.order(open_scene));
+                let mut state = solver.state();
+                let figures = extents.steps().map(|at| {
+                    let _ = solver.solve(at, order, &mut state);
+                    figure_of(state.state())
+                });
+                labels.plan(extents.is_closed(), drawn.share, view, glyphs, figures);
+            }
         }
-        self.labels.go(extents, at);
+        self.labels.go(share);
     }
 
     /// Returns the last drawing as an SVG document for a background, without highlighting, and its
