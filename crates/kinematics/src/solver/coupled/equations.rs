@@ -262,6 +262,53 @@ impl Coupled {
         }
     }
 
+    /// Returns the product of the lengths of all rows of the matrix if every spot moved in the
+    /// direction that its equation measures.
+    pub(super) fn size_of_rows(&self, q: f64, state: &State, buffers: &GroupScratch<'_>) -> f64 {
+        let place = |spot: &Spot| self.moving(spot, q, state, buffers).p;
+        let mobility = |spot: &Spot| self.mobility(spot, q);
+        let sizes = self.equations.iter().map(|equation| match equation {
+            GroupEquation::Distance { a, b, .. } => {
+                (place(a) - place(b)).norm() * (mobility(a) + mobility(b)).sqrt()
+            }
+            GroupEquation::Meeting { a, b, .. } => mobility(a) + mobility(b),
+            GroupEquation::Slot {
+                x, q: on, turning, ..
+            } => {
+                let turned = match turning {
+                    Turning::Known(_) => 0.0,
+                    Turning::Unknown(_) => (place(x) - place(on)).norm2(),
+                };
+                (mobility(x) + mobility(on) + turned).sqrt()
+            }
+            GroupEquation::Elbow {
+                link,
+                from,
+                following,
+            } => {
+                let ways = [link, from];
+                let unknown = ways.iter().filter(|way| way.turning.known().is_none());
+                let (_, along) =
+                    self.input_lead_sin_cos(ways, following.as_ref(), q, state, buffers);
+                steepness(along) * (unknown.count() as f64).sqrt()
+            }
+        });
+        sizes.product()
+    }
+
+    /// Returns the sum of the squares of a spot's derivatives by the unknowns; a free joint counts
+    /// once.
+    fn mobility(&self, spot: &Spot, q: f64) -> f64 {
+        let free = match spot.base {
+            Base::Known(_) => 0.0,
+            Base::Free(_) => 1.0,
+        };
+        match spot.arm {
+            Some((Turning::Unknown(_), arm)) => free + spot.reach(arm, q).norm2(),
+            Some((Turning::Known(_), _)) | None => free,
+        }
+    }
+
     /// Returns the sine and the cosine of the angle by which a link is ahead of its input's
     /// coordinate.
     fn input_lead_sin_cos<T: Number>(

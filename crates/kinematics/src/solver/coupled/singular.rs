@@ -77,7 +77,7 @@ pub(in crate::solver) struct Correction {
 
 impl Coupled {
     /// Returns a signed measure of the distance from a singularity, at the z in the scratch. It is
-    /// the determinant of the matrix with rows of unit length, times its absolute value, and
+    /// the determinant of the matrix with rows of at most unit length, times its absolute value, and
     /// behaves like the square of a sine. Its size is at most 1 (Hadamard), and 0 if the matrix is
     /// singular.
     pub(in crate::solver) fn measure(&self, q: f64, state: &State, scratch: &mut Scratch) -> f64 {
@@ -103,8 +103,9 @@ impl Coupled {
         buffers.matrix
     }
 
-    /// Returns the determinant of the matrix with rows of unit length, at the z in the scratch; 0
-    /// if the matrix is singular.
+    /// Returns the determinant of the matrix, relative to the largest possible lengths of its rows, at
+    /// the z in the scratch; 0 if the matrix is singular. The lengths themselves may be zero at a
+    /// singularity, together with the determinant.
     pub(in crate::solver) fn determinant(
         &self,
         q: f64,
@@ -114,10 +115,7 @@ impl Coupled {
         let n = self.unknowns();
         let mut buffers = self.open(scratch);
         self.jacobian(q, state, &mut buffers);
-        let mut det = 1.0;
-        for row in buffers.matrix.chunks(n) {
-            det /= dot(row, row).sqrt();
-        }
+        let mut det = 1.0 / self.size_of_rows(q, state, &buffers);
         let Some(sign) = lu::factor(buffers.matrix, buffers.pivots, n) else {
             return 0.0;
         };

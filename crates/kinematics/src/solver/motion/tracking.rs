@@ -39,6 +39,9 @@ const CORNER: f64 = 1e-6;
 /// Maximum part of a group's rates across the earlier ones, relative to their size, that is no
 /// corner.
 const SHARP: f64 = 0.3;
+/// Measure of a coupled group, relative to its maximum, below which the group is singular within
+/// rounding: at a distance of about 1e-7 from a change point.
+const SINGULAR: f64 = 1e-14;
 /// Step of a linear driver, in the solver's unit length. The step of a turning driver is one
 /// degree.
 const PUSH_STEP: f64 = 1.0 / 128.0;
@@ -514,10 +517,18 @@ impl Walker<'_> {
     }
 
     /// Tries one step and returns `true` if it is safe: it can be assembled, and the predicted
-    /// moves, corrections and rotations are small enough. The state may change even if the step
-    /// fails.
+    /// moves, corrections and rotations are small enough, and it does not end at a singularity. The
+    /// state may change even if the step fails.
     pub(super) fn try_step(&mut self, from: f64, to: f64, before: &State) -> bool {
-        self.try_part(self.engine.program.steps.len(), (from, to), before)
+        self.try_part(self.engine.program.steps.len(), (from, to), before) && !self.is_singular(to)
+    }
+
+    /// Returns `true` if a coupled group is singular within rounding: its rates have no digits, and
+    /// no state could be predicted from them.
+    fn is_singular(&mut self, at: f64) -> bool {
+        self.engine.measure_coupled(at, &mut self.state);
+        let mut coupled = self.engine.program.coupled.iter();
+        coupled.any(|c| self.state.measures[c.group].abs() < SINGULAR * self.peaks[c.group])
     }
 
     /// Tries one step as [`Walker::try_step`] does, but runs and checks only the first `count` steps
