@@ -242,6 +242,7 @@ impl Solver {
             request,
             exact: self.exact.as_deref(),
             order: Order::Position,
+            follows_branches: false,
         }
     }
 

@@ -5,6 +5,7 @@
 //! two placements coincide and positions cannot distinguish them. The motion is then started next
 //! to that coordinate.
 
+mod beside;
 pub(super) mod choices;
 mod double_double_placement;
 mod open;
@@ -50,6 +51,9 @@ pub(super) enum AssemblyFailure {
     Fault(Fault),
     /// The dyad with this number is stretched, where only positions exist.
     Stretched(usize),
+    /// The approximate positions are a solution of the coupled group with this number, beside a
+    /// singularity.
+    Beside(usize, Vec<f64>),
 }
 
 impl From<Fault> for AssemblyFailure {
@@ -88,15 +92,9 @@ pub(super) fn assemble(
         request,
         exact,
         order: Order::Acceleration,
+        follows_branches: true,
     };
-    match assembler.place_all_groups(engine, state) {
-        Ok(()) => Ok(TrackingStart {
-            at: request.at,
-            stuck: None,
-        }),
-        Err(AssemblyFailure::Fault(fault)) => Err(fault),
-        Err(AssemblyFailure::Stretched(group)) => assembler.start_near(group, engine, state),
-    }
+    assembler.start(engine, state)
 }
 
 /// The data for assembling groups.
@@ -108,9 +106,33 @@ pub(super) struct Assembler<'a> {
     pub exact: Option<&'a Exact>,
     /// With [`Order::Position`] a stretched dyad is treated like any other.
     pub order: Order,
+    /// Whether a coupled group beside a singularity is followed from a coordinate close by.
+    pub follows_branches: bool,
 }
 
 impl Assembler<'_> {
+    /// Determines where the motion is followed from, and its assembly there.
+    fn start(&self, engine: &mut Engine, state: &mut Workspace) -> Result<TrackingStart, Fault> {
+        match self.place_all_groups(engine, state) {
+            Ok(()) => Ok(TrackingStart {
+                at: self.request.at,
+                stuck: None,
+            }),
+            Err(AssemblyFailure::Fault(fault)) => Err(fault),
+            Err(AssemblyFailure::Stretched(group)) => self.start_near(group, engine, state),
+            Err(AssemblyFailure::Beside(group, z)) => {
+                match self.start_beside(group, &z, engine, state)? {
+                    Some(start) => Ok(start),
+                    None => Assembler {
+                        follows_branches: false,
+                        ..*self
+                    }
+                    .start(engine, state),
+                }
+            }
+        }
+    }
+
     pub(super) fn place_all_groups(
         &self,
         engine: &mut Engine,
@@ -393,11 +415,14 @@ impl Assembler<'_> {
         let looking = Assembler {
             order: Order::Position,
             exact: None,
+            follows_branches: false,
             ..*self
         };
         let fault = |halt: AssemblyFailure| match halt {
             AssemblyFailure::Fault(fault) => fault,
-            AssemblyFailure::Stretched(number) => self.singular(number),
+            AssemblyFailure::Stretched(number) | AssemblyFailure::Beside(number, _) => {
+                self.singular(number)
+            }
         };
         looking.place_all_groups(engine, state).map_err(fault)?;
         let here = PointId::new;

@@ -1,7 +1,8 @@
 //! Finds the placements of a coupled group: its solutions.
 
+use super::beside::NEAR;
 use super::{Assembler, AssemblyFailure, Placement, miss};
-use crate::solver::coupled::Coupled;
+use crate::solver::coupled::{Coupled, distance};
 use crate::solver::engine::Engine;
 use crate::solver::fault::Fault;
 use crate::solver::plan::AssemblyChoice;
@@ -49,7 +50,7 @@ enum SearchEffort {
 }
 
 impl Assembler<'_> {
-    fn coupled_of<'e>(&self, number: usize, engine: &'e Engine) -> Option<&'e Coupled> {
+    pub(super) fn coupled_of<'e>(&self, number: usize, engine: &'e Engine) -> Option<&'e Coupled> {
         let (_, index) = self.coupled(number, engine)?;
         Some(&engine.program.coupled[index])
     }
@@ -107,6 +108,10 @@ impl Assembler<'_> {
             return Ok(Placement::Only);
         };
         let wanted = self.wanted(number, engine);
+        let given = self.solution_beside_singularity(number, &wanted, engine, workspace);
+        if let Some(z) = given.as_ref().filter(|_| self.follows_branches) {
+            return Err(AssemblyFailure::Beside(number, z.clone()));
+        }
         let near = |care, workspace: &mut Workspace| {
             self.roots_near(number, &wanted, care, engine, workspace)
         };
@@ -136,6 +141,8 @@ impl Assembler<'_> {
             let choices = found.iter().map(|f| engine.frame.place(f.2)).collect();
             return Err(Fault::vague(subject, choices).into());
         }
+        // Newton's method may not find a given solution that is almost singular.
+        found.retain(|(_, root, _)| given.as_ref().is_none_or(|z| distance(root, z) < NEAR));
         let best = found.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
         let Some((_, root, _)) = best else {
             let (q, _) = engine.coordinate::<f64>(self.request.at);
@@ -242,7 +249,13 @@ impl Assembler<'_> {
     }
 
     /// Writes the points of a solution to the state.
-    fn show_root(&self, group: &Coupled, z: &[f64], engine: &Engine, workspace: &mut Workspace) {
+    pub(super) fn show_root(
+        &self,
+        group: &Coupled,
+        z: &[f64],
+        engine: &Engine,
+        workspace: &mut Workspace,
+    ) {
         let (q, _) = engine.coordinate::<f64>(self.request.at);
         let Workspace { state, scratch, .. } = workspace;
         group.open(scratch).z.copy_from_slice(z);
@@ -304,7 +317,7 @@ impl Assembler<'_> {
 
     /// Returns the direction of a link's class, from two of its points with known or given
     /// positions.
-    fn read_direction(
+    pub(super) fn read_direction(
         &self,
         number: usize,
         link: crate::LinkId,

@@ -1,0 +1,228 @@
+//! Starts beside a change point of a coupled group. There, Newton's method has too few digits to
+//! distinguish the two assemblies that meet. A given solution has all its digits: the motion is
+//! followed from a coordinate close to it, on the branch that leads to this solution.
+
+use super::{Assembler, Placement, Request, TrackingStart, steps_of};
+use crate::mechanism::Body;
+use crate::solver::Order;
+use crate::solver::coupled::{Coupled, distance};
+use crate::solver::engine::Engine;
+use crate::solver::fault::Fault;
+use crate::solver::state::{Condition, State};
+use crate::solver::workspace::Workspace;
+use crate::{LinkId, PointId, Vec2};
+
+/// Maximum residual of approximate positions that are a solution within rounding, in units of about
+/// the longest link.
+const MAX_RESIDUAL: f64 = 1e-13;
+/// Measure of a group below which a given solution is beside a change point or a limit. The measure
+/// is about the square of the distance from a change point.
+const BESIDE: f64 = 1e-10;
+/// Distance of the coordinate from which the motion is followed, in radians or scaled lengths. The
+/// solutions there have most of their digits, and a series of second order leads back.
+const OFFSET: f64 = 1e-4;
+/// Maximum error of that series, in units of about the longest link.
+const MAX_MISS: f64 = 1e-9;
+/// Maximum error of the intended branch relative to that of the next one.
+const CLEAR: f64 = 0.1;
+/// Maximum distance of a solution at [`OFFSET`] that meets the given one.
+pub(super) const NEAR: f64 = 0.05;
+
+/// Maximum number of combinations of the directions of slots.
+const MAX_DIRECTIONS: usize = 64;
+
+/// A solution close to the given one.
+struct Branch {
+    /// The error with which it leads to the given solution.
+    miss: f64,
+    z: Vec<f64>,
+}
+
+impl Assembler<'_> {
+    /// Returns the approximate positions as a solution of a coupled group, if they satisfy its
+    /// equations within rounding and the group is almost singular there.
+    pub(super) fn solution_beside_singularity(
+        &self,
+        number: usize,
+        wanted: &[(PointId, Vec2)],
+        engine: &Engine,
+        workspace: &mut Workspace,
+    ) -> Option<Vec<f64>> {
+        let group = self.coupled_of(number, engine)?;
+        let mut points = self.group(number).points.iter();
+        if !points.all(|p| wanted.iter().any(|w| w.0 == *p)) {
+            return None;
+        }
+        let (q, _) = engine.coordinate::<f64>(self.request.at);
+        let given = |p: PointId| wanted.iter().find(|w| w.0 == p).map_or(Vec2::ZERO, |w| w.1);
+        let guesses = self.read_directions(number, group, wanted, workspace);
+        let Workspace { state, scratch, .. } = workspace;
+        guesses.into_iter().find_map(|directions| {
+            group.set_guess(group.open(scratch).z, given, &directions);
+            let z = group.open(scratch).z.to_vec();
+            let is_solved = group.gap(q, state, scratch) <= MAX_RESIDUAL;
+            let is_beside = group.measure(q, state, scratch).abs() < BESIDE;
+            (is_solved && is_beside).then_some(z)
+        })
+    }
+
+    /// Returns the directions of a coupled group's links that its points imply. A slot between two
+    /// points may have either direction. Empty if the points do not imply all directions.
+    fn read_directions(
+        &self,
+        number: usize,
+        group: &Coupled,
+        wanted: &[(PointId, Vec2)],
+        state: &State,
+    ) -> Vec<Vec<Vec2>> {
+        let mut guesses = vec![Vec::new()];
+        for &link in group.turning() {
+            let options = match self.read_direction(number, link, wanted, state) {
+                Some(direction) => vec![direction],
+                None => self.slot_directions(link, wanted, state),
+            };
+            if guesses.len() * options.len() > MAX_DIRECTIONS {
+                return Vec::new();
+            }
+            let with = |g: &Vec<Vec2>| options.iter().map(|&d| [&g[..], &[d]].concat()).collect();
+            guesses = guesses.iter().flat_map::<Vec<_>, _>(with).collect();
+        }
+        guesses
+    }
+
+    /// Returns both directions of a link's class for which a slot on the link leads from its named
+    /// point to its pin.
+    fn slot_directions(
+        &self,
+        link: LinkId,
+        wanted: &[(PointId, Vec2)],
+        state: &State,
+    ) -> Vec<Vec2> {
+        let place = |point: PointId| {
+            let given = wanted.iter().find(|w| w.0 == point).map(|w| w.1);
+            given.unwrap_or(state.points[point.index()].p)
+        };
+        let mut slots = self.network.mechanism.slides().iter();
+        let found = slots.find_map(|slide| {
+            let end = slide.named.filter(|_| slide.on == Body::Link(link))?;
+            Some((slide, place(slide.slider.point()) - place(end)))
+        });
+        let Some((slide, along)) = found else {
+            return Vec::new();
+        };
+        let turn = self.network.turn[link.index()].nearest();
+        let class = (along / along.norm()).turned(slide.direction().conj());
+        let class = class.turned(turn.conj());
+        if class.is_finite() {
+            vec![class, -class]
+        } else {
+            Vec::new()
+        }
+    }
+
+    /// Starts at a coordinate close to that of a given solution of a coupled group, on its branch.
+    /// Returns `None` at a limit, where the motion exists on one side only.
+    ///
+    /// # Errors
+    /// Returns a fault if the branches cannot be distinguished.
+    pub(super) fn start_beside(
+        &self,
+        number: usize,
+        z: &[f64],
+        engine: &mut Engine,
+        state: &mut Workspace,
+    ) -> Result<Option<TrackingStart>, Fault> {
+        let fault = || match self.group(number).name() {
+            Some(group) => Fault::ChangePoint { group },
+            None => self.singular(number),
+        };
+        let Some(group) = self.coupled_of(number, engine) else {
+            return Ok(None);
+        };
+        self.show_root(group, z, engine, state);
+        let (q, _) = engine.coordinate::<f64>(self.request.at);
+        let side = group.side_at(q, &state.state, &mut state.scratch);
+        let ours = &self.group(number).points;
+        let mut near = self.request.near.to_vec();
+        near.retain(|(point, _)| !ours.contains(point));
+        near.extend(ours.iter().map(|&point| (point, state.place(point))));
+        let mut starts = Vec::new();
+        for by in [OFFSET, -OFFSET] {
+            let at = engine.moved(self.request.at, by);
+            let request = Request {
+                at,
+                near: &near,
+                picks: self.request.picks.clone(),
+            };
+            let nearby = Assembler {
+                request: &request,
+                ..*self
+            };
+            let (mut engine, mut state) = (engine.clone(), state.clone());
+            let branches = nearby.branches(number, z, self.request.at, &mut engine, &mut state);
+            let [best, others @ ..] = &branches[..] else {
+                return Ok(None);
+            };
+            let next = others.first().map_or(f64::INFINITY, |next| next.miss);
+            if best.miss > MAX_MISS || best.miss > CLEAR * next {
+                continue;
+            }
+            let way = Placement::Root(best.z.clone());
+            let placed = nearby.take(number, &way, &mut engine, &mut state)
+                != Condition::NoAssembly
+                && nearby.place_groups_from(number + 1, &mut engine, &mut state)
+                && engine.run(at, self.order, &mut state) == Condition::Ok;
+            let reached = nearby.coupled_of(number, &engine).map(|group| group.side);
+            if placed {
+                starts.push((reached == Some(side), at, engine, state));
+            }
+        }
+        // Without a change point in between, if there is such a side.
+        starts.sort_by_key(|(is_same_side, ..)| !is_same_side);
+        let Some((_, at, there, found)) = starts.into_iter().next() else {
+            return Err(fault());
+        };
+        (*engine, *state) = (there, found);
+        Ok(Some(TrackingStart {
+            at,
+            stuck: Some(fault()),
+        }))
+    }
+
+    /// Returns the solutions near a given one at another coordinate, in the order of the errors with
+    /// which they lead to it at `given_at`.
+    fn branches(
+        &self,
+        number: usize,
+        given: &[f64],
+        given_at: f64,
+        engine: &mut Engine,
+        state: &mut Workspace,
+    ) -> Vec<Branch> {
+        if !(0..number).all(|n| self.place_group(n, engine, state).is_ok()) {
+            return Vec::new();
+        }
+        self.run_before_placements(number, engine, state);
+        let (at, steps) = (self.request.at, steps_of(engine, number));
+        let mut found = Vec::new();
+        for z in self.all_roots(number, engine, state) {
+            if distance(&z, given) > NEAR {
+                continue;
+            }
+            self.take_root(number, &z, engine, state);
+            let order = Order::Acceleration;
+            if engine.run_steps(steps.clone(), at, order, state) != Condition::Ok {
+                continue;
+            }
+            let Some(group) = self.coupled_of(number, engine) else {
+                continue;
+            };
+            let mut buffers = group.open(&mut state.scratch);
+            group.predict(&mut buffers, engine.difference(at, given_at));
+            let miss = distance(buffers.z, given);
+            found.push(Branch { miss, z });
+        }
+        found.sort_by(|a, b| a.miss.total_cmp(&b.miss));
+        found
+    }
+}
