@@ -1,13 +1,14 @@
 //! Measures the condition of the coupled groups' equations over the whole motion.
 //!
-//! The group's matrix J has lengths in units of the longest link, angles in radians, and rows of
-//! unit length. The ratio of its smallest singular value to its largest shows how near it is to
+//! The group's matrix J has lengths in units of the longest link and angles in radians. Each row is
+//! relative to the length that it would have if all joints moved in the direction that its equation
+//! measures. The ratio of its smallest singular value to its largest shows how near it is to
 //! being singular: 0 at a dead point or a change point, 1 at best. It corresponds to the sine of
 //! the transmission angle of a dyad: an error of a length is magnified by up to its reciprocal.
 
-use super::coupled::Coupled;
+use super::coupled::{Coupled, Scratch};
 use super::plan::GroupId;
-use super::{Condition, Order, Solver, Workspace};
+use super::{Condition, Order, Solver, State, Workspace};
 use crate::numeric::{MinimumError, lowest};
 use nalgebra::DMatrix;
 
@@ -65,12 +66,23 @@ impl Solver {
         }
         let (q, _) = self.engine.coordinate(at);
         let Workspace { state, scratch, .. } = workspace;
-        let n = group.unknowns();
-        let matrix = DMatrix::from_row_slice(n, n, group.normalised(q, state, scratch));
-        let decomposed = nalgebra::SVD::try_new(matrix, false, false, f64::EPSILON, MAX_SWEEPS)?;
-        let values = decomposed.singular_values;
-        Some(values.min() / values.max()).filter(|condition| condition.is_finite())
+        group.read(state, group.open(scratch).z);
+        condition(group, q, state, scratch)
     }
+}
+
+/// Returns the condition of a coupled group at the z in the scratch.
+pub(super) fn condition(
+    group: &Coupled,
+    q: f64,
+    state: &State,
+    scratch: &mut Scratch,
+) -> Option<f64> {
+    let n = group.unknowns();
+    let matrix = DMatrix::from_row_slice(n, n, group.normalised(q, state, scratch));
+    let decomposed = nalgebra::SVD::try_new(matrix, false, false, f64::EPSILON, MAX_SWEEPS)?;
+    let values = decomposed.singular_values;
+    Some(values.min() / values.max()).filter(|condition| condition.is_finite())
 }
 
 #[cfg(any(test, feature = "testing"))]

@@ -1,11 +1,13 @@
-//! Starts beside a change point of a coupled group. There, Newton's method has too few digits to
-//! distinguish the two assemblies that meet. A given solution has all its digits: the motion is
-//! followed from a coordinate close to it, on the branch that leads to this solution.
+//! Starts beside a change point of a coupled group. There, Newton's method has few digits, and rates
+//! have fewer: they would lead from one of the assemblies that meet to the other. The motion is
+//! followed from a coordinate close by, on the branch that leads to the solution. A given solution
+//! has all its digits and is taken as it is.
 
 use super::{Assembler, Placement, Request, TrackingStart, steps_of};
 use crate::mechanism::Body;
 use crate::solver::Order;
-use crate::solver::coupled::{Coupled, distance};
+use crate::solver::conditioning::condition;
+use crate::solver::coupled::{Coupled, Scratch, distance};
 use crate::solver::engine::Engine;
 use crate::solver::fault::Fault;
 use crate::solver::state::{Condition, State};
@@ -15,18 +17,19 @@ use crate::{LinkId, PointId, Vec2};
 /// Maximum residual of approximate positions that are a solution within rounding, in units of about
 /// the longest link.
 const MAX_RESIDUAL: f64 = 1e-13;
-/// Measure of a group below which a given solution is beside a change point or a limit. The measure
-/// is about the square of the distance from a change point.
-const BESIDE: f64 = 1e-10;
+/// Condition of a group below which a solution is beside a change point or a limit. It is about the
+/// distance from a change point.
+const BESIDE: f64 = 1e-6;
 /// Distance of the coordinate from which the motion is followed, in radians or scaled lengths. The
 /// solutions there have most of their digits, and a series of second order leads back.
 const OFFSET: f64 = 1e-4;
-/// Maximum error of that series, in units of about the longest link.
-const MAX_MISS: f64 = 1e-9;
+/// Maximum error of that series, in units of about the longest link. It includes the error of a
+/// solution found by Newton's method.
+const MAX_MISS: f64 = 1e-7;
 /// Maximum error of the intended branch relative to that of the next one.
 const CLEAR: f64 = 0.1;
 /// Maximum distance of a solution at [`OFFSET`] that meets the given one.
-pub(super) const NEAR: f64 = 0.05;
+const NEAR: f64 = 0.05;
 
 /// Maximum number of combinations of the directions of slots.
 const MAX_DIRECTIONS: usize = 64;
@@ -61,9 +64,22 @@ impl Assembler<'_> {
             group.set_guess(group.open(scratch).z, given, &directions);
             let z = group.open(scratch).z.to_vec();
             let is_solved = group.gap(q, state, scratch) <= MAX_RESIDUAL;
-            let is_beside = group.measure(q, state, scratch).abs() < BESIDE;
-            (is_solved && is_beside).then_some(z)
+            (is_solved && self.is_beside(group, &z, engine, state, scratch)).then_some(z)
         })
+    }
+
+    /// Returns `true` if a coupled group is almost singular in a solution.
+    pub(super) fn is_beside(
+        &self,
+        group: &Coupled,
+        z: &[f64],
+        engine: &Engine,
+        state: &State,
+        scratch: &mut Scratch,
+    ) -> bool {
+        let (q, _) = engine.coordinate::<f64>(self.request.at);
+        group.open(scratch).z.copy_from_slice(z);
+        condition(group, q, state, scratch).is_none_or(|condition| condition < BESIDE)
     }
 
     /// Returns the directions of a coupled group's links that its points imply. A slot between two
@@ -160,11 +176,10 @@ impl Assembler<'_> {
             };
             let (mut engine, mut state) = (engine.clone(), state.clone());
             let branches = nearby.branches(number, z, self.request.at, &mut engine, &mut state);
-            let [best, others @ ..] = &branches[..] else {
+            let [best, next, ..] = &branches[..] else {
                 return Ok(None);
             };
-            let next = others.first().map_or(f64::INFINITY, |next| next.miss);
-            if best.miss > MAX_MISS || best.miss > CLEAR * next {
+            if best.miss > MAX_MISS || best.miss > CLEAR * next.miss {
                 continue;
             }
             let way = Placement::Root(best.z.clone());

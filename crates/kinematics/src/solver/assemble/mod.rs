@@ -51,8 +51,7 @@ pub(super) enum AssemblyFailure {
     Fault(Fault),
     /// The dyad with this number is stretched, where only positions exist.
     Stretched(usize),
-    /// The approximate positions are a solution of the coupled group with this number, beside a
-    /// singularity.
+    /// The solution of the coupled group with this number is almost singular.
     Beside(usize, Vec<f64>),
 }
 
@@ -175,6 +174,14 @@ impl Assembler<'_> {
         } else {
             Placement::Only
         };
+        if let (Placement::Root(z), true, Some(group)) =
+            (&way, self.follows_branches, self.coupled_of(number, engine))
+        {
+            let Workspace { state, scratch, .. } = &mut *state;
+            if self.is_beside(group, z, engine, state, scratch) {
+                return Err(AssemblyFailure::Beside(number, z.clone()));
+            }
+        }
         match self.take(number, &way, engine, state) {
             Condition::NoAssembly => Err(self.singular(number).into()),
             Condition::Ok | Condition::DeadPoint | Condition::ChangePoint => Ok(()),

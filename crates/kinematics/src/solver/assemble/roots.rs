@@ -1,8 +1,7 @@
 //! Finds the placements of a coupled group: its solutions.
 
-use super::beside::NEAR;
 use super::{Assembler, AssemblyFailure, Placement, miss};
-use crate::solver::coupled::{Coupled, distance};
+use crate::solver::coupled::Coupled;
 use crate::solver::engine::Engine;
 use crate::solver::fault::Fault;
 use crate::solver::plan::AssemblyChoice;
@@ -108,9 +107,9 @@ impl Assembler<'_> {
             return Ok(Placement::Only);
         };
         let wanted = self.wanted(number, engine);
-        let given = self.solution_beside_singularity(number, &wanted, engine, workspace);
-        if let Some(z) = given.as_ref().filter(|_| self.follows_branches) {
-            return Err(AssemblyFailure::Beside(number, z.clone()));
+        // Newton's method may not find a given solution that is almost singular.
+        if let Some(z) = self.solution_beside_singularity(number, &wanted, engine, workspace) {
+            return Ok(Placement::Root(z));
         }
         let near = |care, workspace: &mut Workspace| {
             self.roots_near(number, &wanted, care, engine, workspace)
@@ -141,8 +140,6 @@ impl Assembler<'_> {
             let choices = found.iter().map(|f| engine.frame.place(f.2)).collect();
             return Err(Fault::vague(subject, choices).into());
         }
-        // Newton's method may not find a given solution that is almost singular.
-        found.retain(|(_, root, _)| given.as_ref().is_none_or(|z| distance(root, z) < NEAR));
         let best = found.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
         let Some((_, root, _)) = best else {
             let (q, _) = engine.coordinate::<f64>(self.request.at);

@@ -262,38 +262,47 @@ impl Coupled {
         }
     }
 
-    /// Returns the product of the lengths of all rows of the matrix if every spot moved in the
-    /// direction that its equation measures.
-    pub(super) fn size_of_rows(&self, q: f64, state: &State, buffers: &GroupScratch<'_>) -> f64 {
+    /// Passes the length of each row of the matrix to `size` that it would have if every spot moved in
+    /// the direction that its equation measures. The row itself may be zero at a singularity.
+    pub(super) fn size_rows(
+        &self,
+        q: f64,
+        state: &State,
+        buffers: &GroupScratch<'_>,
+        mut size: impl FnMut(f64),
+    ) {
         let place = |spot: &Spot| self.moving(spot, q, state, buffers).p;
-        let mobility = |spot: &Spot| self.mobility(spot, q);
-        let sizes = self.equations.iter().map(|equation| match equation {
-            GroupEquation::Distance { a, b, .. } => {
-                (place(a) - place(b)).norm() * (mobility(a) + mobility(b)).sqrt()
+        let mobility = |a: &Spot, b: &Spot| self.mobility(a, q) + self.mobility(b, q);
+        for equation in &self.equations {
+            match equation {
+                GroupEquation::Distance { a, b, .. } => {
+                    size((place(a) - place(b)).norm() * mobility(a, b).sqrt());
+                }
+                GroupEquation::Meeting { a, b, .. } => {
+                    [mobility(a, b).sqrt(); 2].into_iter().for_each(&mut size);
+                }
+                GroupEquation::Slot {
+                    x, q: on, turning, ..
+                } => {
+                    let turned = match turning {
+                        Turning::Known(_) => 0.0,
+                        Turning::Unknown(_) => (place(x) - place(on)).norm2(),
+                    };
+                    size((mobility(x, on) + turned).sqrt());
+                }
+                GroupEquation::Elbow {
+                    link,
+                    from,
+                    following,
+                } => {
+                    let ways = [link, from];
+                    let unknown = ways.iter().filter(|way| way.turning.known().is_none());
+                    let (_, along) =
+                        self.input_lead_sin_cos(ways, following.as_ref(), q, state, buffers);
+                    size(steepness(along) * (unknown.count() as f64).sqrt());
+                }
             }
-            GroupEquation::Meeting { a, b, .. } => mobility(a) + mobility(b),
-            GroupEquation::Slot {
-                x, q: on, turning, ..
-            } => {
-                let turned = match turning {
-                    Turning::Known(_) => 0.0,
-                    Turning::Unknown(_) => (place(x) - place(on)).norm2(),
-                };
-                (mobility(x) + mobility(on) + turned).sqrt()
-            }
-            GroupEquation::Elbow {
-                link,
-                from,
-                following,
-            } => {
-                let ways = [link, from];
-                let unknown = ways.iter().filter(|way| way.turning.known().is_none());
-                let (_, along) =
-                    self.input_lead_sin_cos(ways, following.as_ref(), q, state, buffers);
-                steepness(along) * (unknown.count() as f64).sqrt()
-            }
-        });
-        sizes.product()
+        }
     }
 
     /// Returns the sum of the squares of a spot's derivatives by the unknowns; a free joint counts

@@ -85,19 +85,19 @@ impl Coupled {
         det * det.abs()
     }
 
-    /// Returns the matrix at the solution in the state, row by row, with rows of unit length.
+    /// Returns the matrix at the z in the scratch, row by row, each relative to the largest possible
+    /// length of the row.
     pub(in crate::solver) fn normalised<'s>(
         &self,
         q: f64,
         state: &State,
         scratch: &'s mut Scratch,
     ) -> &'s [f64] {
-        let buffers = self.open(scratch);
-        self.read(state, buffers.z);
+        let mut sizes = Vec::with_capacity(self.unknowns());
         let mut buffers = self.open(scratch);
+        self.size_rows(q, state, &buffers, |size| sizes.push(size));
         self.jacobian(q, state, &mut buffers);
-        for row in buffers.matrix.chunks_mut(self.unknowns()) {
-            let size = dot(row, row).sqrt();
+        for (row, size) in buffers.matrix.chunks_mut(self.unknowns()).zip(sizes) {
             row.iter_mut().for_each(|v| *v /= size);
         }
         buffers.matrix
@@ -115,7 +115,8 @@ impl Coupled {
         let n = self.unknowns();
         let mut buffers = self.open(scratch);
         self.jacobian(q, state, &mut buffers);
-        let mut det = 1.0 / self.size_of_rows(q, state, &buffers);
+        let mut det = 1.0;
+        self.size_rows(q, state, &buffers, |size| det /= size);
         let Some(sign) = lu::factor(buffers.matrix, buffers.pivots, n) else {
             return 0.0;
         };

@@ -241,6 +241,8 @@ pub(super) fn explore<'e>(
     state: &Workspace,
 ) -> Result<Motion, Fault> {
     let buffers = |exact: &'e Exact| (exact, exact.state(state.travels.len()));
+    let mut state = state.clone();
+    engine.measure_coupled(start, &mut state);
     let mut walker = Walker {
         engine,
         exact,

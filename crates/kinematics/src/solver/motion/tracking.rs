@@ -6,6 +6,7 @@ use super::proved_ends::BoundedEnd;
 use super::{Folded, MeetingAssemblies, NearMiss, Stretched};
 use crate::Double;
 use crate::solver::change_point::ChangePointCrossings;
+use crate::solver::conditioning::condition;
 use crate::solver::elements::Stretching;
 use crate::solver::engine::Engine;
 use crate::solver::exact::Exact;
@@ -39,9 +40,11 @@ const CORNER: f64 = 1e-6;
 /// Maximum part of a group's rates across the earlier ones, relative to their size, that is no
 /// corner.
 const SHARP: f64 = 0.3;
-/// Measure of a coupled group, relative to its maximum, below which the group is singular within
-/// rounding: at a distance of about 1e-7 from a change point.
-const SINGULAR: f64 = 1e-14;
+/// Condition of a coupled group, times its speed, below which the group is singular within rounding:
+/// at a distance of about 1e-7 from a change point.
+const SINGULAR: f64 = 1e-7;
+/// Measure of a coupled group, relative to its maximum, below which its condition is computed.
+const SMALL: f64 = 1e-9;
 /// Step of a linear driver, in the solver's unit length. The step of a turning driver is one
 /// degree.
 const PUSH_STEP: f64 = 1.0 / 128.0;
@@ -523,12 +526,22 @@ impl Walker<'_> {
         self.try_part(self.engine.program.steps.len(), (from, to), before) && !self.is_singular(to)
     }
 
-    /// Returns `true` if a coupled group is singular within rounding: its rates have no digits, and
-    /// no state could be predicted from them.
+    /// Returns `true` if a coupled group is at a change point within rounding: its rates have no
+    /// digits, and no state could be predicted from them. At a fold, the rates grow with the inverse
+    /// of the condition.
     fn is_singular(&mut self, at: f64) -> bool {
         self.engine.measure_coupled(at, &mut self.state);
-        let mut coupled = self.engine.program.coupled.iter();
-        coupled.any(|c| self.state.measures[c.group].abs() < SINGULAR * self.peaks[c.group])
+        let (q, _) = self.engine.coordinate(at);
+        let Workspace { state, scratch, .. } = &mut self.state;
+        self.engine.program.coupled.iter().any(|c| {
+            let is_small = state.measures[c.group].abs() < SMALL * self.peaks[c.group];
+            is_small && {
+                let rates = &*c.open(scratch).first;
+                let speed: f64 = rates.iter().map(|rate| rate * rate).sum::<f64>().sqrt();
+                let condition = condition(c, q, state, scratch);
+                condition.is_none_or(|condition| condition * (1.0 + speed) < SINGULAR)
+            }
+        })
     }
 
     /// Tries one step as [`Walker::try_step`] does, but runs and checks only the first `count` steps
