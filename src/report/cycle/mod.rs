@@ -38,7 +38,10 @@ impl WorstPlace {
 
     /// Describes the worst condition of a coupled group.
     pub(in crate::report) fn condition_text(&self, unit: &str) -> String {
-        let magnified = concise(1.0 / self.least, DIGITS);
+        let magnified = match self.least > 0.0 {
+            true => concise(1.0 / self.least, DIGITS),
+            false => "inf".into(),
+        };
         words().condition_at(&self.group, &magnified, &place_text(self.at, unit))
     }
 }

@@ -28,6 +28,8 @@ const OFFSET: f64 = 1e-4;
 const MAX_MISS: f64 = 1e-7;
 /// Maximum error of the intended branch relative to that of the next one.
 const CLEAR: f64 = 0.1;
+/// Minimum error of that next branch: below it, the errors of both series decide.
+const MIN_SEPARATION: f64 = 1e-9;
 /// Maximum distance of a solution at [`OFFSET`] that meets the given one.
 const NEAR: f64 = 0.05;
 
@@ -179,7 +181,8 @@ impl Assembler<'_> {
             let [best, next, ..] = &branches[..] else {
                 return Ok(None);
             };
-            if best.miss > MAX_MISS || best.miss > CLEAR * next.miss {
+            let is_clear = best.miss <= CLEAR * next.miss && next.miss >= MIN_SEPARATION;
+            if best.miss > MAX_MISS || !is_clear {
                 continue;
             }
             let way = Placement::Root(best.z.clone());
