@@ -1,5 +1,6 @@
 //! Formats values in formulas.
 
+use crate::page::Formula;
 use crate::report::text::number::{concise, direction, significant};
 
 /// Significant digits, and the scene's unit of length.
@@ -29,6 +30,24 @@ impl Figures {
         } else {
             self.number(value)
         }
+    }
+
+    /// Formats a computed length.
+    pub(super) fn length(&self, value: f64) -> Formula {
+        Formula::measured(self.number(value), self.unit)
+    }
+
+    /// Formats a computed length, or 0 for a rounding error of lengths of this magnitude.
+    pub(super) fn length_or_zero(&self, value: f64, size: f64) -> Formula {
+        Formula::measured(self.format_or_zero(value, size), self.unit)
+    }
+
+    /// Formats a square of lengths, or 0 for a rounding error of values of this magnitude.
+    pub(super) fn area_or_zero(&self, value: f64, size: f64) -> Formula {
+        Formula::measured(
+            self.format_or_zero(value, size),
+            &format!("{}^2", self.unit),
+        )
     }
 
     /// Formats a value given by the scene, with no more digits than it has.
@@ -74,48 +93,6 @@ impl Figures {
     }
 }
 
-/// A sum in written form, each term with its sign.
-#[derive(Clone, Debug, Default)]
-pub(super) struct WrittenSum(String);
-
-impl WrittenSum {
-    pub(super) fn push(&mut self, negative: bool, term: &str) {
-        self.0 += match (self.0.is_empty(), negative) {
-            (true, true) => "-",
-            (true, false) => "",
-            (false, true) => " - ",
-            (false, false) => " + ",
-        };
-        self.0 += term;
-    }
-
-    /// Adds a formatted value with its own sign.
-    pub(super) fn push_figure(&mut self, text: &str) {
-        match text.strip_prefix('-') {
-            Some(size) if !size.is_empty() => self.push(true, size),
-            _ => self.push(false, text),
-        }
-    }
-
-    /// Returns the sum; 0 if it has no terms.
-    pub(super) fn text(self) -> String {
-        if self.0.is_empty() {
-            "0".into()
-        } else {
-            self.0
-        }
-    }
-}
-
-/// Returns a formatted value as a factor, in brackets if it is negative.
-pub(super) fn factor(text: &str) -> String {
-    if text.starts_with('-') && text.len() > 1 {
-        format!("({text})")
-    } else {
-        text.to_owned()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -124,18 +101,6 @@ mod tests {
         digits: 6,
         unit: "mm",
     };
-
-    #[test]
-    fn sum_has_signs_between_terms() {
-        let mut sum = WrittenSum::default();
-        sum.push(true, "r1");
-        sum.push(false, "r2");
-        sum.push_figure("-3.5");
-        sum.push_figure("2");
-        assert_eq!(sum.text(), "-r1 + r2 - 3.5 + 2");
-        assert_eq!(WrittenSum::default().text(), "0");
-        assert_eq!(factor("-2"), "(-2)");
-    }
 
     #[test]
     fn values_have_the_digits_of_their_kind() {

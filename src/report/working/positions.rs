@@ -2,7 +2,7 @@
 //! by the formula of its form, with all intermediate values.
 
 use super::context::{Context, Draft};
-use super::equations::{EquationTerm, Heading, LoopSide, Multiplier, in_figures, in_symbols};
+use super::equations::{EquationTerm, Heading, LoopSide, Multiplier, in_figures, sum};
 use super::figures::Figures;
 use super::introduction::sum_text;
 use super::loops::group_unknowns::{ProblemForm, Stage};
@@ -16,7 +16,7 @@ pub(super) fn equations(context: &Context<'_>, draft: &mut Draft) {
     if context.polygon.loops.is_empty() {
         return;
     }
-    draft.page.part(words().loop_equations());
+    draft.part(words().loop_equations());
     for stage in context.stages {
         for &number in &stage.loops {
             let of = &context.polygon.loops[number];
@@ -24,12 +24,12 @@ pub(super) fn equations(context: &Context<'_>, draft: &mut Draft) {
             let members = context.members(of, stage);
             for axis in [Multiplier::X, Multiplier::Y] {
                 let pieces = pieces(&members, &axis, context.figures);
-                draft.page.equation([in_symbols(&pieces), "0".into()]);
+                draft.write_zero(sum(&pieces).symbols());
             }
             for axis in [Multiplier::X, Multiplier::Y] {
                 let pieces = pieces(&members, &axis, context.figures);
                 let figures = in_figures(&pieces, context.figures);
-                draft.page.equation([figures, "0".into()]);
+                draft.write_zero(figures);
             }
             projected(context, draft, stage, &members);
             super::collected_terms::collected(context, draft, number, stage);
@@ -42,7 +42,7 @@ pub(super) fn loop_heading(context: &Context<'_>, draft: &mut Draft, number: usi
     let sum = sum_text(context, of);
     if context.polygon.loops.len() > 1 {
         let equation = format!("{sum} = 0");
-        draft.page.section(words().loop_is(number + 1, &equation));
+        draft.section(words().loop_is(number + 1, &equation));
     }
 }
 
@@ -70,13 +70,11 @@ fn projected(context: &Context<'_>, draft: &mut Draft, stage: &Stage, members: &
         let own = context.member(term, stage);
         let axis = Multiplier::Across(Heading::of(&own));
         let pieces = pieces(members, &axis, context.figures);
-        let across = context.notation.across(&own.side.theta());
-        draft
-            .page
-            .text(words().multiplied_across(&across, &own.side.name));
+        let across = axis.name(context.notation);
+        draft.text(words().multiplied_across(&across, &own.side.name));
         let figures = in_figures(&pieces, context.figures);
-        draft.page.equation([in_symbols(&pieces), "0".into()]);
-        draft.page.equation([figures, "0".into()]);
+        draft.write_zero(sum(&pieces).symbols());
+        draft.write_zero(figures);
     }
 }
 
@@ -89,12 +87,12 @@ pub(super) fn single(arm: &[Term]) -> Option<Term> {
 
 /// Writes the solution of every group, in the plan's order.
 pub(super) fn solutions(context: &Context<'_>, draft: &mut Draft) {
-    draft.page.part(words().positions_by_groups());
+    draft.part(words().positions_by_groups());
     for stage in context.stages {
         match stage.group {
             Some(number) => {
                 let text = context.group_text(number);
-                draft.page.section(text);
+                draft.section(text);
             }
             None => {
                 let side = stage
@@ -104,7 +102,7 @@ pub(super) fn solutions(context: &Context<'_>, draft: &mut Draft) {
                 let names: Vec<&str> = side
                     .map(|t| context.polygon.sides[t.side].name.as_str())
                     .collect();
-                draft.page.section(words().the_vector(&names.join(", ")));
+                draft.section(words().the_vector(&names.join(", ")));
             }
         }
         solve(context, draft, stage);
@@ -120,7 +118,7 @@ fn solve(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
     };
     let is_found = context.has_positions() || solution.is_known();
     if !is_found && !matches!(stage.form, ProblemForm::Nothing) {
-        draft.page.text(words().not_without_groups_before());
+        draft.text(words().not_without_groups_before());
         return;
     }
     match &stage.form {
@@ -136,7 +134,7 @@ fn solve(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
 
 /// Writes that a group's loop has no unknowns.
 fn repeated(draft: &mut Draft) {
-    draft.page.text(words().loop_repeats_others());
+    draft.text(words().loop_repeats_others());
 }
 
 /// Writes the driver's group, and groups without a loop.
@@ -163,9 +161,9 @@ fn without_loop(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
         }
     }
     if stage.loops.is_empty() && rows.is_empty() {
-        draft.page.text(words().nothing_sought());
+        draft.text(words().nothing_sought());
     } else if stage.loops.is_empty() {
-        draft.page.text(words().driver_places());
+        draft.text(words().driver_places());
     } else {
         repeated(draft);
     }

@@ -3,14 +3,14 @@
 
 use super::context::{Context, Draft};
 use super::equations::{
-    EquationTerm, Heading, LoopSide, Multiplier, coefficient, in_figures, in_numbers, in_symbols,
-    known, solved_for,
+    EquationTerm, Heading, LoopSide, Multiplier, coefficient, in_figures, known, solved_for, sum,
 };
+use super::expression::Expression;
 use super::loops::group_unknowns::{LoopUnknown, ProblemForm, Stage};
 use super::loops::sides::{SideShape, Turns};
 use super::positions::loop_heading;
 use super::symbols;
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
 use crate::report::Entry;
 use crate::solver::{Condition, Order};
 use crate::wording::words;
@@ -18,12 +18,12 @@ use crate::{Input, LinkId, Vec2, angle};
 
 /// Writes velocities or accelerations.
 pub(super) fn rates(context: &Context<'_>, draft: &mut Draft, order: Order) {
-    draft.page.part(match order {
+    draft.part(match order {
         Order::Velocity => words().velocities_part(),
         _ => words().accelerations_part(),
     });
     if let Some(text) = opening_text(context, order) {
-        draft.page.text(text);
+        draft.text(text);
     }
     for stage in context.stages {
         for &number in &stage.loops {
@@ -69,22 +69,20 @@ fn components(context: &Context<'_>, draft: &mut Draft, members: &[LoopSide<'_>]
     let axes = [Multiplier::X, Multiplier::Y];
     for axis in &axes {
         let pieces = pieces(context, members, order, axis);
-        draft.page.equation([in_symbols(&pieces), "0".into()]);
+        draft.write_zero(sum(&pieces).symbols());
     }
     if !context.has_rates() {
         return;
     }
     for axis in &axes {
         let pieces = pieces(context, members, order, axis);
-        draft
-            .page
-            .equation([in_figures(&pieces, context.figures), "0".into()]);
+        draft.write_zero(in_figures(&pieces, context.figures));
     }
 }
 
 fn solve(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Order) {
     match stage.form {
-        ProblemForm::Nothing => draft.page.text(words().nothing_sought_in_it()),
+        ProblemForm::Nothing => draft.text(words().nothing_sought_in_it()),
         ProblemForm::System => together(context, draft, stage, order),
         ProblemForm::Triangle(..)
         | ProblemForm::Quadratic(..)
@@ -120,16 +118,14 @@ fn removed(
     };
     let mut pieces = pieces(context, &members, order, &axis);
     // The vector of several sides that rotate together is parallel to the axis only as a sum.
-    pieces.retain(|piece| piece.unknown.as_deref() != Some(&other_symbol));
-    let (sum, factor) = (known(&pieces), coefficient(&pieces, &symbol));
+    pieces.retain(|piece| piece.unknown.as_ref() != Some(&other_symbol));
+    let (known, factor) = (known(&pieces), coefficient(&pieces, &symbol));
     let solved = rate_value(context, unknowns, order);
     let unit = rate_unit(context, unknowns, order);
     let f = context.figures;
-    draft
-        .page
-        .text(words().multiplied_by(&axis.name(context.notation), &other_symbol));
-    draft.page.equation([in_symbols(&pieces), "0".into()]);
-    let computed = -sum / factor;
+    draft.text(words().multiplied_by(&axis.name(context.notation), &other_symbol));
+    draft.write_zero(sum(&pieces).symbols());
+    let computed = -known / factor;
     let size = pieces.iter().fold(0.0_f64, |maximum, p| match p.unknown {
         Some(_) => maximum,
         None => maximum.max(p.size),
@@ -143,15 +139,13 @@ fn removed(
         LoopUnknown::Travel(_) | LoopUnknown::Length(_) => factor.abs(),
     };
     if context.state.condition() == Condition::ChangePoint || sine < SINGULAR {
-        draft.page.equation([in_numbers(&pieces), "0".into()]);
-        draft.page.equation([in_figures(&pieces, f), "0".into()]);
-        draft.page.text(words().factor_vanishes(&symbol));
-        draft
-            .page
-            .equation([symbol, format!("{} {UNIT}{unit}", f.number(solved))]);
+        draft.write_zero(sum(&pieces).numbers());
+        draft.write_zero(in_figures(&pieces, f));
+        draft.text(words().factor_vanishes(&symbol));
+        draft.equation([symbol.into(), Formula::measured(f.number(solved), &unit)]);
         return;
     }
-    draft.page.equation([in_figures(&pieces, f), "0".into()]);
+    draft.write_zero(in_figures(&pieces, f));
     draft.agree(
         &symbol,
         computed,
@@ -159,12 +153,12 @@ fn removed(
         size / factor.abs() * (1.0 + 1.0 / sine),
     );
     let shown = f.format_or_zero(computed, size / factor.abs());
-    let [in_symbols, in_numbers] = solved_for(&pieces, &symbol);
-    draft.page.equation([
-        symbol,
-        in_symbols,
-        in_numbers,
-        format!("{shown} {UNIT}{unit}"),
+    let quotient = solved_for(&pieces, &symbol);
+    draft.equation([
+        symbol.into(),
+        quotient.symbols(),
+        quotient.numbers(),
+        Formula::measured(shown, &unit),
     ]);
 }
 
@@ -203,7 +197,7 @@ fn together_heading(own: &[&LoopSide<'_>]) -> Option<Heading> {
     }
     let name: Vec<&str> = own.iter().map(|m| m.side.name.as_str()).collect();
     Some(Heading {
-        symbol: format!("θ_{}", name.join("_")),
+        symbol: Symbol::separate("θ", name.join("_")),
         degrees: angle::degrees(sum),
         u: sum / size,
         open: false,
@@ -215,18 +209,14 @@ fn together(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Orde
     let count = stage.unknowns.len();
     let elbows = stage.elbows(&context.scene.mechanism, context.polygon);
     let equations = 2 * stage.loops.len() + elbows.len();
-    draft
-        .page
-        .text(words().equations_for_unknowns(equations, count));
+    draft.text(words().equations_for_unknowns(equations, count));
     self::elbows(context, draft, stage, order);
     for &unknown in &stage.unknowns {
         let symbol = rate_symbol(context, unknown, order);
         let value = rate_value(context, unknown, order);
         let unit = rate_unit(context, unknown, order);
-        draft.page.equation([
-            symbol,
-            format!("{} {UNIT}{unit}", context.figures.number(value)),
-        ]);
+        let value = Formula::measured(context.figures.number(value), &unit);
+        draft.equation([symbol.into(), value]);
     }
 }
 
@@ -237,11 +227,11 @@ pub(super) fn elbows(context: &Context<'_>, draft: &mut Draft, stage: &Stage, or
     let driver = mechanism.driver();
     for [link, from] in stage.elbows(mechanism, context.polygon) {
         let symbol = |link: LinkId| {
-            let name = context.scene.link_name(link);
-            match order {
-                Order::Position => symbols::theta(name),
+            let symbol = match order {
+                Order::Position => symbols::theta(context.scene.link_name(link)),
                 _ => rate_symbol(context, LoopUnknown::Angle(link), order),
-            }
+            };
+            Expression::symbol(symbol)
         };
         let timed = mechanism.timed_input(Input::Turn(link));
         let at = context.state.at();
@@ -256,13 +246,13 @@ pub(super) fn elbows(context: &Context<'_>, draft: &mut Draft, stage: &Stage, or
             Order::Position => "deg".into(),
             _ => rate_unit(context, LoopUnknown::Angle(link), order),
         };
-        let difference = format!("{} - {}", symbol(link), symbol(from));
-        let given = format!("{} {UNIT}{unit}", context.figures.given(given));
-        draft.page.equation([difference, given]);
+        let difference = symbol(link) - symbol(from);
+        let given = Formula::measured(context.figures.given(given), &unit);
+        draft.equation([difference.symbols(), given]);
     }
 }
 
-fn rate_symbol(context: &Context<'_>, unknown: LoopUnknown, order: Order) -> String {
+fn rate_symbol(context: &Context<'_>, unknown: LoopUnknown, order: Order) -> Symbol {
     let turning = |name: &str| match order {
         Order::Velocity => symbols::omega(name),
         _ => symbols::alpha(name),

@@ -6,7 +6,6 @@ use super::expression::{Expression, Function};
 use super::figures::Figures;
 use super::loops::polygon::Term;
 use super::loops::solution::{DyadArm, Solution, degrees, turn};
-use crate::page::UNIT;
 use crate::wording::words;
 
 /// Relative distance of pivots below which they coincide.
@@ -23,9 +22,7 @@ impl Solution<'_> {
         let [first, second] = self.in_order(a, b);
         let [p, x, q] = self.joints(&first, &second);
         let (one, two) = (self.arm(&first), self.arm(&second));
-        draft
-            .page
-            .text(words().with_m_between(self.diagonal(), p, q, x));
+        draft.text(words().with_m_between(self.diagonal(), p, q, x));
         let [mx, my] = self.write_m(draft);
         let m = self.diagonal();
         let size = self.write_length(draft, m, [&mx, &my]);
@@ -42,7 +39,7 @@ impl Solution<'_> {
         // The cosine theorem.
         let corner = |near: &DyadArm<'_>, far: &DyadArm<'_>| {
             let [near, far] = [near, far]
-                .map(|arm| Expression::known(arm.length.as_str(), arm.figure(f), arm.value));
+                .map(|arm| Expression::known(arm.length.clone(), arm.figure(f), arm.value));
             let sum = m_known().squared() + near.clone().squared() - far.squared();
             let cosine = sum / (Expression::Number(2.0) * m_known() * near);
             Expression::of(Function::Acos, [cosine])
@@ -52,7 +49,7 @@ impl Solution<'_> {
         });
         let left = (-self.known).cross(one.direction()) >= 0.0;
         let across = (-self.known).cross(one.direction()).abs();
-        draft.page.text(match left {
+        draft.text(match left {
             _ if across <= IN_LINE * size => words().lies_on_the_line(x, p, q),
             true => words().lies_to_the_left(x, p, q),
             false => words().lies_to_the_right(x, p, q),
@@ -72,11 +69,9 @@ impl Solution<'_> {
 
     /// Writes the angles of a dyad with coinciding pivots, which no triangle determines.
     fn coincident(&self, draft: &mut Draft, [p, q]: [&str; 2], arms: [&DyadArm<'_>; 2]) {
-        draft.page.text(words().pivots_coincide(p, q));
+        draft.text(words().pivots_coincide(p, q));
         for arm in arms {
-            draft
-                .page
-                .equation([arm.theta.clone(), turn(self.figures, arm.solved)]);
+            draft.equation([arm.theta.clone().into(), turn(self.figures, arm.solved)]);
         }
     }
 
@@ -87,7 +82,7 @@ impl Solution<'_> {
             0.0 => theta,
             ahead => theta - Expression::figure(f.angle(ahead), ahead),
         };
-        let computed = draft.worked(&arm.theta, &theta, |computed| turn(f, computed));
+        let computed = draft.worked(arm.theta.clone(), &theta, |computed| turn(f, computed));
         draft.agree_angle(&arm.theta, computed, arm.solved, loss);
         if let Some(side) = arm.side {
             self.write_link_angle(draft, side, computed, loss);
@@ -111,13 +106,13 @@ fn reach(
     let precise = |value: f64| Figures { digits, ..figures }.number(value);
     let equals = |size: f64| format!("{m} = {}", precise(size));
     let text = if size > sum {
-        let sum = format!("{} {UNIT}{}", precise(sum), figures.unit);
+        let sum = format!("{} {}", precise(sum), figures.unit);
         words().arms_too_short(&equals(size), &one.length, &two.length, &sum)
     } else if size < difference {
-        let difference = format!("{} {UNIT}{}", precise(difference), figures.unit);
+        let difference = format!("{} {}", precise(difference), figures.unit);
         words().arms_too_unlike(&equals(size), &one.length, &two.length, &difference)
     } else {
         words().triangle_would_close().into()
     };
-    draft.page.text(text);
+    draft.text(text);
 }

@@ -2,10 +2,9 @@
 //! numbers.
 
 use super::forces::point_name;
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::expression::{Expression, Function};
-use crate::report::working::figures::WrittenSum;
 use crate::solver::LoadAction;
 use crate::wording::words;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
@@ -73,10 +72,10 @@ pub(in crate::report::working) fn free_body(
     let Some(rows) = body.rows() else {
         return false;
     };
-    draft.page.section(words().link_part(name));
+    draft.section(words().link_part(name));
     body.table(draft, &rows);
     let point = point_name(context, about);
-    draft.page.text(match body.acceleration() {
+    draft.text(match body.acceleration() {
         Some(_) => words().motion_about_accelerated(point),
         None => words().motion_about(point),
     });
@@ -174,12 +173,12 @@ impl FreeBody<'_> {
         };
         if let Some(a) = self.acceleration() {
             let (length, direction) = (a.norm(), crate::angle::degrees(a));
-            for (name, function) in [("ax", Function::Cos), ("ay", Function::Sin)] {
+            for (axis, function) in [("x", Function::Cos), ("y", Function::Sin)] {
                 let at = Expression::figure(f.direction(direction), direction);
                 let along =
                     Expression::figure(f.number(length), length) * Expression::of(function, [at]);
-                draft.write_numbers(name, &along, |v| {
-                    format!("{} {UNIT}m/s^2", f.format_or_zero(v, size_of_a))
+                draft.write_numbers(Symbol::indexed("a", axis), &along, |v| {
+                    Formula::measured(f.format_or_zero(v, size_of_a), "m/s^2")
                 });
             }
         }
@@ -188,7 +187,7 @@ impl FreeBody<'_> {
             size: largest,
             motion: Expression::known("m", f.given(link.mass), link.mass)
                 * Expression::known(
-                    format!("a{axis}"),
+                    Symbol::indexed("a", axis),
                     f.format_or_zero(a_axis, size_of_a),
                     a_axis,
                 ),
@@ -213,25 +212,23 @@ impl FreeBody<'_> {
     fn write(&self, draft: &mut Draft, balance: EquationOfMotion) {
         let f = self.context.figures;
         let (size, value) = (balance.size, balance.motion.value());
-        let mut sum = WrittenSum::default();
-        for &term in &balance.values {
-            let figure = f.format_or_zero(term, size);
-            if figure != "0" {
-                sum.push_figure(&figure);
-            }
-        }
+        let figures = balance
+            .values
+            .iter()
+            .map(|&term| f.format_or_zero(term, size));
+        let sum = Expression::sum_of_figures(figures).numbers();
         let name = self.context.scene.link_name(self.id);
         let symbols = balance.motion.symbols();
         let symbol = words().symbols_of(&symbols, name);
         let computed = balance.values.iter().sum();
         draft.agree(&symbol, computed, value, size.max(value.abs()));
-        let right = format!("{} {UNIT}{}", f.format_or_zero(value, size), balance.unit);
+        let right = Formula::measured(f.format_or_zero(value, size), balance.unit);
         let link = self.mechanism().link(self.id);
         if link.mass > 0.0 || link.inertia > 0.0 {
-            let sides = [sum.text(), symbols, balance.motion.numbers(), right];
-            draft.page.equation(sides);
+            let sides = [sum, symbols, balance.motion.numbers(), right];
+            draft.equation(sides);
         } else {
-            draft.page.equation([sum.text(), right]);
+            draft.equation([sum, right]);
         }
     }
 

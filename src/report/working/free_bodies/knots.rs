@@ -1,7 +1,7 @@
 //! Interpolates forces over a coordinate, linearly between two knots.
 
 use crate::Profile;
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::expression::Expression;
 
@@ -25,12 +25,14 @@ pub(in crate::report::working) fn on_line(
     [[d1, p1], [d2, p2]]: [[f64; 2]; 2],
 ) -> (f64, f64) {
     let f = context.figures;
-    let given = |symbol: &str, value: f64| Expression::known(symbol, f.given(value), value);
-    let (first, second) = (format!("{symbol}1"), format!("{symbol}2"));
-    let slope = (given("p2", p2) - given("p1", p1)) / (given(&second, d2) - given(&first, d1));
+    let given = |letter: &str, index: &str, value: f64| {
+        Expression::known(Symbol::indexed(letter, index), f.given(value), value)
+    };
+    let slope = (given("p", "2", p2) - given("p", "1", p1))
+        / (given(symbol, "2", d2) - given(symbol, "1", d1));
     let at = Expression::known(symbol, f.format_or_zero(at, size), at);
-    let law = given("p1", p1) + slope * (at - given(&first, d1));
-    let computed = draft.worked("p", &law, |p| format!("{} {UNIT}N", f.number(p)));
+    let law = given("p", "1", p1) + slope * (at - given(symbol, "1", d1));
+    let computed = draft.worked("p", &law, |p| Formula::measured(f.number(p), "N"));
     let steep = (p2 - p1).abs() / (d2 - d1) * size;
     (computed, p1.abs().max(p2.abs()) + steep)
 }

@@ -3,7 +3,7 @@
 use super::forces::point_name;
 use super::knots::{line_at, on_line};
 use crate::angle::{TURN, radians};
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::expression::Expression;
 use crate::report::working::symbols;
@@ -60,7 +60,7 @@ fn pull(
     [stiffness, length, preload, damping]: [f64; 4],
 ) {
     let f = context.figures;
-    draft.page.text(words().pull_of_spring());
+    draft.text(words().pull_of_spring());
     let spring = SpringNow::written(context, draft, ends);
     let metres = context.scene.mechanism.metres();
     let [l, l0] = [spring.length, length].map(|v| v * metres);
@@ -73,9 +73,8 @@ fn pull(
         _ => Expression::known("F0", f.given(preload), preload) + straight,
     };
     let pull = stiff + spring.damped(context, damping);
-    draft.worked(words().pull(), &pull, |pull| {
-        format!("{} {UNIT}N", f.number(pull))
-    });
+    let name = Formula::words(words().pull());
+    draft.worked(name, &pull, |pull| Formula::measured(f.number(pull), "N"));
 }
 
 /// Writes the law of [`Load::GasSpring`], with the push p from the line between two knots.
@@ -86,28 +85,27 @@ fn push(
     (force, damping): (&Profile, f64),
 ) {
     let f = context.figures;
-    draft.page.text(words().pull_of_gas_spring());
+    draft.text(words().pull_of_gas_spring());
     let spring = SpringNow::written(context, draft, ends);
     let push = match line_at(force, spring.length) {
         Some(line) => {
-            draft.page.text(words().push_by_line());
+            draft.text(words().push_by_line());
             on_line(context, draft, "L", (spring.length, spring.length), line).0
         }
         None => {
-            draft.page.text(words().push_beyond_knots());
+            draft.text(words().push_beyond_knots());
             let [first, last] = [force.knots().first(), force.knots().last()];
             let is_short = first.is_some_and(|knot| spring.length < knot[0]);
             let push = if is_short { first } else { last }.map_or(0.0, |knot| knot[1]);
-            let p = format!("{} {UNIT}N", f.given(push));
-            draft.page.equation(["p".to_owned(), p]);
+            let p = Formula::measured(f.given(push), "N");
+            draft.equation(["p".into(), p]);
             push
         }
     };
     let p = Expression::known("p", f.number(push), push);
     let pull = -p + spring.damped(context, damping);
-    draft.worked(words().pull(), &pull, |pull| {
-        format!("{} {UNIT}N", f.number(pull))
-    });
+    let name = Formula::words(words().pull());
+    draft.worked(name, &pull, |pull| Formula::measured(f.number(pull), "N"));
 }
 
 /// Writes the law of [`Load::TorsionSpring`]: the torque on its link, with θ measured from the free
@@ -119,38 +117,36 @@ fn turn_back(
     found: f64,
 ) {
     let (f, scene, state) = (context.figures, context.scene, context.state);
-    let angle = |name: &str, value: f64| Expression::known(name, f.direction(value), value);
+    let angle = |name: Symbol, value: f64| Expression::known(name, f.direction(value), value);
     let (name, own) = (scene.link_name(link), state.angle(link));
     let (other, turning) = match to {
         Body::Ground => (0.0, state.omega(link)),
         Body::Link(to) => (state.angle(to), state.omega(link) - state.omega(to)),
     };
-    draft.page.text(words().torque_of_torsion_spring(name));
+    draft.text(words().torque_of_torsion_spring(name));
     let plain = own - other - free;
     let turns = TURN * -(plain / TURN).round();
-    let mut phi = angle(&symbols::theta(name), own);
+    let mut phi = angle(symbols::theta(name), own);
     if let Body::Link(to) = to {
-        phi = phi - angle(&symbols::theta(scene.link_name(to)), other);
+        phi = phi - angle(symbols::theta(scene.link_name(to)), other);
     }
     phi = phi - Expression::known("θ0", f.given(free), free);
     if turns != 0.0 {
         phi = phi + Expression::figure(f.given(turns), turns);
     }
     let phi = draft.worked("θ", &phi, |phi| {
-        format!("{} deg", f.format_or_zero(phi, TURN))
+        Formula::measured(f.format_or_zero(phi, TURN), "deg")
     });
     let phi = radians(phi);
     let written = f.format_or_zero(phi, radians(TURN));
-    draft
-        .page
-        .equation(["θ".to_owned(), format!("{written} rad")]);
+    draft.equation(["θ".into(), Formula::measured(&written, "rad")]);
     let size = stiffness * radians(TURN) + preload.abs();
     let turn = Expression::known("M0", f.given(preload), preload)
         - Expression::known("k", f.given(stiffness), stiffness)
             * Expression::known("θ", written, phi)
         - Expression::known("c", f.given(damping), damping)
             * Expression::known("ω", f.number(turning), turning);
-    let computed = draft.worked("M", &turn, |turn| format!("{} {UNIT}N m", f.number(turn)));
+    let computed = draft.worked("M", &turn, |turn| Formula::measured(f.number(turn), "N m"));
     draft.agree("M", computed, found, size.max(found.abs()));
 }
 
@@ -165,17 +161,13 @@ impl SpringNow {
     fn written(context: &Context<'_>, draft: &mut Draft, ends: [PointId; 2]) -> SpringNow {
         let f = context.figures;
         let spring = SpringNow::of(context, ends);
-        let [from, to] = ends.map(|point| point_name(context, point));
-        let name = words().spring_between(from, to);
-        let length = f.number(spring.length);
+        let [from, to] = ends.map(|point| Formula::from(point_name(context, point)));
+        let message = |[length, from, to]: [&str; 3]| words().spring_between(length, from, to);
+        let name = Formula::message(message, ["L".into(), from, to]);
         let rate = f.format_or_zero(spring.rate, context.fastest[0]);
-        draft
-            .page
-            .equation([name, format!("{length} {UNIT}{}", f.unit)]);
-        draft.page.equation([
-            "dL/dt".to_owned(),
-            format!("{rate} {UNIT}{}", f.length_unit(1)),
-        ]);
+        let rate = Formula::measured(rate, &f.length_unit(1));
+        draft.equation([name, f.length(spring.length)]);
+        draft.equation([symbols::rate("L").into(), rate]);
         spring
     }
 
@@ -185,7 +177,8 @@ impl SpringNow {
         let metres = context.scene.mechanism.metres();
         let rate = self.rate * metres;
         let figure = f.format_or_zero(rate, context.fastest[0] * metres);
-        Expression::known("c", f.given(damping), damping) * Expression::known("dL/dt", figure, rate)
+        Expression::known("c", f.given(damping), damping)
+            * Expression::known(symbols::rate("L"), figure, rate)
     }
 
     fn of(context: &Context<'_>, [from, to]: [PointId; 2]) -> SpringNow {

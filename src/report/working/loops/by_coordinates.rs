@@ -4,7 +4,6 @@
 use super::group_unknowns::{ProblemForm, Stage};
 use super::sides::{Side, SideReading, SideShape};
 use super::solution::angle_sum;
-use crate::page::UNIT;
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::expression::{Expression, Function};
 use crate::report::working::symbols;
@@ -25,7 +24,7 @@ pub(in crate::report::working) fn vectors(context: &Context<'_>, draft: &mut Dra
             continue;
         }
         if !is_shown {
-            draft.page.text(words().vectors_by_coordinates());
+            draft.text(words().vectors_by_coordinates());
             is_shown = true;
         }
         vector(context, draft, (side, reading), body, local);
@@ -62,18 +61,15 @@ fn vector(
     let parts = || [local.x, local.y].map(|v| Expression::figure(f.given(v), v));
     let [x, y] = parts();
     let length = (x.squared() + y.squared()).sqrt();
-    let computed = draft.write_numbers(&side.name, &length, |r| {
-        format!("{} {UNIT}{}", f.number(r), f.unit)
-    });
+    let computed = draft.write_numbers(side.name.as_str(), &length, |r| f.length(r));
     draft.agree(&side.name, computed, reading.r, reading.r);
     let [x, y] = parts();
     let own = Expression::of(Function::Atan2, [y, x]);
     let is_given = context.schedule.angle_group(side).is_none();
     match body {
         Body::Ground => {
-            let computed =
-                draft.write_numbers(&side.theta(), &own, |degrees| angle_sum(f, degrees));
-            draft.agree_angle(&side.theta(), computed, reading.theta, 1.0);
+            let computed = draft.write_numbers(side.theta(), &own, |degrees| angle_sum(f, degrees));
+            draft.agree_angle(side.theta(), computed, reading.theta, 1.0);
         }
         Body::Link(link) if is_given && context.has_positions() => {
             turned(context, draft, (side, reading), link, own);
@@ -82,11 +78,9 @@ fn vector(
         Body::Link(link) => {
             let ahead = Expression::figure(f.angle(own.value()), own.value());
             let theta = symbols::theta(context.scene.link_name(link));
-            let theta = |ahead| Expression::known(theta.clone(), String::new(), 0.0) + ahead;
+            let theta = |ahead| Expression::symbol(theta.clone()) + ahead;
             let sides = [theta(own), theta(ahead)].map(|sum| sum.symbols());
-            draft
-                .page
-                .equation(std::iter::once(side.theta()).chain(sides));
+            draft.equation(std::iter::once(side.theta().into()).chain(sides));
         }
     }
 }
@@ -104,7 +98,7 @@ fn turned(
     let name = symbols::theta(context.scene.link_name(link));
     let theta = Expression::known(name, f.direction(degrees), degrees) + ahead;
     let symbol = side.theta();
-    let computed = draft.worked(&symbol, &theta, |degrees| angle_sum(f, degrees));
+    let computed = draft.worked(symbol.clone(), &theta, |degrees| angle_sum(f, degrees));
     draft.agree_angle(&symbol, computed, reading.theta, 1.0);
 }
 

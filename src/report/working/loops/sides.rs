@@ -1,6 +1,7 @@
 //! The sides of the vector polygons: the scene's vectors, and unnamed ones between two joints of
 //! one body that a loop needs.
 
+use crate::page::Symbol;
 use crate::quantity::{Aspect, Subject, value};
 use crate::report::tables::shared_body;
 use crate::report::working::symbols;
@@ -191,7 +192,7 @@ impl Side {
     }
 
     /// Returns the symbol of its angle.
-    pub(in crate::report::working) fn theta(&self) -> String {
+    pub(in crate::report::working) fn theta(&self) -> Symbol {
         symbols::theta(&self.name)
     }
 

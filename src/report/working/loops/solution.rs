@@ -3,13 +3,13 @@
 use super::group_unknowns::{ProblemForm, Stage};
 use super::polygon::{Loop, Term};
 use super::sides::{Side, SideShape, Turns};
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::equations::{
-    EquationTerm, LoopSide, Multiplier, in_figures, in_symbols, known,
+    EquationTerm, LoopSide, Multiplier, in_figures, known, sum,
 };
 use crate::report::working::expression::Expression;
-use crate::report::working::figures::{Figures, WrittenSum};
+use crate::report::working::figures::Figures;
 use crate::report::working::positions::single;
 use crate::report::working::symbols;
 use crate::solver::Order;
@@ -77,11 +77,11 @@ impl<'a> Solution<'a> {
     }
 
     /// Returns the known sides along an axis, in symbols and evaluated.
-    pub(in crate::report::working) fn known_text(&self, axis: &Multiplier) -> [String; 2] {
+    pub(in crate::report::working) fn known_text(&self, axis: &Multiplier) -> [Formula; 2] {
         let of = |m: &LoopSide<'_>| m.pieces(Order::Position, axis, self.figures);
         let pieces: Vec<EquationTerm> = self.members.iter().flat_map(of).collect();
         let known: Vec<EquationTerm> = pieces.into_iter().filter(|p| p.unknown.is_none()).collect();
-        [in_symbols(&known), in_figures(&known, self.figures)]
+        [sum(&known).symbols(), in_figures(&known, self.figures)]
     }
 
     /// Returns the letter of the vector that the unknown sides add up to: the lecture's m, or
@@ -97,17 +97,16 @@ impl<'a> Solution<'a> {
         let sizes = self.members.iter().map(|m| m.reading.r.abs());
         let size = sizes.fold(0.0_f64, f64::max);
         let letter = self.diagonal();
-        let [x, y] = ["x", "y"].map(|axis| format!("{letter}{axis}"));
+        let [x, y] = ["x", "y"].map(|axis| Symbol::indexed(letter, axis));
         [(Multiplier::X, x, m.x), (Multiplier::Y, y, m.y)].map(|(axis, name, value)| {
             let [symbols, figures] = self.known_text(&axis);
-            let found = f.format_or_zero(value, size);
-            draft.page.equation([
-                name.clone(),
-                format!("-({symbols})"),
-                format!("-({figures})"),
-                format!("{found} {UNIT}{}", f.unit),
+            draft.equation([
+                name.clone().into(),
+                Formula::sign('-').then(symbols.in_brackets()),
+                Formula::sign('-').then(figures.in_brackets()),
+                f.length_or_zero(value, size),
             ]);
-            Expression::known(name, found, value)
+            Expression::known(name, f.format_or_zero(value, size), value)
         })
     }
 
@@ -119,7 +118,7 @@ impl<'a> Solution<'a> {
         [x, y]: [&Expression; 2],
     ) -> f64 {
         let square = x.clone().squared() + y.clone().squared();
-        draft.found(name, &square.sqrt(), |size| length(self.figures, size))
+        draft.found(name, &square.sqrt(), |size| self.figures.length(size))
     }
 
     /// Returns an arm: its length, and the angle by which its direction leads the angle named after
@@ -130,7 +129,7 @@ impl<'a> Solution<'a> {
                 let member = self.member(term);
                 DyadArm {
                     side: self.context.polygon.sides.get(term.side),
-                    length: member.side.name.clone(),
+                    length: member.side.name.as_str().into(),
                     value: member.reading.r,
                     given: !member.side.stretches(),
                     theta: member.side.theta(),
@@ -155,14 +154,12 @@ impl<'a> Solution<'a> {
         });
         let link = members.iter().find_map(|m| m.side.turns_with());
         let own = link.map_or(0.0, |link| self.context.state.angle(link));
-        let mut text = WrittenSum::default();
-        members
-            .iter()
-            .for_each(|m| text.push(m.reversed, &m.side.name));
+        let sides = members.iter();
+        let sides = sides.map(|m| Expression::symbol(m.side.name.as_str()).minus_if(m.reversed));
         let name = link.map_or("", |link| self.context.scene.link_name(link));
         DyadArm {
             side: None,
-            length: format!("|{}|", text.text()),
+            length: Expression::sum(sides).symbols().between(['|', '|']),
             value: sum.norm(),
             given: false,
             theta: symbols::theta(name),
@@ -228,11 +225,9 @@ impl<'a> Solution<'a> {
         let symbol = symbols::theta(self.context.scene.link_name(link));
         let computed = theta - ahead;
         draft.agree_angle(&symbol, computed, self.context.state.angle(link), loss);
-        draft.page.equation([
-            symbol,
-            format!("{} - {}", side.theta(), f.direction(ahead)),
-            turn(f, computed),
-        ]);
+        let difference =
+            Expression::symbol(side.theta()) - Expression::figure(f.direction(ahead), ahead);
+        draft.equation([symbol.into(), difference.symbols(), turn(f, computed)]);
     }
 
     pub(in crate::report::working) fn longest(&self) -> f64 {
@@ -247,11 +242,11 @@ pub(in crate::report::working) struct DyadArm<'a> {
     /// The side, if it is a single one.
     pub(in crate::report::working) side: Option<&'a Side>,
     /// The symbol of its length.
-    pub(in crate::report::working) length: String,
+    pub(in crate::report::working) length: Formula,
     pub(in crate::report::working) value: f64,
     pub(in crate::report::working) given: bool,
     /// The symbol of the unknown angle.
-    pub(in crate::report::working) theta: String,
+    pub(in crate::report::working) theta: Symbol,
     /// The angle, in degrees, by which the arm's direction along the loop leads the unknown angle.
     pub(in crate::report::working) ahead: f64,
     /// The solver's angle.
@@ -273,32 +268,28 @@ impl DyadArm<'_> {
     }
 }
 
-fn length(figures: Figures, value: f64) -> String {
-    format!("{} {UNIT}{}", figures.number(value), figures.unit)
-}
-
-pub(in crate::report::working) fn degrees(figures: Figures, value: f64) -> String {
-    format!("{} deg", figures.number(value))
+pub(in crate::report::working) fn degrees(figures: Figures, value: f64) -> Formula {
+    Formula::measured(figures.number(value), "deg")
 }
 
 /// Formats a sum of angles as calculated, and from 0 to below 360 if that differs.
-pub(in crate::report::working) fn angle_sum(figures: Figures, value: f64) -> String {
-    let direction = figures.direction(value);
-    if (0.0..angle::TURN).contains(&value) {
-        format!("{direction} deg")
-    } else {
-        format!("{} deg = {direction} deg", figures.angle(value))
-    }
+pub(in crate::report::working) fn angle_sum(figures: Figures, value: f64) -> Formula {
+    let is_direction = (0.0..angle::TURN).contains(&value);
+    both_angles(figures, value, (!is_direction).then_some(value))
 }
 
 /// Formats an angle as calculated, and from 0 to below 360 if that differs.
-pub(in crate::report::working) fn turn(figures: Figures, value: f64) -> String {
+pub(in crate::report::working) fn turn(figures: Figures, value: f64) -> Formula {
     let half = angle::TURN / 2.0;
     let signed = angle::wrapped(value + half) - half;
-    let direction = figures.direction(value);
-    if signed < 0.0 {
-        format!("{} deg = {direction} deg", figures.angle(signed))
-    } else {
-        format!("{direction} deg")
+    both_angles(figures, value, (signed < 0.0).then_some(signed))
+}
+
+/// Formats an angle from 0 to below 360, after the one calculated if that differs.
+fn both_angles(figures: Figures, value: f64, calculated: Option<f64>) -> Formula {
+    let direction = Formula::measured(figures.direction(value), "deg");
+    match calculated {
+        None => direction,
+        Some(value) => Formula::measured(figures.angle(value), "deg").equals(direction),
     }
 }

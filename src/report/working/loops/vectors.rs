@@ -124,7 +124,7 @@ impl Working {
         let context = self.context(scene, solver, state, digits);
         let loops = self.polygon.loops.iter();
         let of = loops.map(|of| LoopVectors {
-            sum: sum_text(&context, of),
+            sum: sum_text(&context, of).to_string(),
             vectors: of
                 .terms
                 .iter()
@@ -143,7 +143,7 @@ fn vector(context: &Context<'_>, of: &Loop, term: Term) -> LoopVector {
         vector: context.has_positions().then(|| reading.vector()),
         is_reversed: term.reversed,
         is_driven: context.schedule.is_driven(side) || context.schedule.is_pushed(side),
-        theta: (reading.theta, side.theta()),
+        theta: (reading.theta, side.theta().to_string()),
         figures: [Order::Position, Order::Velocity, Order::Acceleration]
             .map(|order| figures(context, of, (side, reading), order)),
         motion: relative_motion(context, side, reading),
@@ -237,18 +237,18 @@ fn figures(
     let turner = side.turner(context.scene);
     let (symbols, values, exists) = match order {
         Order::Position => (
-            [side.name.clone(), side.theta()],
+            [side.name.clone(), side.theta().to_string()],
             [reading.r, reading.theta],
             context.has_positions(),
         ),
         Order::Velocity => (
-            [symbols::rate(&side.name), symbols::omega(turner)],
+            [symbols::rate(&side.name), symbols::omega(turner)].map(|s| s.to_string()),
             [reading.rate, reading.omega],
             context.has_rates(),
         ),
         // Forces need no further values of a vector.
         Order::Acceleration | Order::Force => (
-            [symbols::accel(&side.name), symbols::alpha(turner)],
+            [symbols::accel(&side.name), symbols::alpha(turner)].map(|s| s.to_string()),
             [reading.accel, reading.alpha],
             context.has_rates(),
         ),

@@ -8,7 +8,6 @@ use super::PositionMethod;
 use super::problem::{kind, name};
 use crate::expression::plain_unit;
 use crate::nearest::did_you_mean;
-use crate::page::UNIT;
 use crate::scene::{Unit, with_point};
 use crate::solver::{Order, Workspace};
 use crate::study::UnknownKind;
@@ -286,11 +285,7 @@ pub(super) fn format_unknowns(context: &Context<'_>, values: &[(LoopUnknown, f64
             UnknownKind::Angle => "deg",
             UnknownKind::Length => f.unit,
         };
-        format!(
-            "{} = {} {UNIT}{unit}",
-            name(context, unknown),
-            f.angle(value)
-        )
+        format!("{} = {} {unit}", name(context, unknown), f.angle(value))
     };
     values.iter().map(one).collect::<Vec<_>>().join(", ")
 }

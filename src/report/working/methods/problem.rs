@@ -5,13 +5,14 @@ use super::super::loops::group_unknowns::{LoopUnknown, Stage};
 use super::super::loops::sides::{Side, SideShape, Turns};
 use super::super::symbols;
 use crate::angle;
+use crate::page::Symbol;
 use crate::study::{LoopSum, LoopSystem, UnknownKind, UnknownVector, VectorPart};
 
 /// The equations of a group's loops.
 pub(super) struct LoopProblem {
     pub(super) system: LoopSystem,
     /// The symbols of the unknowns.
-    pub(super) names: Vec<String>,
+    pub(super) names: Vec<Symbol>,
     /// The solver's values, if there is an assembly.
     pub(super) right: Option<Vec<f64>>,
 }
@@ -50,13 +51,15 @@ pub(in crate::report::working) fn kind(unknown: LoopUnknown) -> UnknownKind {
 }
 
 /// Returns the symbol of an unknown.
-pub(super) fn name(context: &Context<'_>, unknown: LoopUnknown) -> String {
+pub(super) fn name(context: &Context<'_>, unknown: LoopUnknown) -> Symbol {
     let side = |side: usize| context.polygon.sides.get(side);
     match unknown {
         LoopUnknown::Angle(link) => symbols::theta(context.scene.link_name(link)),
-        LoopUnknown::Travel(slide) => context.scene.slide_name(slide).to_owned(),
-        LoopUnknown::Length(of) => side(of).map_or_else(String::new, |side| side.name.clone()),
-        LoopUnknown::Direction(of) => side(of).map_or_else(String::new, Side::theta),
+        LoopUnknown::Travel(slide) => context.scene.slide_name(slide).into(),
+        LoopUnknown::Length(of) => {
+            side(of).map_or_else(Symbol::default, |side| side.name.as_str().into())
+        }
+        LoopUnknown::Direction(of) => side(of).map_or_else(Symbol::default, Side::theta),
     }
 }
 

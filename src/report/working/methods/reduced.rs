@@ -2,13 +2,13 @@
 //! eliminates the other.
 
 use super::super::context::{Context, Draft};
-use super::super::expression::Expression;
+use super::super::expression::{Expression, Function};
 use super::super::figures::Figures;
 use super::super::loops::group_unknowns::{LoopUnknown, ProblemForm, Stage};
 use super::super::loops::polygon::Term;
 use super::super::loops::sides::{SideShape, Turns};
 use super::super::loops::solution::{DyadArm, Solution};
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
 use crate::study::{UnknownKind, half_turn};
 use crate::wording::words;
 use crate::{Vec2, angle};
@@ -20,7 +20,7 @@ const IN_LINE: f64 = 1e-6;
 /// An equation f(x) = 0 with a root on either side of x = `middle`, at most `reach` away; x is in
 /// degrees, or in the scene's unit.
 pub(super) struct ReducedLoop<'a> {
-    pub(super) symbol: String,
+    pub(super) symbol: Symbol,
     pub(super) unknown: LoopUnknown,
     pub(super) kind: UnknownKind,
     /// The value of x at which the unknown is 0.
@@ -33,7 +33,7 @@ pub(super) struct ReducedLoop<'a> {
     /// The vector along which the arm lies at the middle, if x is an angle.
     pub(super) along: Option<&'static str>,
     /// The formula of the other unknown, in terms of x.
-    pub(super) formula: String,
+    pub(super) formula: Formula,
     reduction: ReductionKind<'a>,
 }
 
@@ -60,7 +60,7 @@ enum ReductionKind<'a> {
         sign: f64,
         t: f64,
         e: f64,
-        theta: String,
+        theta: Symbol,
     },
 }
 
@@ -81,7 +81,7 @@ impl ReducedLoop<'_> {
     }
 
     /// Returns the other unknown for a given x: the symbol of an angle, and its value in degrees.
-    pub(super) fn follows(&self, x: f64) -> (&str, f64) {
+    pub(super) fn follows(&self, x: f64) -> (&Symbol, f64) {
         match &self.reduction {
             ReductionKind::Turn { m, a, b } => {
                 let rest = *m - angle::unit(x + a.ahead) * a.value;
@@ -175,32 +175,26 @@ impl<'a> Solution<'a> {
         let [p, x, q] = self.joints(&first, &second);
         let (link, ahead) = turning(self.context, &first)?;
         let (one, two) = (self.arm(&first), self.arm(&second));
-        draft
-            .page
-            .text(words().with_m_between(self.diagonal(), p, q, x));
+        draft.text(words().with_m_between(self.diagonal(), p, q, x));
         let _ = self.write_m(draft);
+        let symbol = |name: &Symbol| Expression::symbol(name.clone());
         let at = match one.ahead {
-            0.0 => one.theta.clone(),
-            more => format!("{} + {}", one.theta, f.angle(more)),
+            0.0 => symbol(&one.theta),
+            more => symbol(&one.theta) + Expression::figure(f.angle(more), more),
         };
         let m = self.diagonal();
-        let part =
-            |axis: &str, function: &str| format!("({m}{axis} - {} {function}({at}))^2", one.length);
-        let symbols = format!(
-            "{} + {} - {}^2",
-            part("x", "cos"),
-            part("y", "sin"),
-            two.length
-        );
-        draft.page.equation([format!("f({})", one.theta), symbols]);
-        let rest =
-            |axis: &str, function: &str| format!("{m}{axis} - {} {function}({at})", one.length);
-        let formula = format!("atan2({}, {})", rest("y", "sin"), rest("x", "cos"));
+        let arm = Expression::symbol(one.length.clone());
+        let [x, y] = [("x", Function::Cos), ("y", Function::Sin)].map(|(axis, function)| {
+            let turned = arm.clone() * Expression::of(function, [at.clone()]);
+            symbol(&Symbol::indexed(m, axis)) - turned
+        });
+        write_function(draft, symbol(&one.theta), [&x, &y], &two);
+        let formula = Expression::of(Function::Atan2, [y, x]);
         let along = Some(m);
         let m = -self.known;
         Some(ReducedLoop {
             along,
-            formula: less(f, formula, two.ahead),
+            formula: less(f, formula, two.ahead).symbols(),
             symbol: one.theta.clone(),
             unknown: LoopUnknown::Angle(link),
             kind: UnknownKind::Angle,
@@ -225,25 +219,21 @@ impl<'a> Solution<'a> {
         let arm = self.arm(arm);
         let name = &member.side.name;
         let theta = member.side.theta();
-        let plus = if slide.reversed { "-" } else { "+" };
         let size = self.known.norm().max(arm.value);
-        draft.page.text(words().known_sides_are_k());
+        draft.text(words().known_sides_are_k());
         self.write_known(draft, size);
-        let part = |k: &str, function: &str| format!("({k} {plus} {name} {function}({theta}))^2");
-        let symbols = format!(
-            "{} + {} - {}^2",
-            part("Kx", "cos"),
-            part("Ky", "sin"),
-            arm.length
-        );
-        draft.page.equation([format!("f({name})"), symbols]);
+        let r = || Expression::symbol(name.as_str());
+        let [x, y] = [("x", Function::Cos), ("y", Function::Sin)].map(|(axis, function)| {
+            let along = r() * Expression::of(function, [Expression::symbol(theta.clone())]);
+            Expression::symbol(Symbol::indexed("K", axis)) + along.minus_if(slide.reversed)
+        });
+        write_function(draft, r(), [&x, &y], &arm);
         let u = member.reading.u * if slide.reversed { -1.0 } else { 1.0 };
-        let rest = |k: &str, function: &str| format!("-({k} {plus} {name} {function}({theta}))");
-        let formula = format!("atan2({}, {})", rest("Ky", "sin"), rest("Kx", "cos"));
+        let formula = Expression::of(Function::Atan2, [-y, -x]);
         Some(ReducedLoop {
             along: None,
-            formula: less(self.figures, formula, arm.ahead),
-            symbol: name.clone(),
+            formula: less(self.figures, formula, arm.ahead).symbols(),
+            symbol: name.as_str().into(),
             unknown: LoopUnknown::Travel(id),
             kind: UnknownKind::Length,
             ahead: 0.0,
@@ -274,11 +264,10 @@ impl<'a> Solution<'a> {
         let sign = if slide.reversed { -1.0 } else { 1.0 };
         let name = &member.side.name;
         let written = |symbol, v: f64| Expression::known(symbol, f.format_or_zero(v, size), v);
-        let mut along =
-            Expression::known(name.as_str(), name.clone(), f64::NAN).minus_if(slide.reversed);
+        let mut along = Expression::symbol(name.as_str()).minus_if(slide.reversed);
         if t != 0.0 || e != 0.0 {
             let [t, e] = [t, e].map(|v| f.format_or_zero(v, size));
-            draft.page.text(words().others_turn_with(name, &t, &e));
+            draft.text(words().others_turn_with(name, &t, &e));
             along = along + written("t", 0.0);
         }
         let square = along.squared();
@@ -287,20 +276,20 @@ impl<'a> Solution<'a> {
             e => square + written("e", e).squared(),
         };
         let complete = square - written(self.diagonal(), size).squared();
-        draft
-            .page
-            .equation([format!("f({name})"), complete.symbols()]);
-        let m = self.diagonal();
+        draft.equation([function_of(name.as_str()), complete.symbols()]);
+        let r = Expression::symbol(name.as_str());
+        let t_of = Expression::symbol("t");
         let [left, ahead] = match (t == 0.0 && e == 0.0, slide.reversed) {
-            (true, false) => ["0".to_owned(), name.clone()],
-            (true, true) => ["0".to_owned(), format!("-{name}")],
-            (false, false) => ["e".to_owned(), format!("{name} + t")],
-            (false, true) => ["e".to_owned(), format!("t - {name}")],
+            (true, is_reversed) => [Expression::Number(0.0), r.minus_if(is_reversed)],
+            (false, false) => [Expression::symbol("e"), r + t_of],
+            (false, true) => [Expression::symbol("e"), t_of - r],
         };
+        let atan2 = |y, x| Expression::of(Function::Atan2, [y, x]);
+        let formula = atan2(my, mx) - atan2(left, ahead);
         Some(ReducedLoop {
             along: None,
-            formula: format!("atan2({m}y, {m}x) - atan2({left}, {ahead})"),
-            symbol: name.clone(),
+            formula: formula.symbols(),
+            symbol: name.as_str().into(),
             unknown: LoopUnknown::Travel(id),
             kind: UnknownKind::Length,
             ahead: 0.0,
@@ -318,11 +307,23 @@ impl<'a> Solution<'a> {
     }
 }
 
-/// Formats a direction minus the angle by which the arm leads the angle named after it.
-fn less(figures: Figures, direction: String, ahead: f64) -> String {
+/// Writes f, the difference of the squared distance of these components and an arm.
+fn write_function(draft: &mut Draft, of: Expression, [x, y]: [&Expression; 2], arm: &DyadArm<'_>) {
+    let length = Expression::symbol(arm.length.clone());
+    let formula = x.clone().squared() + y.clone().squared() - length.squared();
+    draft.equation([function_of(of.symbols()), formula.symbols()]);
+}
+
+/// Returns the function f of a formula.
+pub(super) fn function_of(of: impl Into<Formula>) -> Formula {
+    Formula::from("f").then(of.into().in_brackets())
+}
+
+/// Returns a direction minus the angle by which the arm leads the angle named after it.
+fn less(figures: Figures, direction: Expression, ahead: f64) -> Expression {
     match ahead {
         0.0 => direction,
-        ahead => format!("{direction} - {}", figures.angle(ahead)),
+        ahead => direction - Expression::figure(figures.angle(ahead), ahead),
     }
 }
 
@@ -336,9 +337,9 @@ fn turning(context: &Context<'_>, arm: &[Term]) -> Option<(crate::LinkId, f64)> 
 }
 
 /// Formats a value: an angle within a turn, or a length.
-pub(super) fn figure(figures: Figures, kind: UnknownKind, value: f64) -> String {
+pub(super) fn figure(figures: Figures, kind: UnknownKind, value: f64) -> Formula {
     match kind {
-        UnknownKind::Angle => format!("{} deg", figures.direction(value)),
-        UnknownKind::Length => format!("{} {UNIT}{}", figures.number(value), figures.unit),
+        UnknownKind::Angle => Formula::measured(figures.direction(value), "deg"),
+        UnknownKind::Length => figures.length(value),
     }
 }

@@ -1,6 +1,7 @@
 //! Finds the instant centre of every moving link: a pivot, the intersection of two lines by
 //! Kennedy's theorem, or from the velocity of a point.
 
+use crate::page::Symbol;
 use crate::report::working::Working;
 use crate::report::working::context::Context;
 use crate::report::working::loops::sides::Turns;
@@ -85,7 +86,7 @@ impl Working {
     ) -> Vec<InstantCentre> {
         let context = self.context(scene, solver, state, 1);
         let drawn = |centre: LinkCentre| InstantCentre {
-            symbol: symbol(&context, centre.link),
+            symbol: symbol(&context, centre.link).to_string(),
             at: match centre.place {
                 CentrePlace::At(at) => Some(at),
                 CentrePlace::Far(_) | CentrePlace::Rest => None,
@@ -108,8 +109,8 @@ impl Working {
 }
 
 /// Returns the symbol of a link's instant centre, such as `I_r3`.
-pub(in crate::report::working) fn symbol(context: &Context<'_>, link: LinkId) -> String {
-    format!("I_{}", context.scene.link_name(link))
+pub(in crate::report::working) fn symbol(context: &Context<'_>, link: LinkId) -> Symbol {
+    Symbol::separate("I", context.scene.link_name(link))
 }
 
 /// Returns the symbol of a point's coordinate, such as `xB`.
@@ -117,7 +118,7 @@ pub(in crate::report::working) fn coordinate(
     context: &Context<'_>,
     axis: &str,
     point: PointId,
-) -> String {
+) -> Symbol {
     of_point(axis, context.scene.point_name(point).unwrap_or_default())
 }
 

@@ -57,7 +57,7 @@ impl Working {
                 .then_some((point, name))
         });
         let motion = |(point, name): (PointId, &str)| PointMotion {
-            symbols: ["v", "a"].map(|figure| of_point(figure, name)),
+            symbols: ["v", "a"].map(|figure| of_point(figure, name).to_string()),
             is_centre: mechanism.links().iter().any(|link| link.com == Some(point)),
             velocity: context.state.velocity(point),
             acceleration: context.state.acceleration(point),

@@ -1,9 +1,9 @@
 //! A link of a group with its forces, known and unknown.
 
 use super::super::context::{Context, Draft};
-use super::super::figures::WrittenSum;
+use super::super::expression::Expression;
 use super::super::free_bodies::free_body::BodyForce;
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
 use crate::wording::words;
 use crate::{LinkId, Vec2};
 
@@ -87,32 +87,24 @@ pub(super) fn write_known(
     context: &Context<'_>,
     draft: &mut Draft,
     (link, given): (LinkId, &[&BodyForce]),
-    (symbol, reckoning): (&str, BalanceKind),
+    (symbol, reckoning): (&Symbol, BalanceKind),
     about: &str,
 ) -> KnownSum {
     let f = context.figures;
     let sum = known(context, given.iter().copied(), reckoning);
     table(context, draft, (link, given), (reckoning, sum.size), about);
-    let mut written = WrittenSum::default();
-    let mut terms = 0;
-    for row in given {
-        let figure = f.format_or_zero(reckoning.of(context, row), sum.size);
-        if figure != "0" {
-            written.push_figure(&figure);
-            terms += 1;
-        }
+    let figures = given
+        .iter()
+        .map(|row| f.format_or_zero(reckoning.of(context, row), sum.size));
+    let terms = Expression::sum_of_figures(figures);
+    let value = f.format_or_zero(sum.value, sum.size);
+    let mut sides = vec![symbol.clone().into()];
+    // A single term equals its value.
+    if let Expression::Sum(_) = terms {
+        sides.push(terms.numbers());
     }
-    let value = format!(
-        "{} {UNIT}{}",
-        f.format_or_zero(sum.value, sum.size),
-        reckoning.unit()
-    );
-    match terms {
-        0 | 1 => draft.page.equation([symbol.to_owned(), value]),
-        _ => draft
-            .page
-            .equation([symbol.to_owned(), written.text(), value]),
-    }
+    sides.push(Formula::measured(value, reckoning.unit()));
+    draft.equation(sides);
     sum
 }
 

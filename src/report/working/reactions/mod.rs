@@ -20,13 +20,13 @@ use body::GroupBody;
 pub(super) fn reactions(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
     let count = context.solver.plan().groups.len();
     let groups: Vec<String> = (0..count).rev().map(|k| context.group_text(k)).collect();
-    draft.page.text(words().order_of_groups(&groups.join("; ")));
+    draft.text(words().order_of_groups(&groups.join("; ")));
     for number in (0..count).rev() {
         let ranks = Ranks { context, number };
         let Some(bodies) = ranks.bodies(acted).filter(|bodies| !bodies.is_empty()) else {
             continue;
         };
-        draft.page.section(context.group_text(number));
+        draft.section(context.group_text(number));
         if !reduced::write(context, draft, &bodies) {
             system::write(context, draft, &bodies);
         }
