@@ -123,7 +123,7 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[LoadAct
         let figures = parts.map(|v| Expression::figure(f.format_or_zero(v, size), v));
         let size_on_the_way = size.max(largest(context, acted));
         let computed = parts.iter().sum();
-        draft.agree(&format!("driver.{what}"), computed, drive, size_on_the_way);
+        draft.agree(format!("driver.{what}"), computed, drive, size_on_the_way);
         let effort = Formula::measured(f.format_or_zero(drive, size), unit);
         draft.text(match (state.residual(), is_rotary) {
             (Some(_), true) => words().torque_checked_by_work(&effort),

@@ -496,7 +496,7 @@ fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool 
             let newtons = |v| Formula::measured(f.format_or_zero(v, size), "N");
             let computed = draft.worked("N", &formula, newtons);
             let solved = n.dot(single.force);
-            draft.agree(&words().across(&single.name), computed, solved, size);
+            draft.agree(words().across(&single.name), computed, solved, size);
         }
         _ => {
             let formula = -known;

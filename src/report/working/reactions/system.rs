@@ -63,7 +63,7 @@ pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBod
             equation.write(context, draft, &unknowns);
             let link = context.scene.link_name(body.link);
             let left = equation.left(&unknowns);
-            draft.agree(&words().sum_on(what, link), left, 0.0, equation.size);
+            draft.agree(words().sum_on(what, link), left, 0.0, equation.size);
             equations.push(equation);
         }
     }
