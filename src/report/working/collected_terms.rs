@@ -2,7 +2,9 @@
 //! coefficients, so that the unknowns are isolated and a program can be written from them.
 
 use super::context::{Context, Draft};
-use super::equations::{EquationTerm, Heading, LoopSide, Multiplier, in_figures, known, sum};
+use super::equations::{
+    EquationTerm, Heading, LoopSide, Multiplier, in_figures, known, longest, sum,
+};
 use super::expression::{Expression, Function};
 use super::figures::Figures;
 use super::loops::group_unknowns::{ProblemForm, Stage};
@@ -140,11 +142,6 @@ impl LoopCollector<'_> {
         self.context.figures
     }
 
-    fn size(&self) -> f64 {
-        let lengths = self.members.iter().map(|m| m.reading.r.abs());
-        lengths.fold(0.0, f64::max)
-    }
-
     fn member(&self, term: Term) -> LoopSide<'_> {
         self.context.member(term, self.stage)
     }
@@ -165,7 +162,7 @@ impl LoopCollector<'_> {
         let value = known(&of);
         let size = of.iter().map(|piece| piece.size).sum();
         Some(into.coefficient(Coefficient {
-            figure: self.figures().format_or_zero(value, self.size()),
+            figure: self.figures().format_or_zero(value, longest(&self.members)),
             formulas,
             value,
             size,
@@ -176,7 +173,11 @@ impl LoopCollector<'_> {
     /// Adds a coefficient given by a formula.
     fn formula(&self, into: &mut Collection, formula: &Expression, power: usize) -> usize {
         let value = formula.value();
-        let size = if power == 0 { 1.0 } else { self.size() };
+        let size = if power == 0 {
+            1.0
+        } else {
+            longest(&self.members)
+        };
         let numbers = formula.numbers();
         let figure = match (formula, power) {
             // A length alone is written as given.

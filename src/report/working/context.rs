@@ -4,11 +4,11 @@
 use super::equations::LoopSide;
 use super::expression::Expression;
 use super::figures::Figures;
-use super::loops::group_unknowns::{Schedule, Stage};
+use super::loops::group_unknowns::{LoopUnknown, Schedule, Stage};
 use super::loops::polygon::{Loop, Polygon, Term};
 use super::loops::sides::{SideReading, SideShape, Turns};
-use super::symbols::WorkingNotation;
-use crate::page::{Block, Content, Formula, Head, Page, Setting, Table, Units};
+use super::symbols::{self, WorkingNotation};
+use crate::page::{Block, Content, Formula, Head, Page, Setting, Symbol, Table, Units};
 use crate::scene::Scene;
 use crate::solver::{Condition, Group, Known, Order, Solver};
 use crate::wording::words;
@@ -163,6 +163,17 @@ impl<'a> Context<'a> {
             .iter()
             .map(|&term| self.member(term, stage))
             .collect()
+    }
+
+    /// Returns the symbol of an unknown, or of its rate of an order.
+    pub(super) fn symbol(&self, unknown: LoopUnknown, order: Order) -> Symbol {
+        let side = |side: usize| &self.polygon.sides[side].name;
+        match unknown {
+            LoopUnknown::Angle(link) => symbols::angle(self.scene.link_name(link), order),
+            LoopUnknown::Travel(slide) => symbols::length(self.scene.slide_name(slide), order),
+            LoopUnknown::Length(of) => symbols::length(side(of), order),
+            LoopUnknown::Direction(of) => symbols::angle(side(of), order),
+        }
     }
 
     /// Describes a group: `group 2, dyad RRR at C: links r3, r4`.

@@ -164,6 +164,7 @@ struct FactorProduct {
     turning: bool,
 }
 
+#[derive(Clone)]
 struct Factor {
     symbol: Symbol,
     value: f64,
@@ -180,12 +181,39 @@ impl<'a> LoopSide<'a> {
         axis: &Multiplier,
         figures: Figures,
     ) -> Vec<EquationTerm> {
-        let products = match order {
-            Order::Position => vec![self.product(false, 1.0, false, vec![self.length()])],
-            Order::Velocity => self.velocity(),
-            // Forces need no further terms of a loop.
-            Order::Acceleration | Order::Force => self.acceleration(),
+        let (stretches, turns) = (self.side.stretches(), self.side.turns != Turns::Never);
+        let length = || self.length(Order::Position, false);
+        let mut products = Vec::new();
+        let mut add = |exists: bool, count: f64, turning: bool, factors: Vec<Factor>| {
+            products.extend(exists.then_some(FactorProduct {
+                negative: self.reversed != (count < 0.0),
+                count: count.abs(),
+                factors,
+                turning,
+            }));
         };
+        match order {
+            Order::Position => add(true, 1.0, false, vec![self.length(order, true)]),
+            Order::Velocity => {
+                add(stretches, 1.0, false, vec![self.length(order, true)]);
+                add(turns, 1.0, true, vec![length(), self.angle(order, true)]);
+            }
+            // Forces need no further terms of a loop.
+            Order::Acceleration | Order::Force => {
+                let [rate, omega] = [
+                    self.length(Order::Velocity, false),
+                    self.angle(Order::Velocity, false),
+                ];
+                let square = Factor {
+                    square: true,
+                    ..omega.clone()
+                };
+                add(stretches, 1.0, false, vec![self.length(order, true)]);
+                add(stretches && turns, 2.0, true, vec![rate, omega]);
+                add(turns, 1.0, true, vec![length(), self.angle(order, true)]);
+                add(turns, -1.0, false, vec![length(), square]);
+            }
+        }
         let theta = self.side.theta();
         let left = products
             .into_iter()
@@ -194,109 +222,33 @@ impl<'a> LoopSide<'a> {
             .collect()
     }
 
-    fn velocity(&self) -> Vec<FactorProduct> {
-        let mut products = Vec::new();
-        if self.side.stretches() {
-            products.push(self.product(false, 1.0, false, vec![self.rate(true)]));
-        }
-        if self.turns() {
-            let factors = vec![self.length_known(), self.omega(true, false)];
-            products.push(self.product(false, 1.0, true, factors));
-        }
-        products
+    /// Returns the vector from the start of the side to its end, as the loop traverses it.
+    pub(super) fn vector(&self) -> Vec2 {
+        let vector = self.reading.vector();
+        if self.reversed { -vector } else { vector }
     }
 
-    fn acceleration(&self) -> Vec<FactorProduct> {
-        let mut products = Vec::new();
-        if self.side.stretches() {
-            products.push(self.product(false, 1.0, false, vec![self.accel()]));
-        }
-        if self.side.stretches() && self.turns() {
-            let factors = vec![self.rate(false), self.omega(false, false)];
-            products.push(self.product(false, 2.0, true, factors));
-        }
-        if self.turns() {
-            let turning = vec![self.length_known(), self.alpha()];
-            products.push(self.product(false, 1.0, true, turning));
-            let centripetal = vec![self.length_known(), self.omega(false, true)];
-            products.push(self.product(true, 1.0, false, centripetal));
-        }
-        products
-    }
-
-    fn turns(&self) -> bool {
-        self.side.turns != Turns::Never
-    }
-
-    fn product(
-        &self,
-        negative: bool,
-        count: f64,
-        turning: bool,
-        factors: Vec<Factor>,
-    ) -> FactorProduct {
-        FactorProduct {
-            negative: negative != self.reversed,
-            count,
-            factors,
-            turning,
-        }
-    }
-
-    fn length(&self) -> Factor {
+    /// Returns the length or its rate, which is unknown only in the equation of its own order.
+    fn length(&self, order: Order, is_own: bool) -> Factor {
         Factor {
-            symbol: Symbol::named(&self.side.name),
-            value: self.reading.r,
+            symbol: symbols::length(&self.side.name, order),
+            value: self.reading.length(order),
             square: false,
-            sought: self.sought[0],
-            given: !self.side.stretches(),
+            sought: is_own && self.sought[0],
+            given: match order {
+                Order::Position => !self.side.stretches(),
+                _ => self.driven,
+            },
         }
     }
 
-    /// Returns the length as a known factor, for rates.
-    fn length_known(&self) -> Factor {
+    /// Returns the rate of the angle.
+    fn angle(&self, order: Order, is_own: bool) -> Factor {
         Factor {
-            sought: false,
-            ..self.length()
-        }
-    }
-
-    fn rate(&self, unknown: bool) -> Factor {
-        Factor {
-            symbol: symbols::rate(&self.side.name),
-            value: self.reading.rate,
+            symbol: symbols::angle(self.turner, order),
+            value: self.reading.angle(order),
             square: false,
-            sought: unknown && self.sought[0],
-            given: self.driven,
-        }
-    }
-
-    fn accel(&self) -> Factor {
-        Factor {
-            symbol: symbols::accel(&self.side.name),
-            value: self.reading.accel,
-            square: false,
-            sought: self.sought[0],
-            given: self.driven,
-        }
-    }
-
-    fn omega(&self, unknown: bool, square: bool) -> Factor {
-        Factor {
-            symbol: symbols::omega(self.turner),
-            value: self.reading.omega,
-            square,
-            sought: unknown && self.sought[1],
-            given: self.driven,
-        }
-    }
-
-    fn alpha(&self) -> Factor {
-        Factor {
-            symbol: symbols::alpha(self.turner),
-            value: self.reading.alpha,
-            square: false,
-            sought: self.sought[1],
+            sought: is_own && self.sought[1],
             given: self.driven,
         }
     }
@@ -446,6 +398,12 @@ pub(super) fn solved_for(pieces: &[EquationTerm], symbol: &Symbol) -> Expression
         divisor => above / divisor,
     };
     quotient.minus_if(negative)
+}
+
+/// Returns the length of the longest side.
+pub(super) fn longest(members: &[LoopSide<'_>]) -> f64 {
+    let lengths = members.iter().map(|member| member.reading.r.abs());
+    lengths.fold(0.0, f64::max)
 }
 
 /// Returns the sum of the known terms.

@@ -1,7 +1,10 @@
 //! Formats values in formulas.
 
+use super::symbols::index;
 use crate::page::Formula;
 use crate::report::text::number::{concise, direction, significant};
+use crate::solver::Order;
+use crate::study::UnknownKind;
 
 /// Significant digits, and the scene's unit of length.
 #[derive(Clone, Copy, Debug)]
@@ -80,6 +83,23 @@ impl Figures {
             concise(degrees, self.digits)
         } else {
             "-".into()
+        }
+    }
+
+    /// Returns the unit of an unknown.
+    pub(super) fn unit_of(&self, kind: UnknownKind) -> &'static str {
+        match kind {
+            UnknownKind::Angle => "deg",
+            UnknownKind::Length => self.unit,
+        }
+    }
+
+    /// Returns the unit of an unknown, or of its rate of an order.
+    pub(super) fn rate_unit(&self, kind: UnknownKind, order: Order) -> String {
+        match (order, kind) {
+            (Order::Position, _) => self.unit_of(kind).to_owned(),
+            (_, UnknownKind::Angle) => ["rad/s", "rad/s^2"][index(order) - 1].to_owned(),
+            (_, UnknownKind::Length) => self.length_unit(index(order)),
         }
     }
 

@@ -2,7 +2,7 @@
 //! position, the arm that slides through a pin, two guides, and a sum.
 
 use super::context::Draft;
-use super::equations::{Heading, Multiplier, known};
+use super::equations::{Heading, Multiplier, known, longest};
 use super::expression::{Expression, Function};
 use super::figures::Figures;
 use super::loops::polygon::Term;
@@ -192,10 +192,7 @@ impl Solution<'_> {
     pub(super) fn side_components(&self, arm: &[Term], slide: Term, size: f64) -> [f64; 2] {
         let u = self.member(slide).reading.u;
         let others = arm.iter().filter(|t| **t != slide).map(|&t| self.member(t));
-        let rest = others.fold(Vec2::ZERO, |sum, o| {
-            let r = o.reading.vector();
-            sum + if o.reversed { -r } else { r }
-        });
+        let rest = others.fold(Vec2::ZERO, |sum, other| sum + other.vector());
         match rest.norm() > 1e-12 * size {
             true => [u.dot(rest), u.cross(rest)],
             false => [0.0; 2],
@@ -232,7 +229,7 @@ impl Solution<'_> {
         let [mx, my] = self.write_m(draft);
         let name = member.side.name.clone();
         let size = self.write_length(draft, &name, [&mx, &my]);
-        draft.agree(&name, size, member.reading.r, self.longest());
+        draft.agree(&name, size, member.reading.r, longest(&self.members));
         let theta = member.side.theta();
         let angle = Expression::of(Function::Atan2, [my, mx]);
         let computed = draft.found(theta.clone(), &angle, |computed| turn(f, computed));
@@ -240,7 +237,7 @@ impl Solution<'_> {
             &theta,
             computed,
             member.reading.theta,
-            self.longest() / size,
+            longest(&self.members) / size,
         );
     }
 }

@@ -10,7 +10,8 @@ use crate::page::{Formula, Symbol};
 use crate::quantity::{Catalogue, state_word};
 use crate::report::text::number::concise;
 use crate::report::text::places::limits_text;
-use crate::solver::Condition;
+use crate::solver::{Condition, Order};
+use crate::study::UnknownKind;
 use crate::wording::words;
 use crate::{Body, Input, InputLaw, LinkId};
 
@@ -24,22 +25,21 @@ pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
     } = context;
     draft.page.title(&scene.title());
     let name = &scene.driven_name(scene.mechanism.driver().input);
-    let (is_turning, units) = match scene.mechanism.driver().input {
-        Input::Turn(_) => (true, ["deg", "rad/s", "rad/s^2"].map(str::to_owned)),
-        Input::Push(_) => {
-            let units = [0, 1, 2].map(|order| figures.length_unit(order));
-            (false, units)
-        }
+    let kind = match scene.mechanism.driver().input {
+        Input::Turn(_) => UnknownKind::Angle,
+        Input::Push(_) => UnknownKind::Length,
     };
+    let orders = [Order::Position, Order::Velocity, Order::Acceleration];
+    let units = orders.map(|order| figures.rate_unit(kind, order));
     let condition = &words().condition_called(state_word(state.condition()));
     let [at, speed, acceleration] = units;
     let at = format!("{} {at}", concise(state.at(), usize::MAX));
     let speed = format!("{} {speed}", figures.given(state.driver_speed()));
     let given = figures.given(state.driver_acceleration());
     let acceleration = format!("{given} {acceleration}");
-    draft.text(match is_turning {
-        true => words().driver_turns(condition, name, &at, &speed, &acceleration),
-        false => words().driver_slides(condition, name, &at, &speed, &acceleration),
+    draft.text(match kind {
+        UnknownKind::Angle => words().driver_turns(condition, name, &at, &speed, &acceleration),
+        UnknownKind::Length => words().driver_slides(condition, name, &at, &speed, &acceleration),
     });
     if let Some(text) = condition_text(context) {
         draft.text(text);

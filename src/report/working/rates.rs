@@ -3,16 +3,19 @@
 
 use super::context::{Context, Draft};
 use super::equations::{
-    EquationTerm, Heading, LoopSide, Multiplier, coefficient, in_figures, known, solved_for, sum,
+    EquationTerm, Heading, LoopSide, Multiplier, coefficient, in_figures, known, longest,
+    solved_for, sum,
 };
 use super::expression::Expression;
 use super::loops::group_unknowns::{LoopUnknown, ProblemForm, Stage};
 use super::loops::sides::{SideShape, Turns};
+use super::methods::kind;
 use super::positions::loop_heading;
 use super::symbols;
 use crate::page::{Formula, Symbol};
 use crate::report::Entry;
 use crate::solver::{Condition, Order};
+use crate::study::UnknownKind;
 use crate::wording::words;
 use crate::{Input, LinkId, Vec2, angle};
 
@@ -111,8 +114,8 @@ fn removed(
     };
     let of = &context.polygon.loops[number];
     let members = context.members(of, stage);
-    let symbol = rate_symbol(context, unknowns, order);
-    let other_symbol = rate_symbol(context, other, order);
+    let symbol = context.symbol(unknowns, order);
+    let other_symbol = context.symbol(other, order);
     let Some(axis) = removing(&members, other) else {
         return;
     };
@@ -121,7 +124,7 @@ fn removed(
     pieces.retain(|piece| piece.unknown.as_ref() != Some(&other_symbol));
     let (known, factor) = (known(&pieces), coefficient(&pieces, &symbol));
     let solved = rate_value(context, unknowns, order);
-    let unit = rate_unit(context, unknowns, order);
+    let unit = context.figures.rate_unit(kind(unknowns), order);
     let f = context.figures;
     draft.text(words().multiplied_by(&axis.name(context.notation), &other_symbol));
     draft.write_zero(sum(&pieces).symbols());
@@ -130,9 +133,7 @@ fn removed(
         Some(_) => maximum,
         None => maximum.max(p.size),
     });
-    let longest = members
-        .iter()
-        .fold(0.0_f64, |maximum, m| maximum.max(m.reading.r.abs()));
+    let longest = longest(&members);
     // At a singular position, the quotient of two rounding errors has no meaning.
     let sine = match unknowns {
         LoopUnknown::Angle(_) | LoopUnknown::Direction(_) => factor.abs() / longest,
@@ -187,10 +188,7 @@ fn removing(members: &[LoopSide<'_>], unknown: LoopUnknown) -> Option<Multiplier
 
 /// Returns the direction of the sum of sides that rotate together; `None` if the sum is zero.
 fn together_heading(own: &[&LoopSide<'_>]) -> Option<Heading> {
-    let sum = own.iter().fold(Vec2::ZERO, |sum, m| {
-        let r = m.reading.vector();
-        sum + if m.reversed { -r } else { r }
-    });
+    let sum = own.iter().fold(Vec2::ZERO, |sum, m| sum + m.vector());
     let size = sum.norm();
     if !(size > 0.0) {
         return None;
@@ -212,9 +210,9 @@ fn together(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Orde
     draft.text(words().equations_for_unknowns(equations, count));
     self::elbows(context, draft, stage, order);
     for &unknown in &stage.unknowns {
-        let symbol = rate_symbol(context, unknown, order);
+        let symbol = context.symbol(unknown, order);
         let value = rate_value(context, unknown, order);
-        let unit = rate_unit(context, unknown, order);
+        let unit = context.figures.rate_unit(kind(unknown), order);
         let value = Formula::measured(context.figures.number(value), &unit);
         draft.equation([symbol.into(), value]);
     }
@@ -226,13 +224,8 @@ pub(super) fn elbows(context: &Context<'_>, draft: &mut Draft, stage: &Stage, or
     let mechanism = &context.scene.mechanism;
     let driver = mechanism.driver();
     for [link, from] in stage.elbows(mechanism, context.polygon) {
-        let symbol = |link: LinkId| {
-            let symbol = match order {
-                Order::Position => symbols::theta(context.scene.link_name(link)),
-                _ => rate_symbol(context, LoopUnknown::Angle(link), order),
-            };
-            Expression::symbol(symbol)
-        };
+        let symbol =
+            |link: LinkId| Expression::symbol(symbols::angle(context.scene.link_name(link), order));
         let timed = mechanism.timed_input(Input::Turn(link));
         let at = context.state.at();
         let [first, second] = timed.map_or([1.0, 0.0], |timed| timed.rates(at, driver.input));
@@ -242,30 +235,10 @@ pub(super) fn elbows(context: &Context<'_>, draft: &mut Draft, stage: &Stage, or
             Order::Velocity => speed * first,
             _ => context.state.driver_acceleration() * first + speed * speed * second,
         };
-        let unit = match order {
-            Order::Position => "deg".into(),
-            _ => rate_unit(context, LoopUnknown::Angle(link), order),
-        };
+        let unit = context.figures.rate_unit(UnknownKind::Angle, order);
         let difference = symbol(link) - symbol(from);
         let given = Formula::measured(context.figures.given(given), &unit);
         draft.equation([difference.symbols(), given]);
-    }
-}
-
-fn rate_symbol(context: &Context<'_>, unknown: LoopUnknown, order: Order) -> Symbol {
-    let turning = |name: &str| match order {
-        Order::Velocity => symbols::omega(name),
-        _ => symbols::alpha(name),
-    };
-    let stretching = |name: &str| match order {
-        Order::Velocity => symbols::rate(name),
-        _ => symbols::accel(name),
-    };
-    match unknown {
-        LoopUnknown::Angle(link) => turning(context.scene.link_name(link)),
-        LoopUnknown::Travel(slide) => stretching(context.scene.slide_name(slide)),
-        LoopUnknown::Length(side) => stretching(&context.polygon.sides[side].name),
-        LoopUnknown::Direction(side) => turning(&context.polygon.sides[side].name),
     }
 }
 
@@ -277,21 +250,8 @@ fn rate_value(context: &Context<'_>, unknown: LoopUnknown, order: Order) -> f64 
         LoopUnknown::Angle(link) => state.alpha(link),
         LoopUnknown::Travel(slide) if first => state.travel(slide).rate,
         LoopUnknown::Travel(slide) => state.travel(slide).accel,
-        LoopUnknown::Length(side) if first => context.readings[side].rate,
-        LoopUnknown::Length(side) => context.readings[side].accel,
-        LoopUnknown::Direction(side) if first => context.readings[side].omega,
-        LoopUnknown::Direction(side) => context.readings[side].alpha,
-    }
-}
-
-fn rate_unit(context: &Context<'_>, unknown: LoopUnknown, order: Order) -> String {
-    let first = order == Order::Velocity;
-    match unknown {
-        LoopUnknown::Angle(_) | LoopUnknown::Direction(_) if first => "rad/s".into(),
-        LoopUnknown::Angle(_) | LoopUnknown::Direction(_) => "rad/s^2".into(),
-        LoopUnknown::Travel(_) | LoopUnknown::Length(_) => {
-            context.figures.length_unit(if first { 1 } else { 2 })
-        }
+        LoopUnknown::Length(side) => context.readings[side].length(order),
+        LoopUnknown::Direction(side) => context.readings[side].angle(order),
     }
 }
 
@@ -302,16 +262,8 @@ fn table(context: &Context<'_>, draft: &mut Draft, order: Order) {
     let first = order == Order::Velocity;
     let mut rows = Vec::new();
     for (side, r) in context.polygon.sides.iter().zip(&context.readings) {
-        let length = if first {
-            (r.rate, 0.0)
-        } else {
-            (r.accel, r.rate)
-        };
-        let turning = if first {
-            (r.omega, 0.0)
-        } else {
-            (r.alpha, r.omega)
-        };
+        let length = (r.length(order), r.rate);
+        let turning = (r.angle(order), r.omega);
         let sliding = word_of(length, context, order);
         let [_, r, turning_text, word] =
             table_row(context, &side.name, Some(length), turning, order);
@@ -324,12 +276,12 @@ fn table(context: &Context<'_>, draft: &mut Draft, order: Order) {
     let without_ends = |link: &LinkId| mechanism.link(*link).ends.is_none();
     for link in mechanism.link_ids().filter(without_ends) {
         let (omega, alpha) = (context.state.omega(link), context.state.alpha(link));
-        let turning = if first { (omega, 0.0) } else { (alpha, omega) };
+        let turning = (if first { omega } else { alpha }, omega);
         let name = context.scene.link_name(link);
         let row = table_row(context, name, None, turning, order);
         rows.push((row, ""));
     }
-    let length = f.length_unit(if first { 1 } else { 2 });
+    let length = f.rate_unit(UnknownKind::Length, order);
     if first {
         let rows = rows
             .into_iter()

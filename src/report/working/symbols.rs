@@ -1,6 +1,7 @@
 //! The symbols in formulas: the lecture's theta3 for the angle of r3.
 
 use crate::page::{Formula, Symbol};
+use crate::solver::Order;
 
 /// The notation of unit vectors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -48,14 +49,19 @@ pub(super) fn alpha(name: &str) -> Symbol {
     symbol('α', name)
 }
 
-/// Returns the symbol of the rate of a length.
-pub(super) fn rate(name: &str) -> Symbol {
-    Symbol::named(name).derivative(1)
+/// Returns the symbol of a vector's angle, or of its rate of an order.
+pub(super) fn angle(name: &str, order: Order) -> Symbol {
+    symbol(['θ', 'ω', 'α'][index(order)], name)
 }
 
-/// Returns the symbol of the second derivative of a length.
-pub(super) fn accel(name: &str) -> Symbol {
-    Symbol::named(name).derivative(2)
+/// Returns the symbol of a length, or of its rate of an order.
+pub(super) fn length(name: &str, order: Order) -> Symbol {
+    Symbol::named(name).derivative(index(order))
+}
+
+/// Returns the number of differentiations; forces belong to accelerations.
+pub(super) fn index(order: Order) -> usize {
+    (order as usize).min(Order::Acceleration as usize)
 }
 
 /// Returns the symbol of a point's value, or of its component: aB, aBt, but `a_r3.com`.

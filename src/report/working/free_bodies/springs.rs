@@ -7,7 +7,7 @@ use crate::page::{Formula, Symbol};
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::expression::Expression;
 use crate::report::working::symbols;
-use crate::solver::LoadAction;
+use crate::solver::{LoadAction, Order};
 use crate::wording::words;
 use crate::{Body, LinkId, Load, PointId, Profile};
 
@@ -167,7 +167,7 @@ impl SpringNow {
         let rate = f.format_or_zero(spring.rate, context.fastest[0]);
         let rate = Formula::measured(rate, &f.length_unit(1));
         draft.equation([name, f.length(spring.length)]);
-        draft.equation([symbols::rate("L").into(), rate]);
+        draft.equation([symbols::length("L", Order::Velocity).into(), rate]);
         spring
     }
 
@@ -178,7 +178,7 @@ impl SpringNow {
         let rate = self.rate * metres;
         let figure = f.format_or_zero(rate, context.fastest[0] * metres);
         Expression::known("c", f.given(damping), damping)
-            * Expression::known(symbols::rate("L"), figure, rate)
+            * Expression::known(symbols::length("L", Order::Velocity), figure, rate)
     }
 
     fn of(context: &Context<'_>, [from, to]: [PointId; 2]) -> SpringNow {

@@ -6,7 +6,7 @@ use crate::quantity::{Aspect, Subject, value};
 use crate::report::tables::shared_body;
 use crate::report::working::symbols;
 use crate::scene::{Scene, Vector, VectorKind};
-use crate::solver::Known;
+use crate::solver::{Known, Order};
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2, angle};
 
 /// The kind of side.
@@ -64,6 +64,16 @@ impl SideReading {
     /// Returns the vector of the side, head minus tail.
     pub(in crate::report::working) fn vector(&self) -> Vec2 {
         self.u * self.r
+    }
+
+    /// Returns the length, or its rate of an order.
+    pub(in crate::report::working) fn length(&self, order: Order) -> f64 {
+        [self.r, self.rate, self.accel][symbols::index(order)]
+    }
+
+    /// Returns the direction in degrees, or its rate of an order.
+    pub(in crate::report::working) fn angle(&self, order: Order) -> f64 {
+        [self.theta, self.omega, self.alpha][symbols::index(order)]
     }
 }
 

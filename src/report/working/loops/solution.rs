@@ -6,7 +6,7 @@ use super::sides::{Side, SideShape, Turns};
 use crate::page::{Formula, Symbol};
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::equations::{
-    EquationTerm, LoopSide, Multiplier, in_figures, known, sum,
+    EquationTerm, LoopSide, Multiplier, in_figures, known, longest, sum,
 };
 use crate::report::working::expression::Expression;
 use crate::report::working::figures::Figures;
@@ -94,8 +94,7 @@ impl<'a> Solution<'a> {
     pub(in crate::report::working) fn write_m(&self, draft: &mut Draft) -> [Expression; 2] {
         let f = self.figures;
         let m = -self.known;
-        let sizes = self.members.iter().map(|m| m.reading.r.abs());
-        let size = sizes.fold(0.0_f64, f64::max);
+        let size = longest(&self.members);
         let letter = self.diagonal();
         let [x, y] = ["x", "y"].map(|axis| Symbol::indexed(letter, axis));
         [(Multiplier::X, x, m.x), (Multiplier::Y, y, m.y)].map(|(axis, name, value)| {
@@ -148,10 +147,7 @@ impl<'a> Solution<'a> {
     /// Combines several sides that rotate together into one arm.
     fn composed(&self, arm: &[Term]) -> DyadArm<'a> {
         let members: Vec<LoopSide<'_>> = arm.iter().map(|&term| self.member(term)).collect();
-        let sum = members.iter().fold(Vec2::ZERO, |sum, m| {
-            let r = m.reading.vector();
-            sum + if m.reversed { -r } else { r }
-        });
+        let sum = members.iter().fold(Vec2::ZERO, |sum, m| sum + m.vector());
         let link = members.iter().find_map(|m| m.side.turns_with());
         let own = link.map_or(0.0, |link| self.context.state.angle(link));
         let sides = members.iter();
@@ -228,12 +224,6 @@ impl<'a> Solution<'a> {
         let difference =
             Expression::symbol(side.theta()) - Expression::figure(f.direction(ahead), ahead);
         draft.equation([symbol.into(), difference.symbols(), turn(f, computed)]);
-    }
-
-    pub(in crate::report::working) fn longest(&self) -> f64 {
-        self.members
-            .iter()
-            .fold(0.0, |maximum, m| maximum.max(m.reading.r.abs()))
     }
 }
 

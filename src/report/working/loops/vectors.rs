@@ -3,6 +3,7 @@
 
 use super::polygon::{Loop, Term};
 use super::sides::{Side, SideReading, SideShape};
+use crate::page::Symbol;
 use crate::report::working::Working;
 use crate::report::working::context::Context;
 use crate::report::working::introduction::sum_text;
@@ -235,36 +236,27 @@ fn figures(
     ];
     let unknowns = groups.map(|group| group.is_some());
     let turner = side.turner(context.scene);
-    let (symbols, values, exists) = match order {
-        Order::Position => (
-            [side.name.clone(), side.theta().to_string()],
-            [reading.r, reading.theta],
-            context.has_positions(),
-        ),
-        Order::Velocity => (
-            [symbols::rate(&side.name), symbols::omega(turner)].map(|s| s.to_string()),
-            [reading.rate, reading.omega],
-            context.has_rates(),
-        ),
-        // Forces need no further values of a vector.
-        Order::Acceleration | Order::Force => (
-            [symbols::accel(&side.name), symbols::alpha(turner)].map(|s| s.to_string()),
-            [reading.accel, reading.alpha],
-            context.has_rates(),
-        ),
+    let (owner, exists) = match order {
+        Order::Position => (side.name.as_str(), context.has_positions()),
+        _ => (turner, context.has_rates()),
     };
+    let symbols = [
+        symbols::length(&side.name, order),
+        symbols::angle(owner, order),
+    ];
+    let values = [reading.length(order), reading.angle(order)];
     let f = context.figures;
     let is_direction = [false, order == Order::Position];
     let [length, angle] = symbols;
     let columns = columns(side, turner, order);
-    let figure = |k: usize, symbol: String| {
+    let figure = |k: usize, symbol: Symbol| {
         let value = match (is_direction[k], unknowns[k]) {
             (true, _) => f.direction(values[k]),
             (false, true) => f.number(values[k]),
             (false, false) => f.given(values[k]),
         };
         VectorFigure {
-            symbol,
+            symbol: symbol.to_string(),
             column: columns[k].clone(),
             value: (exists || !unknowns[k]).then_some(value),
             is_sought: unknowns[k],

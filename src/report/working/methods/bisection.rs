@@ -42,10 +42,7 @@ pub(super) fn halve(
     let places = i32::try_from(f.digits).unwrap_or(i32::MAX);
     let finest = size * 10.0_f64.powi(-places);
     let halved = Bisection::of(a, b, finest, |x| reduced.value(x));
-    let unit = match reduced.kind {
-        UnknownKind::Angle => "deg",
-        UnknownKind::Length => f.unit,
-    };
+    let unit = f.unit_of(reduced.kind);
     let [from, to] = [a, b].map(|v| Formula::measured(f.angle(v), unit));
     let largest = context.longest.powi(2);
     let [low, high] = halved.ends.map(|v| f.area_or_zero(v, largest));

@@ -5,7 +5,7 @@ use super::super::context::Context;
 use super::super::loops::group_unknowns::LoopUnknown;
 use super::super::loops::sides::{Side, SideShape, Turns};
 use super::PositionMethod;
-use super::problem::{kind, name};
+use super::problem::kind;
 use crate::expression::plain_unit;
 use crate::nearest::did_you_mean;
 use crate::scene::{Unit, with_point};
@@ -281,11 +281,12 @@ fn unknown_names(context: &Context<'_>) -> String {
 pub(super) fn format_unknowns(context: &Context<'_>, values: &[(LoopUnknown, f64)]) -> String {
     let f = context.figures;
     let one = |&(unknown, value): &(LoopUnknown, f64)| {
-        let unit = match kind(unknown) {
-            UnknownKind::Angle => "deg",
-            UnknownKind::Length => f.unit,
-        };
-        format!("{} = {} {unit}", name(context, unknown), f.angle(value))
+        let unit = f.unit_of(kind(unknown));
+        format!(
+            "{} = {} {unit}",
+            context.symbol(unknown, Order::Position),
+            f.angle(value)
+        )
     };
     values.iter().map(one).collect::<Vec<_>>().join(", ")
 }

@@ -92,10 +92,9 @@ struct IterationTable<'a> {
 
 impl IterationTable<'_> {
     fn unit(&self, index: usize) -> &'static str {
-        match self.problem.system.kinds[index] {
-            UnknownKind::Angle => "deg",
-            UnknownKind::Length => self.context.figures.unit,
-        }
+        self.context
+            .figures
+            .unit_of(self.problem.system.kinds[index])
     }
 
     /// Returns the names of the functions: `fx` and `fy`, or `f1x`, `f1y`, `f2x` with several

@@ -3,9 +3,9 @@
 use super::super::context::Context;
 use super::super::loops::group_unknowns::{LoopUnknown, Stage};
 use super::super::loops::sides::{Side, SideShape, Turns};
-use super::super::symbols;
 use crate::angle;
 use crate::page::Symbol;
+use crate::solver::Order;
 use crate::study::{LoopSum, LoopSystem, UnknownKind, UnknownVector, VectorPart};
 
 /// The equations of a group's loops.
@@ -31,7 +31,10 @@ impl LoopProblem {
             kinds: kinds.collect(),
             longest: context.longest,
         };
-        let names = stage.unknowns.iter().map(|&u| name(context, u));
+        let names = stage
+            .unknowns
+            .iter()
+            .map(|&u| context.symbol(u, Order::Position));
         let right = stage.unknowns.iter().map(|&u| right(context, u));
         Some(LoopProblem {
             system,
@@ -47,19 +50,6 @@ pub(in crate::report::working) fn kind(unknown: LoopUnknown) -> UnknownKind {
     match unknown {
         LoopUnknown::Angle(_) | LoopUnknown::Direction(_) => UnknownKind::Angle,
         LoopUnknown::Travel(_) | LoopUnknown::Length(_) => UnknownKind::Length,
-    }
-}
-
-/// Returns the symbol of an unknown.
-pub(super) fn name(context: &Context<'_>, unknown: LoopUnknown) -> Symbol {
-    let side = |side: usize| context.polygon.sides.get(side);
-    match unknown {
-        LoopUnknown::Angle(link) => symbols::theta(context.scene.link_name(link)),
-        LoopUnknown::Travel(slide) => context.scene.slide_name(slide).into(),
-        LoopUnknown::Length(of) => {
-            side(of).map_or_else(Symbol::default, |side| side.name.as_str().into())
-        }
-        LoopUnknown::Direction(of) => side(of).map_or_else(Symbol::default, Side::theta),
     }
 }
 
@@ -97,7 +87,7 @@ fn sum(context: &Context<'_>, stage: &Stage, number: usize) -> Option<LoopSum> {
             (true, _) => return None,
         };
         if member.sought == [false, false] {
-            sum.known += member.reading.vector() * sign;
+            sum.known += member.vector();
         } else {
             sum.sought.push(UnknownVector {
                 sign,

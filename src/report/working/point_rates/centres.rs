@@ -122,12 +122,6 @@ pub(in crate::report::working) fn coordinate(
     of_point(axis, context.scene.point_name(point).unwrap_or_default())
 }
 
-/// Returns the length of the longest vector, which determines the rounding errors of positions.
-pub(in crate::report::working) fn longest(context: &Context<'_>) -> f64 {
-    let lengths = context.readings.iter().map(|reading| reading.r.abs());
-    lengths.fold(0.0, f64::max)
-}
-
 /// Returns the centres of all links, in solution order.
 pub(in crate::report::working) fn centres(context: &Context<'_>) -> Vec<LinkCentre> {
     if !context.has_rates() || !(context.fastest[0] > 0.0) {
@@ -143,7 +137,6 @@ pub(in crate::report::working) fn centres(context: &Context<'_>) -> Vec<LinkCent
 /// The state of the search for instant centres.
 struct CentreFinder<'a> {
     context: &'a Context<'a>,
-    longest: f64,
     /// The position of every point in the solution order.
     places: Vec<usize>,
     /// The guides of the ground along which every point slides.
@@ -165,7 +158,6 @@ impl<'a> CentreFinder<'a> {
         }
         CentreFinder {
             context,
-            longest: longest(context),
             places: super::points::places(context),
             guides,
             found: Vec::new(),
@@ -202,7 +194,7 @@ impl<'a> CentreFinder<'a> {
     fn centre(&self, link: LinkId) -> LinkCentre {
         let (context, state) = (self.context, self.context.state);
         let omega = state.omega(link);
-        let turning = omega.abs() * self.longest / context.fastest[0];
+        let turning = omega.abs() * self.context.longest / context.fastest[0];
         let of = |place, basis| LinkCentre {
             link,
             place,
@@ -261,7 +253,7 @@ impl<'a> CentreFinder<'a> {
                     CentrePlace::Rest => continue,
                 };
                 let distance = u.norm();
-                if distance > LOSS * self.longest {
+                if distance > LOSS * self.context.longest {
                     lines.push(CentreLine {
                         through,
                         ..along(u / distance)

@@ -2,7 +2,7 @@
 //! them.
 
 use super::centres::{
-    CentreBasis, CentreLine, CentrePlace, LinkCentre, centres, coordinate, longest, named, symbol,
+    CentreBasis, CentreLine, CentrePlace, LinkCentre, centres, coordinate, named, symbol,
 };
 use crate::page::Formula;
 use crate::report::working::context::{Context, Draft};
@@ -24,7 +24,6 @@ pub(in crate::report::working) fn instant_centres(context: &Context<'_>, draft: 
     if !joints.is_empty() {
         draft.text(words().common_centres(&joints.join("; ")));
     }
-    let size = longest(context);
     let mechanism = &context.scene.mechanism;
     let mut pivots = vec![None; mechanism.links().len()];
     for centre in &centres {
@@ -38,11 +37,10 @@ pub(in crate::report::working) fn instant_centres(context: &Context<'_>, draft: 
             centre,
             figures: figures(context, centre),
             pivots: &pivots,
-            size,
         };
         text.write(draft);
     }
-    table(context, draft, &centres, size);
+    table(context, draft, &centres);
 }
 
 /// Lists every joint of two moving links, as in `r2, r3: B`.
@@ -69,7 +67,8 @@ fn figures(context: &Context<'_>, centre: &LinkCentre) -> Figures {
 }
 
 /// Writes the table of all centres.
-fn table(context: &Context<'_>, draft: &mut Draft, centres: &[LinkCentre], size: f64) {
+fn table(context: &Context<'_>, draft: &mut Draft, centres: &[LinkCentre]) {
+    let size = context.longest;
     let rows = centres.iter().map(|centre| {
         let f = figures(context, centre);
         let [x, y] = match centre.place {
@@ -98,8 +97,6 @@ struct CentreDescription<'a> {
     figures: Figures,
     /// The pivot on the ground of every link that has one.
     pivots: &'a [Option<PointId>],
-    /// The length of the longest vector.
-    size: f64,
 }
 
 impl CentreDescription<'_> {
@@ -172,7 +169,10 @@ impl CentreDescription<'_> {
     fn coordinate(&self, axis: &str, point: PointId) -> Expression {
         let at = self.context.state.position(point);
         let value = if axis == "x" { at.x } else { at.y };
-        let figure = self.context.figures.format_or_zero(value, self.size);
+        let figure = self
+            .context
+            .figures
+            .format_or_zero(value, self.context.longest);
         Expression::known(coordinate(self.context, axis, point), figure, value)
     }
 
@@ -195,7 +195,7 @@ impl CentreDescription<'_> {
         let above =
             distance("x") * of(Function::Sin, &gamma) - distance("y") * of(Function::Cos, &gamma);
         let t = above / of(Function::Sin, &(gamma.clone() - beta.clone()));
-        let size = self.size;
+        let size = self.context.longest;
         let t = draft.worked("t", &t, |t| f.length_or_zero(t, size));
         let known = || Expression::known("t", f.format_or_zero(t, size), t);
         let at = [("x", Function::Cos), ("y", Function::Sin)].map(|(axis, function)| {
@@ -250,7 +250,7 @@ impl CentreDescription<'_> {
         };
         let x = self.coordinate("x", base) - part("y", v.y) / w.clone();
         let y = self.coordinate("y", base) + part("x", v.x) / w;
-        let size = self.size;
+        let size = self.context.longest;
         for (symbol, sum) in [("x", x), ("y", y)] {
             draft.worked(symbol, &sum, |v| f.length_or_zero(v, size));
         }
@@ -272,7 +272,7 @@ impl CentreDescription<'_> {
         let w = state.omega(self.centre.link);
         let name = symbol(self.context, self.centre.link);
         let unit = f.length_unit(1);
-        let size = self.size;
+        let size = self.context.longest;
         for point in named(self.context, self.centre.link).filter(|&point| point != text) {
             let point_name = self.point_name(point);
             let distance = (state.position(point) - at).norm();

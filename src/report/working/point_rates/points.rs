@@ -7,7 +7,7 @@ use crate::report::working::expression::{Expression, Function};
 use crate::report::working::loops::sides::Turns;
 use crate::report::working::loops::solution::angle_sum;
 use crate::report::working::symbols::{self, of_point, part_of_point};
-use crate::solver::Sliding;
+use crate::solver::{Order, Sliding};
 use crate::wording::words;
 use crate::{Body, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
 
@@ -419,8 +419,8 @@ fn on_guide(
         size,
     };
     let (along, second) = (t * rate, t * accel);
-    let rate_name = size_of(symbols::rate(slide_name), rate);
-    let accel_name = size_of(symbols::accel(slide_name), accel);
+    let rate_name = size_of(symbols::length(slide_name, Order::Velocity), rate);
+    let accel_name = size_of(symbols::length(slide_name, Order::Acceleration), accel);
     if on == Body::Ground {
         for (formatter, symbol, value, solved) in [
             (formatter("v", 1, context.fastest[0]), rate_name, along, v),
