@@ -2,7 +2,7 @@
 //! solver's state.
 
 use super::context::{Context, Draft};
-use super::equations::{EquationTerm, LoopSide, Multiplier};
+use super::equations::{LoopSide, Multiplier, pieces};
 use super::expression::Expression;
 use crate::page::Formula;
 use crate::solver::Order;
@@ -50,9 +50,8 @@ fn closure(context: &Context<'_>, draft: &mut Draft) {
                     sought: [false; 2],
                     ..context.member(term, stage)
                 });
-                let pieces: Vec<EquationTerm> = members
-                    .flat_map(|m| m.pieces(Order::Position, &axis, f))
-                    .collect();
+                let members: Vec<LoopSide<'_>> = members.collect();
+                let pieces = pieces(&members, Order::Position, &axis, f);
                 let size = pieces
                     .iter()
                     .fold(0.0_f64, |maximum, p| maximum.max(p.value.abs()));

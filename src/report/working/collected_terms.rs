@@ -3,16 +3,16 @@
 
 use super::context::{Context, Draft};
 use super::equations::{
-    EquationTerm, Heading, LoopSide, Multiplier, in_figures, known, longest, sum,
+    EquationTerm, Heading, LoopSide, Multiplier, in_figures, known, longest, pieces, sum,
 };
 use super::expression::{Expression, Function};
 use super::figures::Figures;
 use super::loops::group_unknowns::{ProblemForm, Stage};
 use super::loops::polygon::Term;
 use super::loops::sides::{SideShape, Turns};
-use super::positions::pieces;
 use super::symbols;
 use crate::page::{Formula, Symbol};
+use crate::solver::Order;
 use crate::wording::words;
 
 /// The equations of a loop with their coefficients.
@@ -149,7 +149,7 @@ impl LoopCollector<'_> {
     /// Adds the known terms along an axis, optionally negated, as a coefficient; returns `None` if
     /// there are none.
     fn known(&self, into: &mut Collection, axis: &Multiplier, minus: bool) -> Option<usize> {
-        let all = pieces(&self.members, axis, self.figures());
+        let all = pieces(&self.members, Order::Position, axis, self.figures());
         let mut of: Vec<EquationTerm> = all.into_iter().filter(|p| p.unknown.is_none()).collect();
         if of.is_empty() {
             return None;
@@ -314,8 +314,7 @@ impl LoopCollector<'_> {
         let arm = self.arm(arm);
         let slide = self.member(slide);
         let heading = || Heading::of(&slide);
-        let [cos, sin] = [Function::Cos, Function::Sin]
-            .map(|function| Expression::of(function, [self.theta(&slide)]));
+        let [cos, sin] = self.theta(&slide).cos_and_sin();
         let [mut a, mut b] = [
             arm.along.clone() * cos.clone(),
             -(arm.along.clone() * sin.clone()),

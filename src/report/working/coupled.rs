@@ -98,17 +98,14 @@ fn sides(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
             && !is_shown
             && matches!(side.shape, SideShape::Link(_) | SideShape::Rigid(..))
         {
-            let angle = Expression::of(Function::Atan2, [y.clone(), x.clone()]);
+            let angle = Expression::atan2(y.clone(), x.clone());
             let computed = draft.worked(theta.clone(), &angle, |computed| turn(f, computed));
             let loss = context.longest / reading.r.abs();
             draft.agree_angle(&theta, computed, reading.theta, loss);
         }
         if unknowns[0] {
-            let [cos, sin] = [Function::Cos, Function::Sin].map(|function| {
-                let of =
-                    Expression::known(theta.clone(), f.direction(reading.theta), reading.theta);
-                Expression::of(function, [of])
-            });
+            let angle = Expression::known(theta, f.direction(reading.theta), reading.theta);
+            let [cos, sin] = angle.cos_and_sin();
             let along = x * cos + y * sin;
             let computed = draft.worked(side.name.as_str(), &along, |r| f.length(r));
             draft.agree(&side.name, computed, reading.r, context.longest);

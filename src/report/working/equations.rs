@@ -175,12 +175,7 @@ struct Factor {
 
 impl<'a> LoopSide<'a> {
     /// Returns the terms that the side adds to an equation of this order.
-    pub(super) fn pieces(
-        &self,
-        order: Order,
-        axis: &Multiplier,
-        figures: Figures,
-    ) -> Vec<EquationTerm> {
+    fn pieces(&self, order: Order, axis: &Multiplier, figures: Figures) -> Vec<EquationTerm> {
         let (stretches, turns) = (self.side.stretches(), self.side.turns != Turns::Never);
         let length = || self.length(Order::Position, false);
         let mut products = Vec::new();
@@ -398,6 +393,17 @@ pub(super) fn solved_for(pieces: &[EquationTerm], symbol: &Symbol) -> Expression
         divisor => above / divisor,
     };
     quotient.minus_if(negative)
+}
+
+/// Returns the terms that the sides add to an equation of this order.
+pub(super) fn pieces(
+    members: &[LoopSide<'_>],
+    order: Order,
+    axis: &Multiplier,
+    figures: Figures,
+) -> Vec<EquationTerm> {
+    let of = |member: &LoopSide<'_>| member.pieces(order, axis, figures);
+    members.iter().flat_map(of).collect()
 }
 
 /// Returns the length of the longest side.

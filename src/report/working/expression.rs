@@ -87,6 +87,16 @@ impl Expression {
         Expression::Function(function, of.into())
     }
 
+    /// Returns cosine and sine.
+    pub(super) fn cos_and_sin(self) -> [Expression; 2] {
+        [Function::Cos, Function::Sin].map(|function| Expression::of(function, [self.clone()]))
+    }
+
+    /// Returns the angle of a vector.
+    pub(super) fn atan2(y: Expression, x: Expression) -> Expression {
+        Expression::of(Function::Atan2, [y, x])
+    }
+
     pub(super) fn squared(self) -> Expression {
         Expression::Square(Box::new(self))
     }
@@ -138,14 +148,6 @@ impl Expression {
             (_, None) => number(),
         };
         Some(term.minus_if(negative))
-    }
-
-    /// Returns the sum of numbers without those that are 0.
-    pub(super) fn sum_of_figures(figures: impl IntoIterator<Item = String>) -> Expression {
-        let terms = figures
-            .into_iter()
-            .map(|figure| Expression::term(figure, None));
-        Expression::sum(terms.flatten())
     }
 
     /// Returns the product of factors, if there are any.

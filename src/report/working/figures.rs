@@ -1,5 +1,6 @@
 //! Formats values in formulas.
 
+use super::expression::Expression;
 use super::symbols::index;
 use crate::page::Formula;
 use crate::report::text::number::{concise, direction, significant};
@@ -84,6 +85,14 @@ impl Figures {
         } else {
             "-".into()
         }
+    }
+
+    /// Writes the sum of values without those that are 0 or rounding errors.
+    pub(super) fn sum(&self, values: impl IntoIterator<Item = f64>, size: f64) -> Expression {
+        let figures = values
+            .into_iter()
+            .map(|value| self.format_or_zero(value, size));
+        Expression::sum(figures.filter_map(|figure| Expression::term(figure, None)))
     }
 
     /// Returns the unit of an unknown.

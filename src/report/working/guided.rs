@@ -2,14 +2,14 @@
 //! position, the arm that slides through a pin, two guides, and a sum.
 
 use super::context::Draft;
-use super::equations::{Heading, Multiplier, known, longest};
-use super::expression::{Expression, Function};
+use super::equations::{Heading, Multiplier, known, longest, pieces};
+use super::expression::Expression;
 use super::figures::Figures;
 use super::loops::polygon::Term;
 use super::loops::solution::{DyadArm, Solution, turn};
-use super::positions::pieces;
 use crate::Vec2;
 use crate::page::{Formula, Symbol};
+use crate::solver::Order;
 use crate::wording::words;
 
 impl Solution<'_> {
@@ -99,12 +99,11 @@ impl Solution<'_> {
             Expression::known(Symbol::indexed("K", axis), f.format_or_zero(v, size), v)
         });
         let theta = Expression::known(member.side.theta(), f.direction(at), at);
-        let [cos, sin] = [Function::Cos, Function::Sin]
-            .map(|function| Expression::of(function, [theta.clone()]));
+        let [cos, sin] = theta.cos_and_sin();
         let along = kx.clone() * cos + ky.clone() * sin;
         let p = along.minus_if(slide.reversed);
         let p = draft.worked("p", &p, |p| f.length_or_zero(p, size));
-        let arm = Expression::known(arm.length.clone(), arm.figure(f), arm.value);
+        let arm = arm.expression(f);
         let q = kx.squared() + ky.squared() - arm.squared();
         let q = draft.worked("q", &q, |q| f.area_or_zero(q, size * size));
         [p, q]
@@ -122,21 +121,13 @@ impl Solution<'_> {
     ) {
         let f = self.figures;
         let [y, x] = [along.y, along.x].map(|v| Expression::figure(f.format_or_zero(v, size), v));
-        let direction = Expression::of(Function::Atan2, [y, x]);
+        let direction = Expression::atan2(y, x);
         let text = Expression::Known {
             symbol: Formula::message(|[what]| words().angle_of_minus(what), [what.clone()]),
             figure: direction.numbers(),
             value: direction.value(),
         };
-        let theta = match arm.ahead {
-            0.0 => text,
-            ahead => text - Expression::figure(f.angle(ahead), ahead),
-        };
-        let computed = draft.worked(arm.theta.clone(), &theta, |computed| turn(f, computed));
-        draft.agree_angle(&arm.theta, computed, arm.solved, loss);
-        if let Some(side) = arm.side {
-            self.write_link_angle(draft, side, computed, loss);
-        }
+        self.write_angle(draft, arm, text, loss);
     }
 
     /// Solves for the sides that rotate with the guide, including the one along it: their sum must
@@ -177,9 +168,9 @@ impl Solution<'_> {
         let computed = draft.found(name.as_str(), &travel, |r| f.length_or_zero(r, size));
         draft.agree(&name, computed, member.reading.r, size * loss);
         let theta = member.side.theta();
-        let angle = Expression::of(Function::Atan2, [my, mx]);
+        let angle = Expression::atan2(my, mx);
         let angle = match has_rest || is_back {
-            true => angle - Expression::of(Function::Atan2, [known("e", e), known("w", w)]),
+            true => angle - Expression::atan2(known("e", e), known("w", w)),
             false => angle,
         };
         let value = draft.write_numbers(theta.clone(), &angle, |value| turn(f, value));
@@ -208,7 +199,7 @@ impl Solution<'_> {
         for (own, other) in [(a, b), (b, a)] {
             let (own, other) = (self.member(own), self.member(other));
             let axis = Multiplier::Across(Heading::of(&other));
-            let pieces = pieces(&self.members, &axis, f);
+            let pieces = pieces(&self.members, Order::Position, &axis, f);
             let sum = known(&pieces);
             let factor_of = other.reading.u.cross(own.reading.u);
             let factor_of = if own.reversed { -factor_of } else { factor_of };
@@ -231,7 +222,7 @@ impl Solution<'_> {
         let size = self.write_length(draft, &name, [&mx, &my]);
         draft.agree(&name, size, member.reading.r, longest(&self.members));
         let theta = member.side.theta();
-        let angle = Expression::of(Function::Atan2, [my, mx]);
+        let angle = Expression::atan2(my, mx);
         let computed = draft.found(theta.clone(), &angle, |computed| turn(f, computed));
         draft.agree_angle(
             &theta,

@@ -2,7 +2,7 @@
 //! table.
 
 use super::context::{Context, Draft};
-use super::expression::{Expression, Function};
+use super::expression::Expression;
 use super::loops::polygon::Loop;
 use super::loops::sides::{Side, Turns};
 use super::symbols;
@@ -119,18 +119,15 @@ pub(super) fn unit_vectors(context: &Context<'_>, draft: &mut Draft) {
     page.text(words().unit_vectors_are(&along, &across));
     let [u, n] = notation.names();
     let symbol = |name: &str| Expression::symbol(name);
-    let [cos, sin] = [Function::Cos, Function::Sin].map(|f| move |of| Expression::of(f, [of]));
+    let [cos, sin] = symbol("θ").cos_and_sin();
     let rate = |of: &Formula| Formula::from(Symbol::named(&of.to_string()).derivative(1));
     let turning = |vector: &Formula| symbol("ω") * Expression::symbol(vector.clone());
     for (vector, sum) in [
         (
             along.clone(),
-            cos(symbol("θ")) * symbol("i") + sin(symbol("θ")) * symbol("j"),
+            cos.clone() * symbol("i") + sin.clone() * symbol("j"),
         ),
-        (
-            across.clone(),
-            -(sin(symbol("θ")) * symbol("i")) + cos(symbol("θ")) * symbol("j"),
-        ),
+        (across.clone(), -(sin * symbol("i")) + cos * symbol("j")),
         (rate(&u), turning(&across)),
         (rate(&n), -turning(&along)),
     ] {
@@ -141,13 +138,9 @@ pub(super) fn unit_vectors(context: &Context<'_>, draft: &mut Draft) {
             |vector: &Formula, angle: &str| vector.clone().then(Formula::from(angle).in_brackets());
         of(one, "a").with_sign('·').then(of(other, "b"))
     };
-    let difference = || symbol("a") - symbol("b");
-    page.equation([
-        product([&u, &u]),
-        product([&n, &n]),
-        cos(difference()).symbols(),
-    ]);
-    page.equation([product([&u, &n]), sin(difference()).symbols()]);
+    let [cos, sin] = (symbol("a") - symbol("b")).cos_and_sin();
+    page.equation([product([&u, &u]), product([&n, &n]), cos.symbols()]);
+    page.equation([product([&u, &n]), sin.symbols()]);
 }
 
 /// Explains the consequences of the state's condition; returns `None` for an ordinary state.

@@ -2,8 +2,7 @@
 //! by the formula of its form, with all intermediate values.
 
 use super::context::{Context, Draft};
-use super::equations::{EquationTerm, Heading, LoopSide, Multiplier, in_figures, sum};
-use super::figures::Figures;
+use super::equations::{Heading, LoopSide, Multiplier, in_figures, pieces, sum};
 use super::introduction::sum_text;
 use super::loops::group_unknowns::{ProblemForm, Stage};
 use super::loops::polygon::{Loop, Term};
@@ -22,15 +21,7 @@ pub(super) fn equations(context: &Context<'_>, draft: &mut Draft) {
             let of = &context.polygon.loops[number];
             loop_heading(context, draft, number, of);
             let members = context.members(of, stage);
-            for axis in [Multiplier::X, Multiplier::Y] {
-                let pieces = pieces(&members, &axis, context.figures);
-                draft.write_zero(sum(&pieces).symbols());
-            }
-            for axis in [Multiplier::X, Multiplier::Y] {
-                let pieces = pieces(&members, &axis, context.figures);
-                let figures = in_figures(&pieces, context.figures);
-                draft.write_zero(figures);
-            }
+            super::rates::components(context, draft, &members, Order::Position);
             projected(context, draft, stage, &members);
             super::collected_terms::collected(context, draft, number, stage);
         }
@@ -44,15 +35,6 @@ pub(super) fn loop_heading(context: &Context<'_>, draft: &mut Draft, number: usi
         let equation = format!("{sum} = 0");
         draft.section(words().loop_is(number + 1, &equation));
     }
-}
-
-pub(super) fn pieces(
-    members: &[LoopSide<'_>],
-    axis: &Multiplier,
-    figures: Figures,
-) -> Vec<EquationTerm> {
-    let of = |member: &LoopSide<'_>| member.pieces(Order::Position, axis, figures);
-    members.iter().flat_map(of).collect()
 }
 
 /// Writes the equations multiplied by unit vectors that eliminate one side each.
@@ -69,7 +51,7 @@ fn projected(context: &Context<'_>, draft: &mut Draft, stage: &Stage, members: &
     for term in removed {
         let own = context.member(term, stage);
         let axis = Multiplier::Across(Heading::of(&own));
-        let pieces = pieces(members, &axis, context.figures);
+        let pieces = pieces(members, Order::Position, &axis, context.figures);
         let across = axis.name(context.notation);
         draft.text(words().multiplied_across(&across, &own.side.name));
         let figures = in_figures(&pieces, context.figures);

@@ -3,8 +3,7 @@
 
 use super::context::{Context, Draft};
 use super::equations::{
-    EquationTerm, Heading, LoopSide, Multiplier, coefficient, in_figures, known, longest,
-    solved_for, sum,
+    Heading, LoopSide, Multiplier, coefficient, in_figures, known, longest, pieces, solved_for, sum,
 };
 use super::expression::Expression;
 use super::loops::group_unknowns::{LoopUnknown, ProblemForm, Stage};
@@ -57,29 +56,22 @@ fn opening_text(context: &Context<'_>, order: Order) -> Option<&'static str> {
     }
 }
 
-fn pieces(
+/// Writes both components, in symbols and evaluated.
+pub(super) fn components(
     context: &Context<'_>,
+    draft: &mut Draft,
     members: &[LoopSide<'_>],
     order: Order,
-    axis: &Multiplier,
-) -> Vec<EquationTerm> {
-    let of = |member: &LoopSide<'_>| member.pieces(order, axis, context.figures);
-    members.iter().flat_map(of).collect()
-}
-
-/// Writes both components, in symbols and evaluated.
-fn components(context: &Context<'_>, draft: &mut Draft, members: &[LoopSide<'_>], order: Order) {
-    let axes = [Multiplier::X, Multiplier::Y];
-    for axis in &axes {
-        let pieces = pieces(context, members, order, axis);
-        draft.write_zero(sum(&pieces).symbols());
+) {
+    let f = context.figures;
+    let both = [Multiplier::X, Multiplier::Y].map(|axis| pieces(members, order, &axis, f));
+    for pieces in &both {
+        draft.write_zero(sum(pieces).symbols());
     }
-    if !context.has_rates() {
-        return;
-    }
-    for axis in &axes {
-        let pieces = pieces(context, members, order, axis);
-        draft.write_zero(in_figures(&pieces, context.figures));
+    if order == Order::Position || context.has_rates() {
+        for pieces in &both {
+            draft.write_zero(in_figures(pieces, f));
+        }
     }
 }
 
@@ -119,7 +111,7 @@ fn removed(
     let Some(axis) = removing(&members, other) else {
         return;
     };
-    let mut pieces = pieces(context, &members, order, &axis);
+    let mut pieces = pieces(&members, order, &axis, context.figures);
     // The vector of several sides that rotate together is parallel to the axis only as a sum.
     pieces.retain(|piece| piece.unknown.as_ref() != Some(&other_symbol));
     let (known, factor) = (known(&pieces), coefficient(&pieces, &symbol));

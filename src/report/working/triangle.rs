@@ -33,13 +33,12 @@ impl Solution<'_> {
         if size <= MEETING * b.max(c) {
             return self.coincident(draft, [p, q], [&one, &two]);
         }
-        let alpha = Expression::of(Function::Atan2, [-my, mx]);
+        let alpha = Expression::atan2(-my, mx);
         let alpha = draft.found("α", &alpha, |alpha| degrees(f, alpha));
         let m_known = || Expression::known(m, f.number(size), size);
         // The cosine theorem.
         let corner = |near: &DyadArm<'_>, far: &DyadArm<'_>| {
-            let [near, far] = [near, far]
-                .map(|arm| Expression::known(arm.length.clone(), arm.figure(f), arm.value));
+            let [near, far] = [near, far].map(|arm| arm.expression(f));
             let sum = m_known().squared() + near.clone().squared() - far.squared();
             let cosine = sum / (Expression::Number(2.0) * m_known() * near);
             Expression::of(Function::Acos, [cosine])
@@ -75,13 +74,16 @@ impl Solution<'_> {
         }
     }
 
-    /// Writes an angle as `theta = -alpha + beta + 180 = ...`.
-    fn write_angle(&self, draft: &mut Draft, arm: &DyadArm<'_>, theta: Expression, loss: f64) {
+    /// Writes the unknown angle of an arm from its direction: `theta = -alpha + beta + 180 = ...`.
+    pub(super) fn write_angle(
+        &self,
+        draft: &mut Draft,
+        arm: &DyadArm<'_>,
+        direction: Expression,
+        loss: f64,
+    ) {
         let f = self.figures;
-        let theta = match arm.ahead {
-            0.0 => theta,
-            ahead => theta - Expression::figure(f.angle(ahead), ahead),
-        };
+        let theta = arm.angle_of(direction, f);
         let computed = draft.worked(arm.theta.clone(), &theta, |computed| turn(f, computed));
         draft.agree_angle(&arm.theta, computed, arm.solved, loss);
         if let Some(side) = arm.side {

@@ -5,6 +5,7 @@ use super::forces::point_name;
 use crate::page::{Formula, Symbol};
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::expression::{Expression, Function};
+use crate::report::working::reactions::body::{BalanceKind, table};
 use crate::solver::LoadAction;
 use crate::wording::words;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
@@ -73,7 +74,16 @@ pub(in crate::report::working) fn free_body(
         return false;
     };
     draft.section(words().link_part(name));
-    body.table(draft, &rows);
+    let [_, reach] = body.sizes(&rows);
+    let moment = format!("{} [N m]", words().moment());
+    let contributions = (body.moments(), reach, moment.as_str());
+    table(
+        context,
+        draft,
+        words().on_it().into(),
+        rows.iter(),
+        contributions,
+    );
     let point = point_name(context, about);
     draft.text(match body.acceleration() {
         Some(_) => words().motion_about_accelerated(point),
@@ -103,53 +113,21 @@ struct FreeBody<'a> {
 }
 
 impl FreeBody<'_> {
-    /// Returns the arm from the reference point, in the scene's unit; `None` for a couple.
-    fn arm(&self, row: &BodyForce) -> Option<Vec2> {
-        let centre = self.context.state.position(self.about);
-        row.at.map(|at| at - centre)
-    }
-
-    /// Returns the moment in N m.
-    fn moment(&self, row: &BodyForce) -> f64 {
-        let arm = self.arm(row).unwrap_or(Vec2::ZERO) * self.mechanism().metres();
-        arm.cross(row.force) + row.couple
+    /// Returns the sum of moments about the reference point.
+    fn moments(&self) -> BalanceKind {
+        BalanceKind::About(self.context.state.position(self.about))
     }
 
     /// Returns the maximum force, and the maximum moment of a force at its arm, or of a couple.
     fn sizes(&self, rows: &[BodyForce]) -> [f64; 2] {
         let metres = self.mechanism().metres();
+        let centre = self.context.state.position(self.about);
         rows.iter().fold([0.0_f64; 2], |[force, moment], row| {
             let size = row.force.norm();
-            let reach = self.arm(row).map_or(0.0, Vec2::norm) * metres;
+            let reach = row.at.map_or(0.0, |at| (at - centre).norm()) * metres;
             let own = (reach * size).max(row.couple.abs());
             [force.max(size), moment.max(own)]
         })
-    }
-
-    /// Writes every force with its arm and its moment.
-    fn table(&self, draft: &mut Draft, rows: &[BodyForce]) {
-        let f = self.context.figures;
-        let [largest, reach] = self.sizes(rows);
-        let cells = rows.iter().map(|row| {
-            let arm = self.arm(row);
-            let along = |pick: fn(Vec2) -> f64| {
-                arm.map_or("-".into(), |arm| f.format_or_zero(pick(arm), arm.norm()))
-            };
-            [
-                row.name.clone(),
-                f.format_or_zero(row.force.x, largest),
-                f.format_or_zero(row.force.y, largest),
-                along(|arm| arm.x),
-                along(|arm| arm.y),
-                f.format_or_zero(self.moment(row), reach),
-            ]
-        });
-        let [x, y] = ["x", "y"].map(|axis| format!("{axis} [{}]", f.unit));
-        let moment = format!("{} [N m]", words().moment());
-        draft.table(
-            [words().on_it(), "fx [N]", "fy [N]", &x, &y, &moment],
-            cells.collect(),
-        );
     }
 
     /// Returns the acceleration of the centre of mass in m/s^2; `None` for a link without mass, or
@@ -195,7 +173,10 @@ impl FreeBody<'_> {
         };
         let alpha = state.alpha(self.id);
         let turning = EquationOfMotion {
-            values: rows.iter().map(|row| self.moment(row)).collect(),
+            values: rows
+                .iter()
+                .map(|row| self.moments().of(self.context, row))
+                .collect(),
             size: reach,
             motion: Expression::known("I", f.given(link.inertia), link.inertia)
                 * Expression::known("α", f.number(alpha), alpha),
@@ -212,11 +193,7 @@ impl FreeBody<'_> {
     fn write(&self, draft: &mut Draft, balance: EquationOfMotion) {
         let f = self.context.figures;
         let (size, value) = (balance.size, balance.motion.value());
-        let figures = balance
-            .values
-            .iter()
-            .map(|&term| f.format_or_zero(term, size));
-        let sum = Expression::sum_of_figures(figures).numbers();
+        let sum = f.sum(balance.values.iter().copied(), size).numbers();
         let name = self.context.scene.link_name(self.id);
         let symbols = balance.motion.symbols();
         let symbol = words().symbols_of(&symbols, name);

@@ -4,7 +4,6 @@ use super::forces::{components, kind, point_name};
 use super::free_body::{BodyForce, guided, is_joint, pin_name};
 use crate::page::Formula;
 use crate::report::working::context::{Context, Draft};
-use crate::report::working::expression::Expression;
 use crate::solver::LoadAction;
 use crate::wording::words;
 use crate::{PointId, Slider, Vec2};
@@ -69,10 +68,7 @@ fn balance(context: &Context<'_>, draft: &mut Draft, point: PointId, rows: &[(St
         .iter()
         .fold(0.0_f64, |maximum, row| maximum.max(row.1.norm()));
     for (axis, pick) in [("x", (|v| v.x) as fn(Vec2) -> f64), ("y", |v| v.y)] {
-        let figures = rows
-            .iter()
-            .map(|(_, force)| f.format_or_zero(pick(*force), size));
-        let sum = Expression::sum_of_figures(figures);
+        let sum = f.sum(rows.iter().map(|(_, force)| pick(*force)), size);
         let left = rows.iter().map(|(_, force)| pick(*force)).sum();
         let name = words().forces_along(axis, point_name(context, point));
         draft.agree(&name, left, 0.0, size);

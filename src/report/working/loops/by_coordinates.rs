@@ -5,7 +5,7 @@ use super::group_unknowns::{ProblemForm, Stage};
 use super::sides::{Side, SideReading, SideShape};
 use super::solution::angle_sum;
 use crate::report::working::context::{Context, Draft};
-use crate::report::working::expression::{Expression, Function};
+use crate::report::working::expression::Expression;
 use crate::report::working::symbols;
 use crate::wording::words;
 use crate::{Body, LinkId, Member, Vec2};
@@ -64,7 +64,7 @@ fn vector(
     let computed = draft.write_numbers(side.name.as_str(), &length, |r| f.length(r));
     draft.agree(&side.name, computed, reading.r, reading.r);
     let [x, y] = parts();
-    let own = Expression::of(Function::Atan2, [y, x]);
+    let own = Expression::atan2(y, x);
     let is_given = context.schedule.angle_group(side).is_none();
     match body {
         Body::Ground => {

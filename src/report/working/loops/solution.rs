@@ -6,7 +6,7 @@ use super::sides::{Side, SideShape, Turns};
 use crate::page::{Formula, Symbol};
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::equations::{
-    EquationTerm, LoopSide, Multiplier, in_figures, known, longest, sum,
+    EquationTerm, LoopSide, Multiplier, in_figures, known, longest, pieces, sum,
 };
 use crate::report::working::expression::Expression;
 use crate::report::working::figures::Figures;
@@ -37,10 +37,8 @@ impl<'a> Solution<'a> {
         };
         let of = &context.polygon.loops[number];
         let members = context.members(of, stage);
-        let sum = |axis: &Multiplier| {
-            let of = |m: &LoopSide<'_>| m.pieces(Order::Position, axis, context.figures);
-            known(&members.iter().flat_map(of).collect::<Vec<_>>())
-        };
+        let sum =
+            |axis: &Multiplier| known(&pieces(&members, Order::Position, axis, context.figures));
         let known = Vec2::new(sum(&Multiplier::X), sum(&Multiplier::Y));
         Some(Solution {
             context,
@@ -78,9 +76,8 @@ impl<'a> Solution<'a> {
 
     /// Returns the known sides along an axis, in symbols and evaluated.
     pub(in crate::report::working) fn known_text(&self, axis: &Multiplier) -> [Formula; 2] {
-        let of = |m: &LoopSide<'_>| m.pieces(Order::Position, axis, self.figures);
-        let pieces: Vec<EquationTerm> = self.members.iter().flat_map(of).collect();
-        let known: Vec<EquationTerm> = pieces.into_iter().filter(|p| p.unknown.is_none()).collect();
+        let pieces = pieces(&self.members, Order::Position, axis, self.figures).into_iter();
+        let known: Vec<EquationTerm> = pieces.filter(|p| p.unknown.is_none()).collect();
         [sum(&known).symbols(), in_figures(&known, self.figures)]
     }
 
@@ -244,11 +241,24 @@ pub(in crate::report::working) struct DyadArm<'a> {
 }
 
 impl DyadArm<'_> {
-    pub(in crate::report::working) fn figure(&self, figures: Figures) -> String {
-        if self.given {
-            figures.given(self.value)
-        } else {
-            figures.number(self.value)
+    /// Returns the length.
+    pub(in crate::report::working) fn expression(&self, figures: Figures) -> Expression {
+        let figure = match self.given {
+            true => figures.given(self.value),
+            false => figures.number(self.value),
+        };
+        Expression::known(self.length.clone(), figure, self.value)
+    }
+
+    /// Returns the unknown angle from the direction along the loop.
+    pub(in crate::report::working) fn angle_of(
+        &self,
+        direction: Expression,
+        figures: Figures,
+    ) -> Expression {
+        match self.ahead {
+            0.0 => direction,
+            ahead => direction - Expression::figure(figures.angle(ahead), ahead),
         }
     }
 

@@ -1,14 +1,13 @@
 //! Writes the table of Newton-Raphson iterations.
 
 use super::super::context::{Context, Draft};
-use super::super::equations::{Multiplier, in_figures, sum};
+use super::super::equations::{Multiplier, in_figures, pieces, sum};
 use super::super::loops::group_unknowns::Stage;
-use super::super::positions::pieces;
 use super::initial_values::{Guesses, format_unknowns};
 use super::problem::{LoopProblem, kind};
 use crate::page::{Head, Symbol};
 use crate::report::error_text;
-use crate::solver::Condition;
+use crate::solver::{Condition, Order};
 use crate::study::{NewtonIteration, NewtonOutcome, NewtonTrace, UnknownKind};
 use crate::wording::words;
 
@@ -119,7 +118,7 @@ impl IterationTable<'_> {
                 .context
                 .members(&self.context.polygon.loops[number], stage);
             for axis in [Multiplier::X, Multiplier::Y] {
-                let pieces = pieces(&members, &axis, self.context.figures);
+                let pieces = pieces(&members, Order::Position, &axis, self.context.figures);
                 let symbols = sum(&pieces).symbols();
                 let figures = in_figures(&pieces, self.context.figures);
                 draft.equation([

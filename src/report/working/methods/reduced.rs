@@ -2,7 +2,7 @@
 //! eliminates the other.
 
 use super::super::context::{Context, Draft};
-use super::super::expression::{Expression, Function};
+use super::super::expression::Expression;
 use super::super::figures::Figures;
 use super::super::loops::group_unknowns::{LoopUnknown, ProblemForm, Stage};
 use super::super::loops::polygon::Term;
@@ -184,17 +184,16 @@ impl<'a> Solution<'a> {
         };
         let m = self.diagonal();
         let arm = Expression::symbol(one.length.clone());
-        let [x, y] = [("x", Function::Cos), ("y", Function::Sin)].map(|(axis, function)| {
-            let turned = arm.clone() * Expression::of(function, [at.clone()]);
-            symbol(&Symbol::indexed(m, axis)) - turned
-        });
+        let [cos, sin] = at.cos_and_sin();
+        let x = symbol(&Symbol::indexed(m, "x")) - arm.clone() * cos;
+        let y = symbol(&Symbol::indexed(m, "y")) - arm * sin;
         write_function(draft, symbol(&one.theta), [&x, &y], &two);
-        let formula = Expression::of(Function::Atan2, [y, x]);
+        let formula = Expression::atan2(y, x);
         let along = Some(m);
         let m = -self.known;
         Some(ReducedLoop {
             along,
-            formula: less(f, formula, two.ahead).symbols(),
+            formula: two.angle_of(formula, f).symbols(),
             symbol: one.theta.clone(),
             unknown: LoopUnknown::Angle(link),
             kind: UnknownKind::Angle,
@@ -223,16 +222,17 @@ impl<'a> Solution<'a> {
         draft.text(words().known_sides_are_k());
         self.write_known(draft, size);
         let r = || Expression::symbol(name.as_str());
-        let [x, y] = [("x", Function::Cos), ("y", Function::Sin)].map(|(axis, function)| {
-            let along = r() * Expression::of(function, [Expression::symbol(theta.clone())]);
-            Expression::symbol(Symbol::indexed("K", axis)) + along.minus_if(slide.reversed)
+        let [cos, sin] = Expression::symbol(theta).cos_and_sin();
+        let [x, y] = [("x", cos), ("y", sin)].map(|(axis, part)| {
+            let along = (r() * part).minus_if(slide.reversed);
+            Expression::symbol(Symbol::indexed("K", axis)) + along
         });
         write_function(draft, r(), [&x, &y], &arm);
         let u = member.reading.u * if slide.reversed { -1.0 } else { 1.0 };
-        let formula = Expression::of(Function::Atan2, [-y, -x]);
+        let formula = Expression::atan2(-y, -x);
         Some(ReducedLoop {
             along: None,
-            formula: less(self.figures, formula, arm.ahead).symbols(),
+            formula: arm.angle_of(formula, self.figures).symbols(),
             symbol: name.as_str().into(),
             unknown: LoopUnknown::Travel(id),
             kind: UnknownKind::Length,
@@ -284,8 +284,7 @@ impl<'a> Solution<'a> {
             (false, false) => [Expression::symbol("e"), r + t_of],
             (false, true) => [Expression::symbol("e"), t_of - r],
         };
-        let atan2 = |y, x| Expression::of(Function::Atan2, [y, x]);
-        let formula = atan2(my, mx) - atan2(left, ahead);
+        let formula = Expression::atan2(my, mx) - Expression::atan2(left, ahead);
         Some(ReducedLoop {
             along: None,
             formula: formula.symbols(),
@@ -317,14 +316,6 @@ fn write_function(draft: &mut Draft, of: Expression, [x, y]: [&Expression; 2], a
 /// Returns the function f of a formula.
 pub(super) fn function_of(of: impl Into<Formula>) -> Formula {
     Formula::from("f").then(of.into().in_brackets())
-}
-
-/// Returns a direction minus the angle by which the arm leads the angle named after it.
-fn less(figures: Figures, direction: Expression, ahead: f64) -> Expression {
-    match ahead {
-        0.0 => direction,
-        ahead => direction - Expression::figure(figures.angle(ahead), ahead),
-    }
 }
 
 /// Returns the link with which the sides of an arm rotate, and the angle by which the first side

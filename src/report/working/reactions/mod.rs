@@ -3,7 +3,7 @@
 //!
 //! Inertia is treated as a load, -m a at the centre of mass and -I α, so that every sum is 0.
 
-mod body;
+pub(super) mod body;
 mod reduced;
 mod system;
 

@@ -389,8 +389,7 @@ fn balance<'a>(
     // Large forces across the guide contribute rounding errors even if their component along it is
     // small.
     let size = maximum.iter().sum::<f64>();
-    let figures = terms.iter().map(|&term| f.format_or_zero(term, size));
-    let sum = Expression::sum_of_figures(figures);
+    let sum = f.sum(terms.iter().copied(), size);
     let computed = -terms.iter().sum::<f64>();
     draft.agree(name, computed, solved, size);
     let mut sides = vec![Formula::words(name)];
