@@ -42,10 +42,10 @@ struct CollectedTerm {
 }
 
 impl CollectedTerm {
-    fn new(
+    fn new<const N: usize>(
         negative: bool,
         coefficient: Option<usize>,
-        factors: impl IntoIterator<Item = Expression>,
+        factors: [Expression; N],
     ) -> Self {
         CollectedTerm {
             negative,
@@ -55,12 +55,18 @@ impl CollectedTerm {
     }
 
     /// Returns a term with a coefficient, if that exists.
-    fn known(
+    fn known<const N: usize>(
         negative: bool,
         coefficient: Option<usize>,
-        factors: impl IntoIterator<Item = Expression>,
+        factors: [Expression; N],
     ) -> Option<Self> {
         coefficient.map(|_| CollectedTerm::new(negative, coefficient, factors))
+    }
+
+    /// Returns the term of an unknown length.
+    fn length(member: &LoopSide<'_>) -> Option<Self> {
+        let length = [unknown_length(member)];
+        Some(CollectedTerm::new(member.reversed, None, length))
     }
 }
 
@@ -211,11 +217,7 @@ impl LoopCollector<'_> {
     /// Returns the known direction of a side.
     fn theta(&self, member: &LoopSide<'_>) -> Expression {
         let degrees = member.reading.theta;
-        Expression::known(
-            member.side.theta(),
-            self.figures().direction(degrees),
-            degrees,
-        )
+        self.figures().directed(member.side.theta(), degrees)
     }
 
     /// Returns the components of one side, or of several that rotate together.
@@ -233,23 +235,33 @@ impl LoopCollector<'_> {
         let theta = link.map_or_else(Symbol::default, |link| {
             symbols::theta(self.context.scene.link_name(link))
         });
-        let degrees = link.map_or(0.0, |link| self.context.state.angle(link));
-        let part = |function: Function| {
-            let terms = members.iter().filter_map(|m| {
-                let ahead = match m.side.turns {
-                    Turns::With(_, ahead) => ahead,
-                    Turns::Never | Turns::Freely => 0.0,
-                };
-                self.turned(m, &theta, ahead, function)
-            });
-            Expression::total(terms.collect::<Vec<_>>())
-        };
+        let [along, left] = self.turning_sum(&members, &theta, Some(0.0));
         CollectedArm {
-            along: part(Function::Cos).unwrap_or(Expression::Number(0.0)),
-            left: part(Function::Sin),
+            along: along.unwrap_or(Expression::Number(0.0)),
+            left,
             theta,
-            degrees,
+            degrees: link.map_or(0.0, |link| self.context.state.angle(link)),
         }
+    }
+
+    /// Returns the components of sides along a direction and to its left, if they exist. The angle
+    /// of the direction to the link with which all of them rotate is constant.
+    fn turning_sum(
+        &self,
+        members: &[LoopSide<'_>],
+        theta: &Symbol,
+        offset: Option<f64>,
+    ) -> [Option<Expression>; 2] {
+        [Function::Cos, Function::Sin].map(|function| {
+            let terms = members.iter().filter_map(|m| {
+                let ahead = match (m.side.turns, offset) {
+                    (Turns::With(_, own), Some(offset)) => crate::angle::wrapped(own - offset),
+                    _ => 0.0,
+                };
+                self.turned(m, theta, ahead, function)
+            });
+            Expression::total(terms)
+        })
     }
 
     /// Returns a side's component along a direction or to its left; `ahead` is the constant angle
@@ -268,7 +280,7 @@ impl LoopCollector<'_> {
         }
         let difference =
             Expression::symbol(member.side.theta()) - Expression::symbol(theta.clone());
-        let angle = Expression::known(difference.symbols(), self.figures().direction(ahead), ahead);
+        let angle = self.figures().directed(difference.symbols(), ahead);
         Some(length * Expression::of(function, [angle]))
     }
 
@@ -289,18 +301,16 @@ impl LoopCollector<'_> {
                 .map(|left| self.formula(&mut into, left, 1));
         }
         for ((own, other), k) in [(&b, &a), (&a, &b)].into_iter().zip([0, 1]) {
-            let mut terms = Vec::new();
-            let mut push = |negative, coefficient, factors: Vec<Expression>| {
-                terms.extend(CollectedTerm::known(negative, coefficient, factors));
-            };
-            push(false, minus_x, vec![own.sin()]);
-            push(false, y, vec![own.cos()]);
-            push(false, along[k], vec![other.sin(), own.cos()]);
-            push(true, along[k], vec![other.cos(), own.sin()]);
-            push(false, left[k], vec![other.cos(), own.cos()]);
-            push(false, left[k], vec![other.sin(), own.sin()]);
-            push(false, left[1 - k], Vec::new());
-            into.equations.push(terms);
+            let terms = [
+                CollectedTerm::known(false, minus_x, [own.sin()]),
+                CollectedTerm::known(false, y, [own.cos()]),
+                CollectedTerm::known(false, along[k], [other.sin(), own.cos()]),
+                CollectedTerm::known(true, along[k], [other.cos(), own.sin()]),
+                CollectedTerm::known(false, left[k], [other.cos(), own.cos()]),
+                CollectedTerm::known(false, left[k], [other.sin(), own.sin()]),
+                CollectedTerm::known(false, left[1 - k], []),
+            ];
+            into.add(terms);
         }
         let notation = self.context.notation;
         let multipliers = [&b, &a].map(|arm| notation.across(arm.theta.clone()));
@@ -327,17 +337,17 @@ impl LoopCollector<'_> {
         let b = Some(self.formula(&mut into, &b, 1));
         let across = self.known(&mut into, &Multiplier::Across(heading()), false);
         let along = self.known(&mut into, &Multiplier::Along(heading()), false);
-        let term =
-            |negative, coefficient, factor| CollectedTerm::new(negative, coefficient, [factor]);
-        let mut first = vec![term(false, a, arm.sin()), term(false, b, arm.cos())];
-        first.extend(CollectedTerm::known(false, across, []));
-        let mut second = vec![
-            term(slide.reversed, None, unknown_length(&slide)),
-            term(false, a, arm.cos()),
-            term(true, b, arm.sin()),
-        ];
-        second.extend(CollectedTerm::known(false, along, []));
-        into.equations = vec![first, second];
+        into.add([
+            CollectedTerm::known(false, a, [arm.sin()]),
+            CollectedTerm::known(false, b, [arm.cos()]),
+            CollectedTerm::known(false, across, []),
+        ]);
+        into.add([
+            CollectedTerm::length(&slide),
+            CollectedTerm::known(false, a, [arm.cos()]),
+            CollectedTerm::known(true, b, [arm.sin()]),
+            CollectedTerm::known(false, along, []),
+        ]);
         (into, self.both_of(&slide))
     }
 
@@ -358,41 +368,28 @@ impl LoopCollector<'_> {
             along: self.length(&member),
             left: None,
         };
-        let others: Vec<LoopSide<'_>> = arm
-            .iter()
-            .filter(|term| **term != own)
-            .map(|&term| self.member(term))
-            .collect();
-        let rest = |function: Function| {
-            let terms = others.iter().filter_map(|m| {
-                let ahead = match (m.side.turns, member.side.turns) {
-                    (Turns::With(_, one), Turns::With(_, other)) => {
-                        crate::angle::wrapped(one - other)
-                    }
-                    _ => 0.0,
-                };
-                self.turned(m, &theta, ahead, function)
-            });
-            Expression::total(terms.collect::<Vec<_>>())
+        let others = arm.iter().filter(|term| **term != own);
+        let others: Vec<LoopSide<'_>> = others.map(|&term| self.member(term)).collect();
+        let offset = match member.side.turns {
+            Turns::With(_, offset) => Some(offset),
+            Turns::Never | Turns::Freely => None,
         };
         let minus_x = self.known(&mut into, &Multiplier::X, true);
         let y = self.known(&mut into, &Multiplier::Y, false);
-        let [across, along] = [Function::Sin, Function::Cos]
-            .map(|function| rest(function).map(|rest| self.formula(&mut into, &rest, 1)));
-        let mut first = Vec::new();
-        let length = [unknown_length(&member)];
-        let mut second = vec![CollectedTerm::new(member.reversed, None, length)];
-        let mut push = |into: usize, negative, coefficient, factors: Vec<Expression>| {
-            let term = CollectedTerm::known(negative, coefficient, factors);
-            [&mut first, &mut second][into].extend(term);
-        };
-        push(0, false, minus_x, vec![turning.sin()]);
-        push(0, false, y, vec![turning.cos()]);
-        push(0, false, across, Vec::new());
-        push(1, true, minus_x, vec![turning.cos()]);
-        push(1, false, y, vec![turning.sin()]);
-        push(1, false, along, Vec::new());
-        into.equations = vec![first, second];
+        let [along, across] = self.turning_sum(&others, &theta, offset);
+        let [across, along] =
+            [across, along].map(|rest| rest.map(|rest| self.formula(&mut into, &rest, 1)));
+        into.add([
+            CollectedTerm::known(false, minus_x, [turning.sin()]),
+            CollectedTerm::known(false, y, [turning.cos()]),
+            CollectedTerm::known(false, across, []),
+        ]);
+        into.add([
+            CollectedTerm::length(&member),
+            CollectedTerm::known(true, minus_x, [turning.cos()]),
+            CollectedTerm::known(false, y, [turning.sin()]),
+            CollectedTerm::known(false, along, []),
+        ]);
         (into, self.both_of(&member))
     }
 
@@ -406,10 +403,10 @@ impl LoopCollector<'_> {
             let factor = self.formula(&mut into, &between.minus_if(own.reversed), 0);
             let axis = Multiplier::Across(Heading::of(&other));
             let rest = self.known(&mut into, &axis, false);
-            let length = [unknown_length(&own)];
-            let mut terms = vec![CollectedTerm::new(false, Some(factor), length)];
-            terms.extend(CollectedTerm::known(false, rest, []));
-            into.equations.push(terms);
+            into.add([
+                CollectedTerm::known(false, Some(factor), [unknown_length(&own)]),
+                CollectedTerm::known(false, rest, []),
+            ]);
             multipliers.push(axis.name(self.context.notation));
         }
         (into, multipliers)
@@ -418,7 +415,6 @@ impl LoopCollector<'_> {
     /// Collects a loop of a coupled group: both components, with a coefficient for every side.
     fn components(&self) -> Collection {
         let mut into = Collection::default();
-        let mut equations = Vec::new();
         let mut lengths = vec![None; self.terms.len()];
         for (axis, function) in [
             (Multiplier::X, Function::Cos),
@@ -430,26 +426,27 @@ impl LoopCollector<'_> {
             for (member, length) in self.members.iter().zip(&mut lengths) {
                 let turning = Expression::of(function, [self.argument(member)]);
                 let stretching = unknown_length(member);
-                let (coefficient, factors, negative) = match member.sought {
-                    [false, false] => continue,
+                terms.extend(match member.sought {
+                    [false, false] => None,
                     [false, true] => {
                         let own = *length.get_or_insert_with(|| {
                             self.formula(&mut into, &self.length(member), 1)
                         });
-                        (Some(own), vec![turning], false)
+                        CollectedTerm::known(false, Some(own), [turning])
                     }
-                    [true, true] => (None, vec![stretching, turning], member.reversed),
+                    [true, true] => {
+                        let factors = [stretching, turning];
+                        Some(CollectedTerm::new(member.reversed, None, factors))
+                    }
                     [true, false] => {
                         let part = Expression::of(function, [self.theta(member)]);
                         let own = self.formula(&mut into, &part.minus_if(member.reversed), 0);
-                        (Some(own), vec![stretching], false)
+                        CollectedTerm::known(false, Some(own), [stretching])
                     }
-                };
-                terms.push(CollectedTerm::new(negative, coefficient, factors));
+                });
             }
-            equations.push(terms);
+            into.equations.push(terms);
         }
-        into.equations = equations;
         into
     }
 
@@ -529,6 +526,11 @@ impl LoopCollector<'_> {
 }
 
 impl Collection {
+    /// Adds the equation of the terms that exist.
+    fn add<const N: usize>(&mut self, terms: [Option<CollectedTerm>; N]) {
+        self.equations.push(terms.into_iter().flatten().collect());
+    }
+
     fn coefficient(&mut self, coefficient: Coefficient) -> usize {
         self.coefficients.push(coefficient);
         self.coefficients.len() - 1

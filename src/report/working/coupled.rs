@@ -104,7 +104,7 @@ fn sides(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
             draft.agree_angle(&theta, computed, reading.theta, loss);
         }
         if unknowns[0] {
-            let angle = Expression::known(theta, f.direction(reading.theta), reading.theta);
+            let angle = f.directed(theta, reading.theta);
             let [cos, sin] = angle.cos_and_sin();
             let along = x * cos + y * sin;
             let computed = draft.worked(side.name.as_str(), &along, |r| f.length(r));
@@ -121,13 +121,8 @@ fn between(context: &Context<'_>, side: &Side) -> Option<[Expression; 2]> {
         let point = points.find(|&point| scene.point_name(point) == Some(name))?;
         let at = context.state.position(point);
         let size = context.longest;
-        let coordinate = |axis: &str, value: f64| {
-            Expression::known(
-                symbols::of_point(axis, name),
-                f.format_or_zero(value, size),
-                value,
-            )
-        };
+        let coordinate =
+            |axis: &str, value: f64| f.rounded(symbols::of_point(axis, name), value, size);
         Some([coordinate("x", at.x), coordinate("y", at.y)])
     };
     let ([x0, y0], [x1, y1]) = (place(&side.tail)?, place(&side.head)?);

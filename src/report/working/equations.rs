@@ -261,7 +261,7 @@ impl<'a> LoopSide<'a> {
         let open_angle = is_position && self.sought[1];
         let angle = |symbol: &Symbol, degrees: f64, is_open: bool| match is_open {
             true => Expression::unknown(symbol.clone(), degrees),
-            false => Expression::known(symbol.clone(), figures.direction(degrees), degrees),
+            false => figures.directed(symbol.clone(), degrees),
         };
         let own = angle(&theta, self.reading.theta, open_angle);
         let heading = axis.heading();

@@ -87,6 +87,26 @@ impl Figures {
         }
     }
 
+    /// Returns a computed value with its symbol.
+    pub(super) fn computed(&self, symbol: impl Into<Formula>, value: f64) -> Expression {
+        Expression::known(symbol, self.number(value), value)
+    }
+
+    /// Returns a computed value with its symbol, written as 0 if it is a rounding error.
+    pub(super) fn rounded(&self, symbol: impl Into<Formula>, value: f64, size: f64) -> Expression {
+        Expression::known(symbol, self.format_or_zero(value, size), value)
+    }
+
+    /// Returns a value given by the scene with its symbol.
+    pub(super) fn as_given(&self, symbol: impl Into<Formula>, value: f64) -> Expression {
+        Expression::known(symbol, self.given(value), value)
+    }
+
+    /// Returns a direction in degrees with its symbol.
+    pub(super) fn directed(&self, symbol: impl Into<Formula>, degrees: f64) -> Expression {
+        Expression::known(symbol, self.direction(degrees), degrees)
+    }
+
     /// Writes the sum of values without those that are 0 or rounding errors.
     pub(super) fn sum(&self, values: impl IntoIterator<Item = f64>, size: f64) -> Expression {
         let figures = values

@@ -95,10 +95,9 @@ impl Solution<'_> {
         let product = Expression::Number(2.0) * Expression::symbol("p") * r();
         let square = r().squared() + product + Expression::symbol("q");
         draft.write_zero(square.symbols());
-        let [kx, ky] = [("x", k.x), ("y", k.y)].map(|(axis, v)| {
-            Expression::known(Symbol::indexed("K", axis), f.format_or_zero(v, size), v)
-        });
-        let theta = Expression::known(member.side.theta(), f.direction(at), at);
+        let [kx, ky] = [("x", k.x), ("y", k.y)]
+            .map(|(axis, v)| f.rounded(Symbol::indexed("K", axis), v, size));
+        let theta = f.directed(member.side.theta(), at);
         let [cos, sin] = theta.cos_and_sin();
         let along = kx.clone() * cos + ky.clone() * sin;
         let p = along.minus_if(slide.reversed);
@@ -143,9 +142,8 @@ impl Solution<'_> {
         let [t0, e] = self.side_components(arm, slide, size.max(member.reading.r.abs()));
         let has_rest = [t0, e] != [0.0, 0.0];
         let is_back = t0 + sign * member.reading.r < 0.0;
-        let known =
-            |symbol, value: f64| Expression::known(symbol, f.format_or_zero(value, size), value);
-        let m = || Expression::known(diagonal, f.number(size), size);
+        let known = |symbol, value: f64| f.rounded(symbol, value, size);
+        let m = || f.computed(diagonal, size);
         let w = match has_rest {
             true => (m().squared() - known("e", e).squared())
                 .sqrt()

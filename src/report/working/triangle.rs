@@ -35,7 +35,7 @@ impl Solution<'_> {
         }
         let alpha = Expression::atan2(-my, mx);
         let alpha = draft.found("α", &alpha, |alpha| degrees(f, alpha));
-        let m_known = || Expression::known(m, f.number(size), size);
+        let m_known = || f.computed(m, size);
         // The cosine theorem.
         let corner = |near: &DyadArm<'_>, far: &DyadArm<'_>| {
             let [near, far] = [near, far].map(|arm| arm.expression(f));
@@ -59,7 +59,7 @@ impl Solution<'_> {
             1.0 + (b.max(c).max(size) / b.min(c).min(size))
                 / corner.to_radians().sin().abs().max(1e-8)
         };
-        let angle = |symbol, value: f64| Expression::known(symbol, f.number(value), value);
+        let angle = |symbol, value: f64| f.computed(symbol, value);
         for (arm, symbol, corner, sign) in [(&one, "β", beta, sign), (&two, "γ", gamma, -sign)] {
             let theta = -angle("α", alpha) + angle(symbol, corner).minus_if(sign < 0.0);
             self.write_angle(draft, arm, theta, loss(corner));

@@ -22,6 +22,23 @@ pub(in crate::report::working) struct BodyForce {
     pub(in crate::report::working) joint: Option<BodyJoint>,
 }
 
+impl BodyForce {
+    /// Creates a load that acts at a point.
+    pub(in crate::report::working) fn load(
+        name: impl Into<String>,
+        force: Vec2,
+        at: Option<Vec2>,
+    ) -> BodyForce {
+        BodyForce {
+            name: name.into(),
+            force,
+            at,
+            couple: 0.0,
+            joint: None,
+        }
+    }
+}
+
 /// The joint that transmits a force to a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::report::working) enum BodyJoint {
@@ -163,12 +180,8 @@ impl FreeBody<'_> {
         let force = |axis: &str, a_axis: f64, values: Vec<f64>| EquationOfMotion {
             values,
             size: largest,
-            motion: Expression::known("m", f.given(link.mass), link.mass)
-                * Expression::known(
-                    Symbol::indexed("a", axis),
-                    f.format_or_zero(a_axis, size_of_a),
-                    a_axis,
-                ),
+            motion: f.as_given("m", link.mass)
+                * f.rounded(Symbol::indexed("a", axis), a_axis, size_of_a),
             unit: "N",
         };
         let alpha = state.alpha(self.id);
@@ -178,8 +191,7 @@ impl FreeBody<'_> {
                 .map(|row| self.moments().of(self.context, row))
                 .collect(),
             size: reach,
-            motion: Expression::known("I", f.given(link.inertia), link.inertia)
-                * Expression::known("α", f.number(alpha), alpha),
+            motion: f.as_given("I", link.inertia) * f.computed("α", alpha),
             unit: "N m",
         };
         let x = force("x", a.x, rows.iter().map(|row| row.force.x).collect());
@@ -235,11 +247,8 @@ impl FreeBody<'_> {
                 let force = state.joint_force(self.id, point)?;
                 let name = pin_name(context, self.id, point);
                 rows.push(BodyForce {
-                    name,
-                    force,
-                    at,
-                    couple: 0.0,
                     joint: Some(BodyJoint::Pin(point)),
+                    ..BodyForce::load(name, force, at)
                 });
                 continue;
             }
@@ -251,35 +260,19 @@ impl FreeBody<'_> {
                 .filter(|(p, _)| *p == point)
             {
                 let name = words().acts_at(words().column_load(), label);
-                rows.push(BodyForce {
-                    name,
-                    force: *force,
-                    at,
-                    couple: 0.0,
-                    joint: None,
-                });
+                rows.push(BodyForce::load(name, *force, at));
             }
         }
         for acted in self.acted.iter().filter(|a| a.on == Some(self.id)) {
             for &(point, force) in &acted.forces {
-                rows.push(BodyForce {
-                    name: words().kind_press().into(),
-                    force,
-                    at: Some(state.position(point)),
-                    couple: 0.0,
-                    joint: None,
-                });
+                let at = Some(state.position(point));
+                rows.push(BodyForce::load(words().kind_press(), force, at));
             }
         }
         let weight = mechanism.gravity() * link.mass;
         if let (Some(com), true) = (link.com, weight != Vec2::ZERO) {
-            rows.push(BodyForce {
-                name: words().weight().into(),
-                force: weight,
-                at: Some(state.position(com)),
-                couple: 0.0,
-                joint: None,
-            });
+            let at = Some(state.position(com));
+            rows.push(BodyForce::load(words().weight(), weight, at));
         }
         Some(())
     }
@@ -308,11 +301,9 @@ impl FreeBody<'_> {
         let own = couples.filter(|(link, _)| *link == self.id);
         let mut add = |name: &str, couple: f64, joint: Option<BodyJoint>| {
             rows.push(BodyForce {
-                name: name.into(),
-                force: Vec2::ZERO,
-                at: None,
                 couple,
                 joint,
+                ..BodyForce::load(name, Vec2::ZERO, None)
             });
         };
         own.for_each(|(_, couple)| add(words().torque(), *couple, None));
@@ -343,15 +334,15 @@ pub(in crate::report::working) fn guided(
         Slider::Link { .. } => state.moment(slide)?,
     };
     let name = context.scene.slide_name(slide);
+    let name = match sign > 0.0 {
+        true => words().guide_of(name),
+        false => words().slider_of(name),
+    };
+    let at = Some(state.position(given.slider.point()));
     Some(BodyForce {
-        name: match sign > 0.0 {
-            true => words().guide_of(name),
-            false => words().slider_of(name),
-        },
-        force: force * sign,
-        at: Some(state.position(given.slider.point())),
         couple: couple * sign,
         joint: Some(BodyJoint::Guide(slide)),
+        ..BodyForce::load(name, force * sign, at)
     })
 }
 

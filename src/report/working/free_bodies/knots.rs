@@ -3,7 +3,6 @@
 use crate::Profile;
 use crate::page::{Formula, Symbol};
 use crate::report::working::context::{Context, Draft};
-use crate::report::working::expression::Expression;
 
 /// Returns the two knots that enclose a coordinate; at a jump, those of the line after it. Returns
 /// `None` beyond the knots.
@@ -25,12 +24,11 @@ pub(in crate::report::working) fn on_line(
     [[d1, p1], [d2, p2]]: [[f64; 2]; 2],
 ) -> (f64, f64) {
     let f = context.figures;
-    let given = |letter: &str, index: &str, value: f64| {
-        Expression::known(Symbol::indexed(letter, index), f.given(value), value)
-    };
+    let given =
+        |letter: &str, index: &str, value: f64| f.as_given(Symbol::indexed(letter, index), value);
     let slope = (given("p", "2", p2) - given("p", "1", p1))
         / (given(symbol, "2", d2) - given(symbol, "1", d1));
-    let at = Expression::known(symbol, f.format_or_zero(at, size), at);
+    let at = f.rounded(symbol, at, size);
     let law = given("p", "1", p1) + slope * (at - given(symbol, "1", d1));
     let computed = draft.worked("p", &law, |p| Formula::measured(f.number(p), "N"));
     let steep = (p2 - p1).abs() / (d2 - d1) * size;

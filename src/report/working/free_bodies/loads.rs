@@ -74,8 +74,8 @@ fn press(
     let position = context.state.travel(slide).position;
     let size = position.abs().max(stroke.bottom.abs());
     draft.text(words().distance_of_press(name));
-    let here = Expression::known(name, f.number(position), position);
-    let bottom = Expression::known("r0", f.number(stroke.bottom), stroke.bottom);
+    let here = f.computed(name, position);
+    let bottom = f.computed("r0", stroke.bottom);
     let distance = match end {
         StrokeEnd::Minimum => here - bottom,
         StrokeEnd::Maximum => bottom - here,
@@ -106,7 +106,7 @@ fn scaled(
     unit: &str,
 ) {
     let f = context.figures;
-    let product = Expression::known(Formula::words(words().factor()), f.number(part), part)
+    let product = f.computed(Formula::words(words().factor()), part)
         * Expression::figure(f.given(complete), complete);
     let computed = draft.worked(Formula::words(&name), &product, |now| {
         Formula::measured(f.number(now), unit)

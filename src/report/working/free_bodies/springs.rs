@@ -64,13 +64,13 @@ fn pull(
     let spring = SpringNow::written(context, draft, ends);
     let metres = context.scene.mechanism.metres();
     let [l, l0] = [spring.length, length].map(|v| v * metres);
-    let l = Expression::known("L", f.number(l), l);
-    let l0 = Expression::known("L0", f.given(l0), l0);
-    let k = Expression::known("k", f.given(stiffness), stiffness);
+    let l = f.computed("L", l);
+    let l0 = f.as_given("L0", l0);
+    let k = f.as_given("k", stiffness);
     let straight = k * (l - l0);
     let stiff = match preload {
         0.0 => straight,
-        _ => Expression::known("F0", f.given(preload), preload) + straight,
+        _ => f.as_given("F0", preload) + straight,
     };
     let pull = stiff + spring.damped(context, damping);
     let name = Formula::words(words().pull());
@@ -102,7 +102,7 @@ fn push(
             push
         }
     };
-    let p = Expression::known("p", f.number(push), push);
+    let p = f.computed("p", push);
     let pull = -p + spring.damped(context, damping);
     let name = Formula::words(words().pull());
     draft.worked(name, &pull, |pull| Formula::measured(f.number(pull), "N"));
@@ -117,7 +117,7 @@ fn turn_back(
     found: f64,
 ) {
     let (f, scene, state) = (context.figures, context.scene, context.state);
-    let angle = |name: Symbol, value: f64| Expression::known(name, f.direction(value), value);
+    let angle = |name: Symbol, value: f64| f.directed(name, value);
     let (name, own) = (scene.link_name(link), state.angle(link));
     let (other, turning) = match to {
         Body::Ground => (0.0, state.omega(link)),
@@ -130,7 +130,7 @@ fn turn_back(
     if let Body::Link(to) = to {
         phi = phi - angle(symbols::theta(scene.link_name(to)), other);
     }
-    phi = phi - Expression::known("θ0", f.given(free), free);
+    phi = phi - f.as_given("θ0", free);
     if turns != 0.0 {
         phi = phi + Expression::figure(f.given(turns), turns);
     }
@@ -141,11 +141,9 @@ fn turn_back(
     let written = f.format_or_zero(phi, radians(TURN));
     draft.equation(["θ".into(), Formula::measured(&written, "rad")]);
     let size = stiffness * radians(TURN) + preload.abs();
-    let turn = Expression::known("M0", f.given(preload), preload)
-        - Expression::known("k", f.given(stiffness), stiffness)
-            * Expression::known("θ", written, phi)
-        - Expression::known("c", f.given(damping), damping)
-            * Expression::known("ω", f.number(turning), turning);
+    let turn = f.as_given("M0", preload)
+        - f.as_given("k", stiffness) * Expression::known("θ", written, phi)
+        - f.as_given("c", damping) * f.computed("ω", turning);
     let computed = draft.worked("M", &turn, |turn| Formula::measured(f.number(turn), "N m"));
     draft.agree("M", computed, found, size.max(found.abs()));
 }
@@ -177,7 +175,7 @@ impl SpringNow {
         let metres = context.scene.mechanism.metres();
         let rate = self.rate * metres;
         let figure = f.format_or_zero(rate, context.fastest[0] * metres);
-        Expression::known("c", f.given(damping), damping)
+        f.as_given("c", damping)
             * Expression::known(symbols::length("L", Order::Velocity), figure, rate)
     }
 

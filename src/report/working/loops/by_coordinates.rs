@@ -96,7 +96,7 @@ fn turned(
     let f = context.figures;
     let degrees = context.state.angle(link);
     let name = symbols::theta(context.scene.link_name(link));
-    let theta = Expression::known(name, f.direction(degrees), degrees) + ahead;
+    let theta = f.directed(name, degrees) + ahead;
     let symbol = side.theta();
     let computed = draft.worked(symbol.clone(), &theta, |degrees| angle_sum(f, degrees));
     draft.agree_angle(&symbol, computed, reading.theta, 1.0);

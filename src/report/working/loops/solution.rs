@@ -102,7 +102,7 @@ impl<'a> Solution<'a> {
                 Formula::sign('-').then(figures.in_brackets()),
                 f.length_or_zero(value, size),
             ]);
-            Expression::known(name, f.format_or_zero(value, size), value)
+            f.rounded(name, value, size)
         })
     }
 

@@ -263,7 +263,7 @@ impl<'a> Solution<'a> {
         let [t, e] = self.side_components(arm, slide, size);
         let sign = if slide.reversed { -1.0 } else { 1.0 };
         let name = &member.side.name;
-        let written = |symbol, v: f64| Expression::known(symbol, f.format_or_zero(v, size), v);
+        let written = |symbol, v: f64| f.rounded(symbol, v, size);
         let mut along = Expression::symbol(name.as_str()).minus_if(slide.reversed);
         if t != 0.0 || e != 0.0 {
             let [t, e] = [t, e].map(|v| f.format_or_zero(v, size));

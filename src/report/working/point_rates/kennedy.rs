@@ -197,7 +197,7 @@ impl CentreDescription<'_> {
         let t = above / of(Function::Sin, &(gamma.clone() - beta.clone()));
         let size = self.context.longest;
         let t = draft.worked("t", &t, |t| f.length_or_zero(t, size));
-        let known = || Expression::known("t", f.format_or_zero(t, size), t);
+        let known = || f.rounded("t", t, size);
         let at = [("x", Function::Cos), ("y", Function::Sin)].map(|(axis, function)| {
             let sum = self.coordinate(axis, p) + known() * of(function, &beta);
             draft.worked(axis, &sum, |v| f.length_or_zero(v, size))
@@ -223,8 +223,8 @@ impl CentreDescription<'_> {
             .context
             .figures
             .format_or_zero(v, self.context.fastest[0]);
-        let quotient = Expression::known(speed, figure, v)
-            / Expression::known(size_of("t".into()), f.number(t.abs()), t.abs());
+        let quotient =
+            Expression::known(speed, figure, v) / f.computed(size_of("t".into()), t.abs());
         let symbol = size_of(symbols::omega(self.link_name()).into());
         let rate = |w| Formula::measured(f.number(w), "rad/s");
         let computed = draft.worked(symbol.clone(), &quotient, rate);
@@ -243,7 +243,7 @@ impl CentreDescription<'_> {
             context.state.velocity(base),
             context.state.omega(self.centre.link),
         );
-        let w = Expression::known(omega, context.figures.number(w), w);
+        let w = context.figures.computed(omega, w);
         let part = |axis: &str, value: f64| {
             let figure = context.figures.format_or_zero(value, context.fastest[0]);
             Expression::known(part_of_point("v", point, axis), figure, value)
@@ -278,12 +278,8 @@ impl CentreDescription<'_> {
             let distance = (state.position(point) - at).norm();
             let omega = size_of(symbols::omega(self.link_name()).into());
             let between = Expression::symbol(point_name) - Expression::symbol(name.clone());
-            let arm = Expression::known(
-                size_of(between.symbols()),
-                f.format_or_zero(distance, size),
-                distance,
-            );
-            let turning = Expression::known(omega, f.number(w.abs()), w.abs());
+            let arm = f.rounded(size_of(between.symbols()), distance, size);
+            let turning = f.computed(omega, w.abs());
             let v = state.velocity(point);
             let fast = self.context.fastest[0];
             let symbol = of_point("v", point_name);

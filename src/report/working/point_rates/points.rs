@@ -258,7 +258,7 @@ impl LinkPoint<'_> {
 
     /// Returns the length of the arm.
     fn length(&self) -> Expression {
-        Expression::known("r", self.context.figures.given(self.r), self.r)
+        self.context.figures.as_given("r", self.r)
     }
 
     /// Writes v = v of the base + omega k x e.
@@ -349,7 +349,7 @@ impl LinkPoint<'_> {
         let own = state.angle(self.link);
         let ahead = angle::wrapped(angle::degrees(-self.e) - own);
         let theta = symbols::theta(self.link_name);
-        let mut sum = Expression::known(theta, f.direction(own), own);
+        let mut sum = f.directed(theta, own);
         let by = f.direction(ahead);
         if by != "0" {
             sum = sum + Expression::figure(by, ahead);
@@ -357,7 +357,7 @@ impl LinkPoint<'_> {
         // For a counter-clockwise angular acceleration, the tangential component trails the normal
         // one by a right angle.
         let is_behind = state.alpha(self.link) > 0.0;
-        let beta = Expression::known("β", f.number(beta), beta).minus_if(is_behind);
+        let beta = f.computed("β", beta).minus_if(is_behind);
         let symbol = symbols::theta(&of_point("a", self.name).to_string());
         let computed = draft.worked(symbol.clone(), &(sum + beta), |computed| {
             angle_sum(f, computed)
@@ -451,8 +451,8 @@ fn on_guide(
     let turning = size_of(symbols::omega(body), omega);
     let f = context.figures;
     let size = Expression::Number(2.0)
-        * Expression::known(turning, f.number(omega.abs()), omega.abs())
-        * Expression::known(rate_name, f.number(rate.abs()), rate.abs());
+        * f.computed(turning, omega.abs())
+        * f.computed(rate_name, rate.abs());
     draft.equation(of_a.polar(under("a"), guide_a));
     let coriolis_of = Formula::from(part_of_point("a", name, "c"));
     let symbol = coriolis_of

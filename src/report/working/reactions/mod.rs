@@ -172,11 +172,9 @@ pub(super) fn inertia(context: &Context<'_>, id: LinkId) -> Option<BodyForce> {
     });
     let couple = -link.inertia * state.alpha(id);
     let is_any = force != Vec2::ZERO || couple != 0.0;
+    let at = link.com.map(|com| state.position(com));
     is_any.then(|| BodyForce {
-        name: words().inertia().into(),
-        force,
-        at: link.com.map(|com| state.position(com)),
         couple,
-        joint: None,
+        ..BodyForce::load(words().inertia(), force, at)
     })
 }

@@ -167,12 +167,8 @@ fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) 
     // Loads on the pin belong to the second link, on which -F acts.
     let right = [(first, true), (second, false)].map(|(equation, negative)| {
         let sum = sums[usize::from(!negative)];
-        Expression::known(
-            equation.sum.clone(),
-            f.format_or_zero(sum.value, sum.size),
-            sum.value,
-        )
-        .minus_if(negative)
+        f.rounded(equation.sum.clone(), sum.value, sum.size)
+            .minus_if(negative)
     });
     draft.text(words().so_that());
     for ((share, _), right) in rows.iter().zip(&right) {
@@ -240,12 +236,9 @@ fn joined<'a>(context: &Context<'_>, bodies: [&'a GroupBody; 2]) -> Option<Inner
     // A pin has no mass: loads on it, and reactions of later links, are assigned to the second
     // link.
     let is_alone = mechanism.partner(bodies[0].link, point).is_some();
-    let load = (!is_alone).then(|| BodyForce {
-        name: words().acts_at(words().column_load(), point_name(context, point)),
-        force: inner.force + other.force,
-        at: inner.at,
-        couple: 0.0,
-        joint: None,
+    let load = (!is_alone).then(|| {
+        let name = words().acts_at(words().column_load(), point_name(context, point));
+        BodyForce::load(name, inner.force + other.force, inner.at)
     });
     Some(InnerPin {
         point,
@@ -301,7 +294,7 @@ fn cramer(
     if value == 0.0 {
         return;
     }
-    let below = || Expression::known(DETERMINANT, f.number(value), value);
+    let below = || f.computed(DETERMINANT, value);
     let x = (product(&p, &d) - product(&q, &b)) / below();
     let y = (product(&a, &q) - product(&c, &p)) / below();
     // The relative error grows by the cancellation in the determinant.
@@ -448,11 +441,7 @@ fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool 
     let name = (&equation.sum, equation.reckoning);
     let given: Vec<&BodyForce> = body.given.iter().collect();
     let sum = write_known(context, draft, (body.link, &given), name, &equation.about);
-    let known = Expression::known(
-        equation.sum.clone(),
-        f.format_or_zero(sum.value, sum.size),
-        sum.value,
-    );
+    let known = f.rounded(equation.sum.clone(), sum.value, sum.size);
     match single.joint {
         Some(BodyJoint::Guide(slide)) => {
             let n = context.state.travel(slide).guide.perp();
@@ -470,9 +459,7 @@ fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool 
             let across = context.figures.direction(crate::angle::degrees(n));
             draft.text(words().vector_is("n", &words().unit_vector_along(&across)));
             write_vector(context, draft, "n", n, "");
-            let unit = |axis: &str, v: f64| {
-                Expression::known(Symbol::indexed("n", axis), f.format_or_zero(v, 1.0), v)
-            };
+            let unit = |axis: &str, v: f64| f.rounded(Symbol::indexed("n", axis), v, 1.0);
             let metres = context.scene.mechanism.metres();
             let letter = match equation.reckoning {
                 BalanceKind::About(_) => "e",
@@ -490,7 +477,7 @@ fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool 
             if value == 0.0 {
                 return true;
             }
-            let formula = -known / Expression::known(DETERMINANT, f.number(value), value);
+            let formula = -known / f.computed(DETERMINANT, value);
             let size = sum.size / value.abs() * (1.0 + v.norm() / value.abs());
             let newtons = |v| Formula::measured(f.format_or_zero(v, size), "N");
             let computed = draft.worked("N", &formula, newtons);

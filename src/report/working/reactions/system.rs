@@ -272,11 +272,8 @@ fn components(
         / 2
         + 1;
     let unit = |force: Vec2, couple: f64| BodyForce {
-        name: String::new(),
-        force,
-        at: row.at,
         couple,
-        joint: None,
+        ..BodyForce::load("", force, row.at)
     };
     let Some(joint) = row.joint else { return };
     let mut add = |symbol: Symbol, description: String, value: f64, unit_force: (Vec2, f64)| {
