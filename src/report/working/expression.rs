@@ -169,15 +169,21 @@ impl Expression {
 
     /// Returns the value.
     pub(super) fn value(&self) -> f64 {
+        self.at(f64::NAN)
+    }
+
+    /// Returns the value for this value of the symbols without a value.
+    pub(super) fn at(&self, x: f64) -> f64 {
         match self {
+            Expression::Known { value, .. } if value.is_nan() => x,
             Expression::Known { value, .. } | Expression::Number(value) => *value,
-            Expression::Minus(of) => -of.value(),
-            Expression::Sum(of) => of[0].value() + of[1].value(),
-            Expression::Product(of) => of[0].value() * of[1].value(),
-            Expression::Ratio(of) => of[0].value() / of[1].value(),
-            Expression::Square(of) => of.value() * of.value(),
+            Expression::Minus(of) => -of.at(x),
+            Expression::Sum(of) => of[0].at(x) + of[1].at(x),
+            Expression::Product(of) => of[0].at(x) * of[1].at(x),
+            Expression::Ratio(of) => of[0].at(x) / of[1].at(x),
+            Expression::Square(of) => of.at(x) * of.at(x),
             Expression::Function(function, of) => {
-                let of: Vec<f64> = of.iter().map(Expression::value).collect();
+                let of: Vec<f64> = of.iter().map(|of| of.at(x)).collect();
                 function.value(&of)
             }
         }

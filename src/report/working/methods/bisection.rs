@@ -82,7 +82,7 @@ pub(super) fn halve(
 }
 
 /// Describes the minimum of f, with a root on either side.
-fn describe_minimum(context: &Context<'_>, reduced: &ReducedLoop<'_>) -> String {
+fn describe_minimum(context: &Context<'_>, reduced: &ReducedLoop) -> String {
     let [middle, _] = reduced.interval(None);
     let (f, symbol) = (context.figures, &reduced.symbol);
     match reduced.along {
@@ -95,7 +95,7 @@ fn describe_minimum(context: &Context<'_>, reduced: &ReducedLoop<'_>) -> String 
 fn write_end_root(
     context: &Context<'_>,
     draft: &mut Draft,
-    reduced: &ReducedLoop<'_>,
+    reduced: &ReducedLoop,
     [a, b]: [f64; 2],
 ) {
     let (root, name) = match reduced.value(a).abs() <= reduced.value(b).abs() {
@@ -107,15 +107,12 @@ fn write_end_root(
     draft.text(words().assemblies_are_one());
 }
 
-fn write_root(context: &Context<'_>, draft: &mut Draft, reduced: &ReducedLoop<'_>, root: f64) {
+fn write_root(context: &Context<'_>, draft: &mut Draft, reduced: &ReducedLoop, root: f64) {
     let f = context.figures;
-    let (symbol, follows) = reduced.follows(root);
     draft.equation([reduced.symbol.clone().into(), figure(f, reduced.kind, root)]);
-    draft.equation([
-        symbol.into(),
-        reduced.formula.clone(),
-        figure(f, UnknownKind::Angle, follows),
-    ]);
+    let (symbol, formula) = &reduced.other;
+    let follows = figure(f, UnknownKind::Angle, reduced.follows(root));
+    draft.equation([symbol.into(), formula.symbols(), follows]);
 }
 
 fn has_form(stage: &Stage) -> bool {
@@ -133,7 +130,7 @@ fn reason_against(stage: &Stage) -> String {
 }
 
 /// Returns the given interval, the one around a given value, or the one that contains the assembly.
-fn start_interval(reduced: &ReducedLoop<'_>, guesses: &Guesses) -> [f64; 2] {
+fn start_interval(reduced: &ReducedLoop, guesses: &Guesses) -> [f64; 2] {
     match guesses.given_values(reduced.unknown) {
         None => reduced.interval(reduced.right),
         Some([from, to]) if from == to => {
@@ -147,7 +144,7 @@ fn start_interval(reduced: &ReducedLoop<'_>, guesses: &Guesses) -> [f64; 2] {
 fn table(
     draft: &mut Draft,
     context: &Context<'_>,
-    reduced: &ReducedLoop<'_>,
+    reduced: &ReducedLoop,
     halved: &Bisection,
     unit: &str,
 ) {
@@ -167,12 +164,7 @@ fn table(
 }
 
 /// Writes the root, the other unknown that follows from it, and the assembly.
-fn conclude(
-    context: &Context<'_>,
-    draft: &mut Draft,
-    reduced: &ReducedLoop<'_>,
-    halved: &Bisection,
-) {
+fn conclude(context: &Context<'_>, draft: &mut Draft, reduced: &ReducedLoop, halved: &Bisection) {
     let (f, Some(root)) = (context.figures, halved.root()) else {
         return;
     };

@@ -1,6 +1,7 @@
 //! Writes velocities and accelerations of joints, centres of mass and further points: by tangential
 //! and normal components about a pivot or another joint of the link, or along a guide.
 
+use super::point_parts::{PointParts, about};
 use crate::page::{Formula, Symbol};
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::expression::{Expression, Function};
@@ -108,13 +109,24 @@ struct VectorFormatter<'a> {
     context: &'a Context<'a>,
     /// The symbol: `v` or `a`.
     figure: &'static str,
-    /// The order of the derivative.
-    order: usize,
+    /// The unit.
+    unit: String,
     /// The maximum magnitude of the added vectors, which determines the rounding errors.
     size: f64,
 }
 
 impl VectorFormatter<'_> {
+    /// Creates the formatter of a velocity, or of an acceleration for order 2. `size` is the
+    /// maximum magnitude of vectors that are no velocities or accelerations of points.
+    fn new<'a>(context: &'a Context<'a>, order: usize, size: f64) -> VectorFormatter<'a> {
+        VectorFormatter {
+            context,
+            figure: ["v", "a"][order - 1],
+            unit: context.figures.length_unit(order),
+            size: size.max(context.fastest[order - 1]),
+        }
+    }
+
     /// Formats a vector with its symbol, by magnitude and direction.
     fn polar(&self, symbol: impl Into<Formula>, v: Vec2) -> [Formula; 2] {
         [symbol.into(), self.format_vector(v.norm(), v)]
@@ -123,10 +135,9 @@ impl VectorFormatter<'_> {
     /// Formats a vector with this magnitude, in the direction of another.
     fn format_vector(&self, size: f64, along: Vec2) -> Formula {
         let f = self.context.figures;
-        let unit = f.length_unit(self.order);
         let length = f.format_or_zero(size, self.size);
         let is_zero = length == "0";
-        let length = Formula::measured(length, &unit);
+        let length = Formula::measured(length, &self.unit);
         match is_zero {
             true => length,
             false => at_degrees(length, f.direction(angle::degrees(along))),
@@ -144,7 +155,6 @@ impl VectorFormatter<'_> {
     /// `vCx = 587.462*cos(299.379) + 1500*cos(150) = -1010.83`.
     fn components(&self, draft: &mut Draft, name: &str, parts: &[Vec2]) {
         let f = self.context.figures;
-        let unit = f.length_unit(self.order);
         for (axis, function) in [("x", Function::Cos), ("y", Function::Sin)] {
             let terms = parts.iter().filter_map(|part| {
                 let length = f.format_or_zero(part.norm(), self.size);
@@ -153,7 +163,7 @@ impl VectorFormatter<'_> {
                 let along = Expression::of(function, [at]);
                 (length != "0").then(|| Expression::figure(length, part.norm()) * along)
             });
-            let figure = |value| Formula::measured(f.format_or_zero(value, self.size), &unit);
+            let figure = |value| Formula::measured(f.format_or_zero(value, self.size), &self.unit);
             let symbol = part_of_point(self.figure, name, axis);
             draft.write_numbers(symbol, &Expression::sum(terms), figure);
         }
@@ -180,7 +190,6 @@ struct LinkPoint<'a> {
     context: &'a Context<'a>,
     point: PointId,
     name: &'a str,
-    base: PointId,
     base_name: &'a str,
     link: LinkId,
     link_name: &'a str,
@@ -190,6 +199,7 @@ struct LinkPoint<'a> {
     r: f64,
     /// Whether the base is a ground point.
     is_pivot: bool,
+    parts: PointParts,
 }
 
 fn on_link(
@@ -200,20 +210,21 @@ fn on_link(
     base: PointId,
 ) {
     let mechanism = &context.scene.mechanism;
-    let Some(arm) = arm(mechanism, link, base, point) else {
+    let both = arm(mechanism, link, base, point).zip(about(context, link, base, point));
+    let Some((arm, parts)) = both else {
         return;
     };
     let on = LinkPoint {
         context,
         point,
         name,
-        base,
         base_name: context.scene.point_name(base).unwrap_or(words().a_point()),
         link,
         link_name: context.scene.link_name(link),
         e: arm.turned(context.state.direction(link)),
         r: arm.norm(),
         is_pivot: mechanism.point(base).ground.is_some(),
+        parts,
     };
     let LinkPoint {
         link_name,
@@ -233,7 +244,7 @@ fn on_link(
 }
 
 /// Returns the vector from one point of a link to another, in the link's frame.
-fn arm(mechanism: &Mechanism, link: LinkId, from: PointId, to: PointId) -> Option<Vec2> {
+pub(super) fn arm(mechanism: &Mechanism, link: LinkId, from: PointId, to: PointId) -> Option<Vec2> {
     let link = mechanism.link(link);
     Some(link.local(to)? - link.local(from)?)
 }
@@ -265,19 +276,13 @@ impl LinkPoint<'_> {
     fn velocity(&self, draft: &mut Draft) {
         let state = self.context.state;
         let w = state.omega(self.link);
-        let turning = self.e.perp() * w;
-        let (v, base) = (state.velocity(self.point), state.velocity(self.base));
-        let formatter = VectorFormatter {
-            context: self.context,
-            figure: "v",
-            order: 1,
-            size: turning.norm().max(self.context.fastest[0]),
-        };
+        let (turning, base) = (self.parts.velocity, self.parts.base[0]);
+        let formatter = VectorFormatter::new(self.context, 1, turning.norm());
         let rate = size_of(symbols::omega(self.link_name), w);
         let rate = Expression::known(rate, self.rate(w, formatter.size), w.abs());
         let size = rate * self.length();
         let sum = base + turning;
-        formatter.agree(draft, self.name, sum, v);
+        formatter.agree(draft, self.name, sum, state.velocity(self.point));
         if self.is_pivot {
             return formatter.part(draft, of_point("v", self.name), &size, turning);
         }
@@ -291,18 +296,14 @@ impl LinkPoint<'_> {
     fn acceleration(&self, draft: &mut Draft) {
         let state = self.context.state;
         let (w, alpha) = (state.omega(self.link), state.alpha(self.link));
-        let (tangential, normal) = (self.e.perp() * alpha, -self.e * (w * w));
-        let (a, base) = (
-            state.acceleration(self.point),
-            state.acceleration(self.base),
-        );
+        let PointParts {
+            tangential,
+            normal,
+            base: [_, base],
+            ..
+        } = self.parts;
         let parts = tangential.norm().max(normal.norm());
-        let formatter = VectorFormatter {
-            context: self.context,
-            figure: "a",
-            order: 2,
-            size: parts.max(self.context.fastest[1]),
-        };
+        let formatter = VectorFormatter::new(self.context, 2, parts);
         let rate = size_of(symbols::alpha(self.link_name), alpha);
         let rate = Expression::known(rate, self.rate(alpha, formatter.size), alpha.abs());
         let size = rate * self.length();
@@ -312,7 +313,7 @@ impl LinkPoint<'_> {
         let size = rate.squared() * self.length();
         formatter.part(draft, part_of_point("a", self.name, "n"), &size, normal);
         let sum = base + tangential + normal;
-        formatter.agree(draft, self.name, sum, a);
+        formatter.agree(draft, self.name, sum, state.acceleration(self.point));
         if self.is_pivot {
             let parts = [tangential.norm(), normal.norm()];
             formatter.write_magnitude(draft, self.name, sum, parts);
@@ -412,19 +413,13 @@ fn on_guide(
         ..
     } = state.travel(slide);
     let (v, a) = (state.velocity(point), state.acceleration(point));
-    let formatter = |figure, order, size| VectorFormatter {
-        context,
-        figure,
-        order,
-        size,
-    };
     let (along, second) = (t * rate, t * accel);
     let rate_name = size_of(symbols::length(slide_name, Order::Velocity), rate);
     let accel_name = size_of(symbols::length(slide_name, Order::Acceleration), accel);
     if on == Body::Ground {
         for (formatter, symbol, value, solved) in [
-            (formatter("v", 1, context.fastest[0]), rate_name, along, v),
-            (formatter("a", 2, context.fastest[1]), accel_name, second, a),
+            (VectorFormatter::new(context, 1, 0.0), rate_name, along, v),
+            (VectorFormatter::new(context, 2, 0.0), accel_name, second, a),
         ] {
             formatter.agree(draft, name, value, solved);
             let [whole, text] = formatter.polar(of_point(formatter.figure, name), value);
@@ -439,7 +434,7 @@ fn on_guide(
         let message = |[symbol]: [&str; 1]| words().of_under(symbol, body, name);
         Formula::message(message, [letter.into()])
     };
-    let of_v = formatter("v", 1, context.fastest[0]);
+    let of_v = VectorFormatter::new(context, 1, 0.0);
     for line in [
         of_v.polar(under("v"), guide_v),
         of_v.polar(rate_name.clone(), along),
@@ -447,7 +442,7 @@ fn on_guide(
     ] {
         draft.equation(line);
     }
-    let of_a = formatter("a", 2, coriolis.norm().max(context.fastest[1]));
+    let of_a = VectorFormatter::new(context, 2, coriolis.norm());
     let turning = size_of(symbols::omega(body), omega);
     let f = context.figures;
     let size = Expression::Number(2.0)
