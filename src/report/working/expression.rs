@@ -1,5 +1,6 @@
 //! Formulas as one tree that yields symbols, numbers and value, so that these always agree.
 
+use crate::angle;
 use crate::page::Formula;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -184,7 +185,12 @@ impl Expression {
             Expression::Square(of) => of.at(x) * of.at(x),
             Expression::Function(function, of) => {
                 let of: Vec<f64> = of.iter().map(|of| of.at(x)).collect();
-                function.value(&of)
+                match (function, &of[..]) {
+                    // A tried angle may be a right one, whose components are exact.
+                    (Function::Sin, [angle]) if !x.is_nan() => angle::unit(*angle).y,
+                    (Function::Cos, [angle]) if !x.is_nan() => angle::unit(*angle).x,
+                    _ => function.value(&of),
+                }
             }
         }
     }
