@@ -10,7 +10,7 @@ use crate::wording::words;
 use crate::{Input, Load, PointId, Vec2};
 
 /// Writes all parts on forces; nothing for a mechanism without loads.
-pub(in crate::report::working) fn forces(context: &Context<'_>, draft: &mut Draft) {
+pub(crate) fn forces(context: &Context<'_>, draft: &mut Draft) {
     if !context.solver.has_forces() {
         return;
     }
@@ -82,7 +82,7 @@ fn loads(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
 }
 
 /// Returns the name of a kind of load.
-pub(in crate::report::working) fn kind(load: &Load) -> &'static str {
+pub(crate) fn kind(load: &Load) -> &'static str {
     match load {
         Load::Force { .. } => words().force(),
         Load::Torque { .. } => words().torque(),
@@ -93,15 +93,12 @@ pub(in crate::report::working) fn kind(load: &Load) -> &'static str {
     }
 }
 
-pub(in crate::report::working) fn components(context: &Context<'_>, force: Vec2) -> [String; 2] {
+pub(crate) fn components(context: &Context<'_>, force: Vec2) -> [String; 2] {
     let size = force.norm();
     [force.x, force.y].map(|v| context.figures.format_or_zero(v, size))
 }
 
-pub(in crate::report::working) fn point_name<'a>(
-    context: &'a Context<'_>,
-    point: PointId,
-) -> &'a str {
+pub(crate) fn point_name<'a>(context: &'a Context<'_>, point: PointId) -> &'a str {
     context.scene.point_name(point).unwrap_or(words().a_point())
 }
 
@@ -154,7 +151,7 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[LoadAct
 }
 
 /// Writes the two independent checks: power, and the equilibrium of the whole mechanism.
-pub(in crate::report::working) fn check(context: &Context<'_>, draft: &mut Draft) {
+pub(crate) fn check(context: &Context<'_>, draft: &mut Draft) {
     let state = context.state;
     let (Some(left), Some(force), Some(moment)) =
         (state.residual(), state.frame_force(), state.frame_moment())

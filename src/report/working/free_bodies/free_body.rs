@@ -11,24 +11,20 @@ use crate::wording::words;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
 
 /// A force on a link, or a couple.
-pub(in crate::report::working) struct BodyForce {
+pub(crate) struct BodyForce {
     pub name: String,
     pub force: Vec2,
     /// The point of application; `None` for a couple.
-    pub(in crate::report::working) at: Option<Vec2>,
+    pub(crate) at: Option<Vec2>,
     /// The couple in N m.
-    pub(in crate::report::working) couple: f64,
+    pub(crate) couple: f64,
     /// The joint that transmits it; `None` for a load.
-    pub(in crate::report::working) joint: Option<BodyJoint>,
+    pub(crate) joint: Option<BodyJoint>,
 }
 
 impl BodyForce {
     /// Creates a load that acts at a point.
-    pub(in crate::report::working) fn load(
-        name: impl Into<String>,
-        force: Vec2,
-        at: Option<Vec2>,
-    ) -> BodyForce {
+    pub(crate) fn load(name: impl Into<String>, force: Vec2, at: Option<Vec2>) -> BodyForce {
         BodyForce {
             name: name.into(),
             force,
@@ -41,7 +37,7 @@ impl BodyForce {
 
 /// The joint that transmits a force to a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::report::working) enum BodyJoint {
+pub(crate) enum BodyJoint {
     /// A pin.
     Pin(PointId),
     /// A guide; the force acts on its slider or on its carrier.
@@ -51,7 +47,7 @@ pub(in crate::report::working) enum BodyJoint {
 }
 
 /// Returns all forces on a link, without inertia; `None` if one is indeterminate.
-pub(in crate::report::working) fn on_link(
+pub(crate) fn on_link(
     context: &Context<'_>,
     id: LinkId,
     acted: &[LoadAction],
@@ -68,7 +64,7 @@ pub(in crate::report::working) fn on_link(
 
 /// Writes the forces on a link, and its three equations with numbers. Returns `false` if a force is
 /// indeterminate.
-pub(in crate::report::working) fn free_body(
+pub(crate) fn free_body(
     context: &Context<'_>,
     draft: &mut Draft,
     id: LinkId,
@@ -317,11 +313,7 @@ impl FreeBody<'_> {
 
 /// Returns the force of a guide on its slider for sign 1, or the reaction for -1; `None` if it is
 /// indeterminate.
-pub(in crate::report::working) fn guided(
-    context: &Context<'_>,
-    slide: SlideId,
-    sign: f64,
-) -> Option<BodyForce> {
+pub(crate) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option<BodyForce> {
     let (state, mechanism) = (context.state, &context.scene.mechanism);
     let given = mechanism.slide(slide);
     let t = state.travel(slide).guide;
@@ -348,11 +340,7 @@ pub(in crate::report::working) fn guided(
 
 /// Returns the name of the force on a link at a pin. It includes the other body if there is only
 /// one and the pin has no load.
-pub(in crate::report::working) fn pin_name(
-    context: &Context<'_>,
-    link: LinkId,
-    point: PointId,
-) -> String {
+pub(crate) fn pin_name(context: &Context<'_>, link: LinkId, point: PointId) -> String {
     let by = context.scene.mechanism.partner(link, point);
     let (name, at) = (context.scene.link_name(link), point_name(context, point));
     match by {
@@ -363,7 +351,7 @@ pub(in crate::report::working) fn pin_name(
 }
 
 /// Returns `true` if the point joins the link to something else.
-pub(in crate::report::working) fn is_joint(mechanism: &Mechanism, id: PointId) -> bool {
+pub(crate) fn is_joint(mechanism: &Mechanism, id: PointId) -> bool {
     let point = mechanism.point(id);
     let slides = mechanism
         .slides()
@@ -375,7 +363,7 @@ pub(in crate::report::working) fn is_joint(mechanism: &Mechanism, id: PointId) -
 
 /// Returns the maximum moment (N m) of a force on any link, or for a driven slide the maximum force
 /// (N). The driver's effort may be a small difference of such values.
-pub(in crate::report::working) fn largest(context: &Context<'_>, acted: &[LoadAction]) -> f64 {
+pub(crate) fn largest(context: &Context<'_>, acted: &[LoadAction]) -> f64 {
     let mechanism = &context.scene.mechanism;
     let sizes = mechanism.link_ids().filter_map(|id| {
         let link = mechanism.link(id);

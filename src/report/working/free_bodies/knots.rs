@@ -6,7 +6,7 @@ use crate::report::working::context::{Context, Draft};
 
 /// Returns the two knots that enclose a coordinate; at a jump, those of the line after it. Returns
 /// `None` beyond the knots.
-pub(in crate::report::working) fn line_at(curve: &Profile, at: f64) -> Option<[[f64; 2]; 2]> {
+pub(crate) fn line_at(curve: &Profile, at: f64) -> Option<[[f64; 2]; 2]> {
     let is_on = |pair: &&[[f64; 2]]| pair[0][0] <= at && at <= pair[1][0];
     let mut lines = curve.knots().windows(2);
     let line = lines.rfind(|pair| pair[0][0] < pair[1][0] && is_on(pair))?;
@@ -16,7 +16,7 @@ pub(in crate::report::working) fn line_at(curve: &Profile, at: f64) -> Option<[[
 /// Writes the force p on the line between two knots, and returns it with the magnitude of its
 /// terms. `symbol` is the coordinate's name, and its rounding error is that of values of the given
 /// size.
-pub(in crate::report::working) fn on_line(
+pub(crate) fn on_line(
     context: &Context<'_>,
     draft: &mut Draft,
     symbol: &str,

@@ -11,11 +11,7 @@ use crate::wording::words;
 use crate::{Body, Input, Load, PointId, Profile, SlideId, StrokeEnd, Vec2};
 
 /// Writes the laws of loads that are not constant.
-pub(in crate::report::working) fn laws(
-    context: &Context<'_>,
-    draft: &mut Draft,
-    acted: &[LoadAction],
-) {
+pub(crate) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
     let mechanism = &context.scene.mechanism;
     for (load, acted) in mechanism.loads().iter().zip(acted) {
         match *load {
@@ -115,12 +111,12 @@ fn scaled(
 }
 
 /// Returns the names of the parts of the driver's effort in a formula.
-pub(in crate::report::working) fn share_names() -> [Formula; 3] {
+pub(crate) fn share_names() -> [Formula; 3] {
     [words().column_load(), words().gravity(), words().inertia()].map(Formula::words)
 }
 
 /// Writes the power of every load, and the part of the driver's effort that balances it.
-pub(in crate::report::working) fn shares(
+pub(crate) fn shares(
     context: &Context<'_>,
     draft: &mut Draft,
     acted: &[LoadAction],

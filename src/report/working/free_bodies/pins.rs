@@ -9,11 +9,7 @@ use crate::wording::words;
 use crate::{PointId, Slider, Vec2};
 
 /// Writes the equilibrium of every moving pin that joins several bodies and has a load or a spring.
-pub(in crate::report::working) fn pins(
-    context: &Context<'_>,
-    draft: &mut Draft,
-    acted: &[LoadAction],
-) {
+pub(crate) fn pins(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
     let mechanism = &context.scene.mechanism;
     // A load on a ground pin goes directly into the ground.
     let moving = mechanism

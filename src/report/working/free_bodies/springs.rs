@@ -12,12 +12,7 @@ use crate::wording::words;
 use crate::{Body, LinkId, Load, PointId, Profile};
 
 /// Writes the law of a spring; does nothing for other loads.
-pub(in crate::report::working) fn law(
-    context: &Context<'_>,
-    draft: &mut Draft,
-    load: &Load,
-    acted: &LoadAction,
-) {
+pub(crate) fn law(context: &Context<'_>, draft: &mut Draft, load: &Load, acted: &LoadAction) {
     match *load {
         Load::Spring {
             from,

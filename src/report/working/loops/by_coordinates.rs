@@ -12,7 +12,7 @@ use crate::{Body, LinkId, Member, Vec2};
 
 /// Writes length and angle of every vector for which neither the scene nor the coordinates show
 /// them.
-pub(in crate::report::working) fn vectors(context: &Context<'_>, draft: &mut Draft) {
+pub(crate) fn vectors(context: &Context<'_>, draft: &mut Draft) {
     let sides = context.polygon.sides.iter().zip(&context.readings);
     let mut is_shown = false;
     for (side, reading) in sides {
@@ -104,7 +104,7 @@ fn turned(
 
 /// Writes the angles of the vectors that rotate with links found by a group, except those in its
 /// own loops.
-pub(in crate::report::working) fn found(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
+pub(crate) fn found(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
     let is_own = |number: usize| {
         let loops = stage
             .loops

@@ -16,21 +16,18 @@ use crate::solver::Order;
 use crate::{Vec2, angle};
 
 /// A loop prepared for solving, with its known sides summed.
-pub(in crate::report::working) struct Solution<'a> {
-    pub(in crate::report::working) context: &'a Context<'a>,
-    pub(in crate::report::working) stage: &'a Stage,
-    pub(in crate::report::working) of: &'a Loop,
-    pub(in crate::report::working) members: Vec<LoopSide<'a>>,
-    pub(in crate::report::working) figures: Figures,
+pub(crate) struct Solution<'a> {
+    pub(crate) context: &'a Context<'a>,
+    pub(crate) stage: &'a Stage,
+    pub(crate) of: &'a Loop,
+    pub(crate) members: Vec<LoopSide<'a>>,
+    pub(crate) figures: Figures,
     /// The sum of the known sides.
-    pub(in crate::report::working) known: Vec2,
+    pub(crate) known: Vec2,
 }
 
 impl<'a> Solution<'a> {
-    pub(in crate::report::working) fn new(
-        context: &'a Context<'a>,
-        stage: &'a Stage,
-    ) -> Option<Self> {
+    pub(crate) fn new(context: &'a Context<'a>, stage: &'a Stage) -> Option<Self> {
         let (&[number], false) = (&stage.loops[..], matches!(stage.form, ProblemForm::Nothing))
         else {
             return None;
@@ -52,7 +49,7 @@ impl<'a> Solution<'a> {
 
     /// Returns `true` if only the group's unknowns are missing, so that the solution can be tried
     /// without an assembly.
-    pub(in crate::report::working) fn is_known(&self) -> bool {
+    pub(crate) fn is_known(&self) -> bool {
         let own = |term: &Term| match &self.stage.form {
             ProblemForm::Triangle(a, b) => a.contains(term) || b.contains(term),
             ProblemForm::Quadratic(arm, slide) => arm.contains(term) || term == slide,
@@ -70,12 +67,12 @@ impl<'a> Solution<'a> {
         tries && pairs.all(|(term, member)| own(term) || member.sought == [false, false])
     }
 
-    pub(in crate::report::working) fn member(&self, term: Term) -> LoopSide<'_> {
+    pub(crate) fn member(&self, term: Term) -> LoopSide<'_> {
         self.context.member(term, self.stage)
     }
 
     /// Returns the known sides along an axis, in symbols and evaluated.
-    pub(in crate::report::working) fn known_text(&self, axis: &Multiplier) -> [Formula; 2] {
+    pub(crate) fn known_text(&self, axis: &Multiplier) -> [Formula; 2] {
         let pieces = pieces(&self.members, Order::Position, axis, self.figures).into_iter();
         let known: Vec<EquationTerm> = pieces.filter(|p| p.unknown.is_none()).collect();
         [sum(&known).symbols(), in_figures(&known, self.figures)]
@@ -83,12 +80,12 @@ impl<'a> Solution<'a> {
 
     /// Returns the letter of the vector that the unknown sides add up to: the lecture's m, or
     /// another one if the scene uses m as the name of a vector or a link.
-    pub(in crate::report::working) fn diagonal(&self) -> &'static str {
+    pub(crate) fn diagonal(&self) -> &'static str {
         self.context.polygon.diagonal
     }
 
     /// Writes the components of the required sum of the unknown sides, m = -(known sides).
-    pub(in crate::report::working) fn write_m(&self, draft: &mut Draft) -> [Expression; 2] {
+    pub(crate) fn write_m(&self, draft: &mut Draft) -> [Expression; 2] {
         let f = self.figures;
         let m = -self.known;
         let size = longest(&self.members);
@@ -107,7 +104,7 @@ impl<'a> Solution<'a> {
     }
 
     /// Writes the length of a vector from its components, under a name, and returns it.
-    pub(in crate::report::working) fn write_length(
+    pub(crate) fn write_length(
         &self,
         draft: &mut Draft,
         name: &str,
@@ -119,7 +116,7 @@ impl<'a> Solution<'a> {
 
     /// Returns an arm: its length, and the angle by which its direction leads the angle named after
     /// it.
-    pub(in crate::report::working) fn arm(&self, arm: &[Term]) -> DyadArm<'a> {
+    pub(crate) fn arm(&self, arm: &[Term]) -> DyadArm<'a> {
         match single(arm) {
             Some(term) => {
                 let member = self.member(term);
@@ -162,7 +159,7 @@ impl<'a> Solution<'a> {
     }
 
     /// Returns the names of the start, the common joint and the end of a dyad's arms.
-    pub(in crate::report::working) fn joints(&self, first: &[Term], second: &[Term]) -> [&str; 3] {
+    pub(crate) fn joints(&self, first: &[Term], second: &[Term]) -> [&str; 3] {
         let ends = |term: &Term| self.context.polygon.ends(*term);
         let name = |end: Option<&'a str>| end.unwrap_or("");
         let p = first.first().map(|t| self.context.polygon.ends(*t).0);
@@ -172,11 +169,7 @@ impl<'a> Solution<'a> {
     }
 
     /// Returns the arms in the order in which the loop traverses them.
-    pub(in crate::report::working) fn in_order<'t>(
-        &self,
-        a: &'t [Term],
-        b: &'t [Term],
-    ) -> [Vec<Term>; 2] {
+    pub(crate) fn in_order<'t>(&self, a: &'t [Term], b: &'t [Term]) -> [Vec<Term>; 2] {
         let count = self.of.terms.len();
         let is_arm = |term: &Term| a.contains(term) || b.contains(term);
         let starts = (0..count).find(|&i| {
@@ -202,13 +195,7 @@ impl<'a> Solution<'a> {
     }
 
     /// Writes the angle of the link with which a side rotates, if that is not the side's own.
-    pub(in crate::report::working) fn write_link_angle(
-        &self,
-        draft: &mut Draft,
-        side: &Side,
-        theta: f64,
-        loss: f64,
-    ) {
+    pub(crate) fn write_link_angle(&self, draft: &mut Draft, side: &Side, theta: f64, loss: f64) {
         let (Turns::With(link, ahead), f) = (side.turns, self.figures) else {
             return;
         };
@@ -225,24 +212,24 @@ impl<'a> Solution<'a> {
 }
 
 /// One arm of a dyad.
-pub(in crate::report::working) struct DyadArm<'a> {
+pub(crate) struct DyadArm<'a> {
     /// The side, if it is a single one.
-    pub(in crate::report::working) side: Option<&'a Side>,
+    pub(crate) side: Option<&'a Side>,
     /// The symbol of its length.
-    pub(in crate::report::working) length: Formula,
-    pub(in crate::report::working) value: f64,
-    pub(in crate::report::working) given: bool,
+    pub(crate) length: Formula,
+    pub(crate) value: f64,
+    pub(crate) given: bool,
     /// The symbol of the unknown angle.
-    pub(in crate::report::working) theta: Symbol,
+    pub(crate) theta: Symbol,
     /// The angle, in degrees, by which the arm's direction along the loop leads the unknown angle.
-    pub(in crate::report::working) ahead: f64,
+    pub(crate) ahead: f64,
     /// The solver's angle.
-    pub(in crate::report::working) solved: f64,
+    pub(crate) solved: f64,
 }
 
 impl DyadArm<'_> {
     /// Returns the length.
-    pub(in crate::report::working) fn expression(&self, figures: Figures) -> Expression {
+    pub(crate) fn expression(&self, figures: Figures) -> Expression {
         let figure = match self.given {
             true => figures.given(self.value),
             false => figures.number(self.value),
@@ -251,11 +238,7 @@ impl DyadArm<'_> {
     }
 
     /// Returns the unknown angle from the direction along the loop.
-    pub(in crate::report::working) fn angle_of(
-        &self,
-        direction: Expression,
-        figures: Figures,
-    ) -> Expression {
+    pub(crate) fn angle_of(&self, direction: Expression, figures: Figures) -> Expression {
         match self.ahead {
             0.0 => direction,
             ahead => direction - Expression::figure(figures.angle(ahead), ahead),
@@ -263,23 +246,23 @@ impl DyadArm<'_> {
     }
 
     /// Returns the direction along the loop, in the solver's state.
-    pub(in crate::report::working) fn direction(&self) -> Vec2 {
+    pub(crate) fn direction(&self) -> Vec2 {
         angle::unit(self.solved + self.ahead)
     }
 }
 
-pub(in crate::report::working) fn degrees(figures: Figures, value: f64) -> Formula {
+pub(crate) fn degrees(figures: Figures, value: f64) -> Formula {
     Formula::measured(figures.number(value), "deg")
 }
 
 /// Formats a sum of angles as calculated, and from 0 to below 360 if that differs.
-pub(in crate::report::working) fn angle_sum(figures: Figures, value: f64) -> Formula {
+pub(crate) fn angle_sum(figures: Figures, value: f64) -> Formula {
     let is_direction = (0.0..angle::TURN).contains(&value);
     both_angles(figures, value, (!is_direction).then_some(value))
 }
 
 /// Formats an angle as calculated, and from 0 to below 360 if that differs.
-pub(in crate::report::working) fn turn(figures: Figures, value: f64) -> Formula {
+pub(crate) fn turn(figures: Figures, value: f64) -> Formula {
     let half = angle::TURN / 2.0;
     let signed = angle::wrapped(value + half) - half;
     both_angles(figures, value, (signed < 0.0).then_some(signed))

@@ -46,7 +46,7 @@ impl LoopProblem {
     }
 }
 
-pub(in crate::report::working) fn kind(unknown: LoopUnknown) -> UnknownKind {
+pub(crate) fn kind(unknown: LoopUnknown) -> UnknownKind {
     match unknown {
         LoopUnknown::Angle(_) | LoopUnknown::Direction(_) => UnknownKind::Angle,
         LoopUnknown::Travel(_) | LoopUnknown::Length(_) => UnknownKind::Length,

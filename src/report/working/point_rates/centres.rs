@@ -32,7 +32,7 @@ pub struct InstantCentre {
 
 /// The position of an instant centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::report::working) enum CentrePlace {
+pub(crate) enum CentrePlace {
     At(Vec2),
     /// At infinity in this direction and the opposite one.
     Far(Vec2),
@@ -42,7 +42,7 @@ pub(in crate::report::working) enum CentrePlace {
 
 /// The construction of an instant centre.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::report::working) enum CentreBasis {
+pub(crate) enum CentreBasis {
     /// A pivot on the ground.
     Pivot(PointId),
     /// The link cannot rotate.
@@ -55,7 +55,7 @@ pub(in crate::report::working) enum CentreBasis {
 
 /// A line through a joint, perpendicular to its velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::report::working) struct CentreLine {
+pub(crate) struct CentreLine {
     pub joint: PointId,
     /// The other link of the joint, and its centre. `None` if the joint slides along a guide of the
     /// ground, or if the other centre is at infinity.
@@ -66,7 +66,7 @@ pub(in crate::report::working) struct CentreLine {
 
 /// The instant centre of a link.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::report::working) struct LinkCentre {
+pub(crate) struct LinkCentre {
     pub link: LinkId,
     pub place: CentrePlace,
     pub basis: CentreBasis,
@@ -109,21 +109,17 @@ impl Working {
 }
 
 /// Returns the symbol of a link's instant centre, such as `I_r3`.
-pub(in crate::report::working) fn symbol(context: &Context<'_>, link: LinkId) -> Symbol {
+pub(crate) fn symbol(context: &Context<'_>, link: LinkId) -> Symbol {
     Symbol::separate("I", context.scene.link_name(link))
 }
 
 /// Returns the symbol of a point's coordinate, such as `xB`.
-pub(in crate::report::working) fn coordinate(
-    context: &Context<'_>,
-    axis: &str,
-    point: PointId,
-) -> Symbol {
+pub(crate) fn coordinate(context: &Context<'_>, axis: &str, point: PointId) -> Symbol {
     of_point(axis, context.scene.point_name(point).unwrap_or_default())
 }
 
 /// Returns the centres of all links, in solution order.
-pub(in crate::report::working) fn centres(context: &Context<'_>) -> Vec<LinkCentre> {
+pub(crate) fn centres(context: &Context<'_>) -> Vec<LinkCentre> {
     if !context.has_rates() || !(context.fastest[0] > 0.0) {
         return Vec::new();
     }
@@ -273,7 +269,7 @@ fn pivot(context: &Context<'_>, link: LinkId) -> Option<PointId> {
 }
 
 /// Returns the named points of a link.
-pub(in crate::report::working) fn named<'c>(
+pub(crate) fn named<'c>(
     context: &'c Context<'_>,
     link: LinkId,
 ) -> impl Iterator<Item = PointId> + 'c {
@@ -311,7 +307,7 @@ fn crossing<'l>(context: &Context<'_>, lines: &'l [CentreLine]) -> Option<(Vec2,
 
 impl CentreLine {
     /// Returns the direction in degrees.
-    pub(in crate::report::working) fn degrees(&self) -> f64 {
+    pub(crate) fn degrees(&self) -> f64 {
         angle::degrees(self.u)
     }
 }

@@ -13,7 +13,7 @@ use crate::wording::words;
 use crate::{LinkId, PointId, Vec2, angle};
 
 /// Writes the centre of every link: the construction of those that need one, then a table.
-pub(in crate::report::working) fn instant_centres(context: &Context<'_>, draft: &mut Draft) {
+pub(crate) fn instant_centres(context: &Context<'_>, draft: &mut Draft) {
     let centres = centres(context);
     if centres.is_empty() {
         return;

@@ -14,7 +14,7 @@ use crate::{Body, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
 
 /// The reference of a point's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::report::working) enum PointBasis {
+pub(crate) enum PointBasis {
     /// A link, and another point of it.
     Link(LinkId, PointId),
     /// A guide.
@@ -22,7 +22,7 @@ pub(in crate::report::working) enum PointBasis {
 }
 
 /// Writes the motion of every moving point.
-pub(in crate::report::working) fn points(context: &Context<'_>, draft: &mut Draft) {
+pub(crate) fn points(context: &Context<'_>, draft: &mut Draft) {
     draft.part(words().points_part());
     let mechanism = &context.scene.mechanism;
     let moving = mechanism
@@ -49,11 +49,7 @@ pub(in crate::report::working) fn points(context: &Context<'_>, draft: &mut Draf
 
 /// Returns the reference of a point: preferably a ground pivot, then a guide on the ground, then a
 /// joint placed earlier.
-pub(in crate::report::working) fn seat(
-    mechanism: &Mechanism,
-    places: &[usize],
-    point: PointId,
-) -> Option<PointBasis> {
+pub(crate) fn seat(mechanism: &Mechanism, places: &[usize], point: PointId) -> Option<PointBasis> {
     let links = &mechanism.point(point).links;
     let pivot = links.iter().find_map(|&link| {
         let mut members = mechanism.link(link).members.iter();
@@ -82,7 +78,7 @@ pub(in crate::report::working) fn seat(
 }
 
 /// Returns the first placed point of a link, if it precedes this one.
-pub(in crate::report::working) fn earliest(
+pub(crate) fn earliest(
     mechanism: &Mechanism,
     places: &[usize],
     link: LinkId,
@@ -95,7 +91,7 @@ pub(in crate::report::working) fn earliest(
 
 /// Returns the rank of every point in the solution order: ground points first, then in the order of
 /// the groups.
-pub(in crate::report::working) fn places(context: &Context<'_>) -> Vec<usize> {
+pub(crate) fn places(context: &Context<'_>) -> Vec<usize> {
     let mut places = vec![0; context.scene.mechanism.points().len()];
     let groups = context.solver.plan().groups.iter();
     for (index, point) in groups.flat_map(|group| &group.points).enumerate() {

@@ -25,7 +25,7 @@ pub(super) struct KnownSum {
 
 /// The kind of sum over the forces on a link.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::report::working) enum BalanceKind {
+pub(crate) enum BalanceKind {
     /// Moments about a point, in N m.
     About(Vec2),
     /// Forces along a unit vector, in N.
@@ -34,7 +34,7 @@ pub(in crate::report::working) enum BalanceKind {
 
 impl BalanceKind {
     /// Returns the contribution of a force.
-    pub(in crate::report::working) fn of(self, context: &Context<'_>, row: &BodyForce) -> f64 {
+    pub(crate) fn of(self, context: &Context<'_>, row: &BodyForce) -> f64 {
         match self {
             BalanceKind::About(position) => {
                 let metres = context.scene.mechanism.metres();
@@ -111,7 +111,7 @@ pub(super) fn write_known(
 }
 
 /// Writes a table of forces, with their contributions to a sum, whose terms have this magnitude.
-pub(in crate::report::working) fn table<'a>(
+pub(crate) fn table<'a>(
     context: &Context<'_>,
     draft: &mut Draft,
     title: String,
