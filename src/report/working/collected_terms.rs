@@ -10,7 +10,6 @@ use super::figures::Figures;
 use super::loops::group_unknowns::{ProblemForm, Stage};
 use super::loops::polygon::Term;
 use super::loops::sides::{SideShape, Turns};
-use super::symbols;
 use crate::page::{Formula, Symbol};
 use crate::solver::Order;
 use crate::wording::words;
@@ -232,9 +231,7 @@ impl LoopCollector<'_> {
             };
         }
         let link = members.iter().find_map(|m| m.side.turns_with());
-        let theta = link.map_or_else(Symbol::default, |link| {
-            symbols::theta(self.context.scene.link_name(link))
-        });
+        let theta = link.map_or_else(Symbol::default, |link| self.context.theta(link));
         let [along, left] = self.turning_sum(&members, &theta, Some(0.0));
         CollectedArm {
             along: along.unwrap_or(Expression::Number(0.0)),
@@ -452,20 +449,13 @@ impl LoopCollector<'_> {
 
     /// Returns the angle of a side, expressed by that of the link with which it rotates.
     fn argument(&self, member: &LoopSide<'_>) -> Expression {
-        let degrees = member.reading.theta;
-        match member.side.turns {
+        let angle = match member.side.turns {
             Turns::With(link, ahead) if member.side.shape != SideShape::Link(link) => {
-                let theta = symbols::theta(self.context.scene.link_name(link));
-                match self.figures().direction(ahead) {
-                    by if by == "0" => Expression::unknown(theta, degrees),
-                    by => {
-                        let sum = Expression::symbol(theta) + Expression::figure(by, ahead);
-                        Expression::unknown(sum.symbols(), degrees)
-                    }
-                }
+                self.context.leading_angle(link, ahead)
             }
-            _ => Expression::unknown(member.side.theta(), degrees),
-        }
+            _ => member.side.theta().into(),
+        };
+        Expression::unknown(angle, member.reading.theta)
     }
 
     /// Writes one equation in one angle: squaring and adding both components eliminates the other

@@ -12,7 +12,7 @@ use crate::page::{Block, Content, Formula, Head, Page, Setting, Symbol, Table, U
 use crate::scene::Scene;
 use crate::solver::{Condition, Group, Known, Order, Solver};
 use crate::wording::words;
-use crate::{Input, Mechanism, angle};
+use crate::{Input, LinkId, Mechanism, angle};
 
 /// The context of a worked solution.
 pub(super) struct Context<'a> {
@@ -163,6 +163,20 @@ impl<'a> Context<'a> {
             .iter()
             .map(|&term| self.member(term, stage))
             .collect()
+    }
+
+    /// Returns the symbol of a link's angle.
+    pub(super) fn theta(&self, link: LinkId) -> Symbol {
+        symbols::theta(self.scene.link_name(link))
+    }
+
+    /// Returns the angle of a link, plus the angle by which a vector leads it.
+    pub(super) fn leading_angle(&self, link: LinkId, ahead: f64) -> Formula {
+        let theta = Expression::symbol(self.theta(link));
+        match self.figures.direction(ahead) {
+            by if by == "0" => theta.symbols(),
+            by => (theta + Expression::figure(by, ahead)).symbols(),
+        }
     }
 
     /// Returns the symbol of an unknown, or of its rate of an order.

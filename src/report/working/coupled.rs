@@ -166,7 +166,7 @@ fn unknown_name(context: &Context<'_>, unknown: NewtonUnknown) -> Symbol {
     match unknown {
         NewtonUnknown::X(point) => symbols::of_point("x", point_name(context, Some(point))),
         NewtonUnknown::Y(point) => symbols::of_point("y", point_name(context, Some(point))),
-        NewtonUnknown::Angle(link) => symbols::theta(context.scene.link_name(link)),
+        NewtonUnknown::Angle(link) => context.theta(link),
     }
 }
 
@@ -203,8 +203,7 @@ fn equation_of(context: &Context<'_>, row: &NewtonRow) -> (Formula, String) {
             (Formula::message(distance, [name(point)]), unit.into())
         }
         NewtonRow::Elbow(links) => {
-            let [link, from] =
-                links.map(|link| Expression::symbol(symbols::theta(context.scene.link_name(link))));
+            let [link, from] = links.map(|link| Expression::symbol(context.theta(link)));
             let half = (link - from - Expression::symbol("q")) / two();
             let left = two() * Expression::of(Function::Tan, [half]);
             (left.symbols(), "rad".into())

@@ -5,7 +5,6 @@ use super::context::{Context, Draft};
 use super::expression::Expression;
 use super::loops::polygon::Loop;
 use super::loops::sides::{Side, Turns};
-use super::symbols;
 use crate::page::{Formula, Symbol};
 use crate::quantity::{Catalogue, state_word};
 use crate::report::text::number::concise;
@@ -13,7 +12,7 @@ use crate::report::text::places::limits_text;
 use crate::solver::{Condition, Order};
 use crate::study::UnknownKind;
 use crate::wording::words;
-use crate::{Body, Input, InputLaw, LinkId};
+use crate::{Body, Input, InputLaw};
 
 /// Writes the title, and the driver's coordinate.
 pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
@@ -52,7 +51,7 @@ fn inputs(context: &Context<'_>, draft: &mut Draft) {
     let mechanism = &context.scene.mechanism;
     let symbol = |input| match input {
         Input::Turn(link) => {
-            let name = |link| Expression::symbol(symbols::theta(context.scene.link_name(link)));
+            let name = |link| Expression::symbol(context.theta(link));
             match mechanism.turned_from(link) {
                 Body::Ground => name(link),
                 Body::Link(from) => name(link) - name(from),
@@ -115,32 +114,29 @@ pub(super) fn unit_vectors(context: &Context<'_>, draft: &mut Draft) {
     }
     let notation = context.notation;
     let (along, across) = (notation.along("θ"), notation.across("θ"));
-    let page = &mut draft.page;
-    page.text(words().unit_vectors_are(&along, &across));
+    draft.text(words().unit_vectors_are(&along, &across));
     let [u, n] = notation.names();
     let symbol = |name: &str| Expression::symbol(name);
     let [cos, sin] = symbol("θ").cos_and_sin();
-    let rate = |of: &Formula| Formula::from(Symbol::named(&of.to_string()).derivative(1));
+    let [x, y] = [cos.clone(), sin.clone()];
     let turning = |vector: &Formula| symbol("ω") * Expression::symbol(vector.clone());
     for (vector, sum) in [
-        (
-            along.clone(),
-            cos.clone() * symbol("i") + sin.clone() * symbol("j"),
-        ),
+        (along.clone(), x * symbol("i") + y * symbol("j")),
         (across.clone(), -(sin * symbol("i")) + cos * symbol("j")),
-        (rate(&u), turning(&across)),
-        (rate(&n), -turning(&along)),
+        (u.clone().derivative(1).into(), turning(&across)),
+        (n.clone().derivative(1).into(), -turning(&along)),
     ] {
-        page.equation([vector, sum.symbols()]);
+        draft.equation([vector, sum.symbols()]);
     }
-    let product = |[one, other]: [&Formula; 2]| {
-        let of =
-            |vector: &Formula, angle: &str| vector.clone().then(Formula::from(angle).in_brackets());
+    let product = |one: &Symbol, other: &Symbol| {
+        let of = |vector: &Symbol, angle: &str| {
+            Formula::from(vector).then(Formula::from(angle).in_brackets())
+        };
         of(one, "a").with_sign('·').then(of(other, "b"))
     };
     let [cos, sin] = (symbol("a") - symbol("b")).cos_and_sin();
-    page.equation([product([&u, &u]), product([&n, &n]), cos.symbols()]);
-    page.equation([product([&u, &n]), sin.symbols()]);
+    draft.equation([product(&u, &u), product(&n, &n), cos.symbols()]);
+    draft.equation([product(&u, &n), sin.symbols()]);
 }
 
 /// Explains the consequences of the state's condition; returns `None` for an ordinary state.
@@ -289,17 +285,7 @@ fn angle_mark(context: &Context<'_>, side: &Side) -> String {
     match (is_own, context.schedule.is_driven(side)) {
         (true, true) => input_mark(context, side).into(),
         (true, false) => words().is_sought().into(),
-        (false, _) => with_offset(context, link, offset),
-    }
-}
-
-/// Returns the angle of a link, plus the angle by which a vector leads it.
-fn with_offset(context: &Context<'_>, link: LinkId, offset: f64) -> String {
-    let theta = symbols::theta(context.scene.link_name(link));
-    let by = context.figures.direction(offset);
-    match by.as_str() {
-        "0" => theta.to_string(),
-        by => format!("{theta} + {by}"),
+        (false, _) => context.leading_angle(link, offset).to_string(),
     }
 }
 
@@ -317,7 +303,7 @@ fn bodies_without_ends(context: &Context<'_>) -> Vec<[String; 6]> {
                 _ if mechanism.is_directed(link) && !driven => words().given().into(),
                 _ if driven => words().driver().into(),
                 Turns::With(root, _) if root == link => words().is_sought().into(),
-                Turns::With(root, offset) => with_offset(context, root, offset),
+                Turns::With(root, offset) => context.leading_angle(root, offset).to_string(),
                 Turns::Freely => String::new(),
             };
             let angle = if context.has_positions() {

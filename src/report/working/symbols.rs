@@ -16,21 +16,21 @@ pub enum WorkingNotation {
 impl WorkingNotation {
     /// Returns the unit vector along an angle.
     pub(in crate::report) fn along(self, theta: impl Into<Formula>) -> Formula {
-        self.names()[0].clone().then(theta.into().in_brackets())
+        Formula::from(&self.names()[0]).then(theta.into().in_brackets())
     }
 
     /// Returns the unit vector perpendicular to it, to its left.
     pub(in crate::report) fn across(self, theta: impl Into<Formula>) -> Formula {
-        self.names()[1].clone().then(theta.into().in_brackets())
+        Formula::from(&self.names()[1]).then(theta.into().in_brackets())
     }
 
     /// Returns the symbols of both unit vectors.
-    pub(super) fn names(self) -> [Formula; 2] {
+    pub(super) fn names(self) -> [Symbol; 2] {
         let names = match self {
             WorkingNotation::Krank => ["u", "n"],
             WorkingNotation::Lecture => ["μ", "ν"],
         };
-        names.map(Formula::from)
+        names.map(Symbol::named)
     }
 }
 

@@ -6,7 +6,6 @@ use super::sides::{Side, SideReading, SideShape};
 use super::solution::angle_sum;
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::expression::Expression;
-use crate::report::working::symbols;
 use crate::wording::words;
 use crate::{Body, LinkId, Member, Vec2};
 
@@ -77,7 +76,7 @@ fn vector(
         // The angle of its link is unknown, so its value must not appear yet.
         Body::Link(link) => {
             let ahead = Expression::figure(f.angle(own.value()), own.value());
-            let theta = symbols::theta(context.scene.link_name(link));
+            let theta = context.theta(link);
             let theta = |ahead| Expression::symbol(theta.clone()) + ahead;
             let sides = [theta(own), theta(ahead)].map(|sum| sum.symbols());
             draft.equation(std::iter::once(side.theta().into()).chain(sides));
@@ -95,7 +94,7 @@ fn turned(
 ) {
     let f = context.figures;
     let degrees = context.state.angle(link);
-    let name = symbols::theta(context.scene.link_name(link));
+    let name = context.theta(link);
     let theta = f.directed(name, degrees) + ahead;
     let symbol = side.theta();
     let computed = draft.worked(symbol.clone(), &theta, |degrees| angle_sum(f, degrees));

@@ -202,7 +202,7 @@ impl<'a> Solution<'a> {
         if side.shape == SideShape::Link(link) {
             return;
         }
-        let symbol = symbols::theta(self.context.scene.link_name(link));
+        let symbol = self.context.theta(link);
         let computed = theta - ahead;
         draft.agree_angle(&symbol, computed, self.context.state.angle(link), loss);
         let difference =
