@@ -3,9 +3,9 @@
 //! A4 paper.
 
 use super::math::{Formula, MathPiece};
-use super::prose::{ProsePiece, equation_of, label};
+use super::prose::{ProsePiece, label};
 use super::svg::marked_up;
-use super::{Content, Equation, Facts, Illustration, Page, Row, Table};
+use super::{Cell, Content, Equation, Facts, Illustration, Page, Row, Table};
 use crate::wording::words;
 use std::fmt::Write as _;
 
@@ -131,8 +131,7 @@ fn columns(table: &Table, symbols: &[String]) -> String {
             }
             Row::Figures { cells, .. } => {
                 let cells = (0..count).map(|k| cells.get(k).and_then(Option::as_ref));
-                let texts = cells.map(|cell| cell.map_or("", |cell| cell.text.trim()));
-                texts.map(figures).collect()
+                cells.map(figures).collect()
             }
         };
         let _ = writeln!(text, "<tr><th>{name}</th>{cells}</tr>");
@@ -161,12 +160,14 @@ fn prose(text: &str, symbols: &[String]) -> String {
     out
 }
 
-/// Formats a cell. A cell with an equation is a formula for a result or an unknown, and is
-/// highlighted.
-fn figures(text: &str) -> String {
-    match equation_of(text) {
-        Some(equation) => format!("<td class=\"found\">{}</td>", formula(&equation)),
-        None => format!("<td>{}</td>", marked_up(&text.replace('-', "\u{2212}"))),
+/// Formats a cell; an equation is highlighted.
+fn figures(cell: Option<&Cell>) -> String {
+    match cell.and_then(|cell| cell.formula.as_ref()) {
+        Some(equation) => format!("<td class=\"found\">{}</td>", formula(equation)),
+        None => {
+            let text = cell.map_or("", |cell| cell.text.trim());
+            format!("<td>{}</td>", marked_up(&text.replace('-', "\u{2212}")))
+        }
     }
 }
 

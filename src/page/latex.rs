@@ -2,8 +2,8 @@
 //! for pictures.
 
 use super::math::{Formula, MathPiece};
-use super::prose::{ProsePiece, equation_of, label};
-use super::{Content, Equation, Facts, Illustration, Page, Row, Table};
+use super::prose::{ProsePiece, label};
+use super::{Cell, Content, Equation, Facts, Illustration, Page, Row, Table};
 use std::fmt::Write as _;
 
 const HEAD: &str = include_str!("latex/preamble.tex");
@@ -85,34 +85,32 @@ fn columns(table: &Table, symbols: &[String]) -> String {
     rows.push(
         std::iter::once(table.title.clone())
             .chain(headers)
+            .map(Cell::proved)
             .collect(),
     );
     for row in &table.rows {
         let (mark, name) = row.label(true);
-        let mut texts = vec![format!("{mark} {}", name.trim()).trim().to_owned()];
+        let empty = || Cell::proved("");
+        let mut all = vec![Cell::proved(format!("{mark} {}", name.trim()).trim())];
         match row {
             Row::Part(_) => {}
-            Row::Told { words, .. } => texts.push(words.clone()),
+            Row::Told { words, .. } => all.push(Cell::proved(words)),
             Row::Figures { cells, .. } => {
-                let text = |cell: &Option<super::Cell>| {
-                    cell.as_ref()
-                        .map_or_else(String::new, |c| c.text.trim().to_owned())
-                };
-                texts.extend(cells.iter().map(text));
+                all.extend(cells.iter().map(|cell| cell.clone().unwrap_or_else(empty)));
             }
         }
-        texts.resize(count + 1, String::new());
-        rows.push(texts);
+        all.resize(count + 1, empty());
+        rows.push(all);
     }
     for row in &rows {
-        let row: &Vec<String> = row;
-        for (width, text) in widths.iter_mut().zip(row) {
-            *width = (*width).max(text.chars().count() + 2);
+        let row: &Vec<Cell> = row;
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = (*width).max(cell.text.trim().chars().count() + 2);
         }
     }
     let is_wide = widths.iter().sum::<usize>() > LINE;
-    let line = |row: &Vec<String>| {
-        let cells: Vec<String> = row.iter().map(|text| cell(text, symbols)).collect();
+    let line = |row: &Vec<Cell>| {
+        let cells: Vec<String> = row.iter().map(|one| cell(one, symbols)).collect();
         cells.join(" & ")
     };
     let Some((head, body)) = rows.split_first() else {
@@ -139,11 +137,11 @@ fn columns(table: &Table, symbols: &[String]) -> String {
 /// Maximum number of rows of a table on one page.
 const ROWS: usize = 40;
 
-/// Formats a cell. A cell with an equation is a formula for a result or an unknown, and is
-/// highlighted.
-fn cell(text: &str, symbols: &[String]) -> String {
-    if let Some(equation) = equation_of(text) {
-        return format!("\\boldmath\\({}\\)", formula(&equation));
+/// Formats a cell; an equation is highlighted.
+fn cell(cell: &Cell, symbols: &[String]) -> String {
+    let text = cell.text.trim();
+    if let Some(equation) = &cell.formula {
+        return format!("\\boldmath\\({}\\)", formula(equation));
     }
     // Rates are typeset as in formulas.
     if let Some(label) = label(text, symbols) {

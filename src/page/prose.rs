@@ -43,15 +43,6 @@ fn words(text: &str) -> Formula {
     words.unwrap_or_default()
 }
 
-/// Returns the formula of a cell with a symbol and its value: `θ3 = 29.3794`, `θ3 = ?`.
-pub(super) fn equation_of(text: &str) -> Option<Formula> {
-    let (symbol, value) = text.split_once(" = ")?;
-    Some(word(symbol).equals(match value {
-        "?" => Formula::sign('?'),
-        figure => Formula::number(figure),
-    }))
-}
-
 /// Returns a word of a sentence as a formula: `r3`, `dr3/dt`, `μ(θ3)`, `100^2`.
 fn word(text: &str) -> Formula {
     let rate = |before, after| text.strip_prefix(before)?.strip_suffix(after);

@@ -100,6 +100,7 @@ impl Row {
         let cell = |cell: &Cell| Cell {
             text: shown(&cell.text),
             unproved: cell.unproved.clone(),
+            formula: cell.formula.as_ref().map(|f| f.with_texts(shown)),
         };
         match self {
             Row::Part(name) => Row::Part(shown(name)),

@@ -3,7 +3,7 @@
 
 use super::polygon::{Loop, Term};
 use super::sides::{Side, SideReading, SideShape};
-use crate::page::Symbol;
+use crate::page::{Cell, Formula, Symbol};
 use crate::report::working::Working;
 use crate::report::working::context::Context;
 use crate::report::working::introduction::sum_text;
@@ -62,7 +62,7 @@ pub struct RelativeMotion {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VectorFigure {
     /// The symbol of the value.
-    pub symbol: String,
+    pub symbol: Symbol,
     /// The column of the value; for a vector without one, that of the link with which it rotates.
     pub column: String,
     /// The formatted value; `None` if it does not exist here.
@@ -75,31 +75,35 @@ pub struct VectorFigure {
 }
 
 impl VectorFigure {
-    /// Returns the text before the solution: a given value, `θ3 = ?`, or `from loop 1` for an
+    /// Returns the cell before the solution: a given value, `θ3 = ?`, or `from loop 1` for an
     /// unknown of another loop.
     #[must_use]
-    pub fn text_before(&self) -> String {
+    pub fn before(&self) -> Cell {
         match (&self.value, self.is_sought, self.found_by) {
-            (Some(value), false, _) => value.clone(),
-            (_, true, Some(number)) => words().found_by_loop(number),
+            (Some(value), false, _) => Cell::proved(value),
+            (_, true, Some(number)) => Cell::proved(words().found_by_loop(number)),
             _ => self.unknown(),
         }
     }
 
-    /// Returns the text of an unknown: `θ3 = ?`.
+    /// Returns the cell of an unknown: `θ3 = ?`.
     #[must_use]
-    pub fn unknown(&self) -> String {
-        format!("{} = ?", self.symbol)
+    pub fn unknown(&self) -> Cell {
+        self.equal_to(Formula::sign('?'))
     }
 
-    /// Returns the text after the solution: a given value, or `θ3 = 29.3794`.
+    /// Returns the cell after the solution: a given value, or `θ3 = 29.3794`.
     #[must_use]
-    pub fn text_after(&self) -> String {
+    pub fn after(&self) -> Cell {
         match (&self.value, self.is_sought) {
-            (Some(value), true) => format!("{} = {value}", self.symbol),
-            (None, true) => format!("{} = ?", self.symbol),
-            (_, false) => self.text_before(),
+            (Some(value), true) => self.equal_to(Formula::number(value)),
+            (None, true) => self.unknown(),
+            (_, false) => self.before(),
         }
+    }
+
+    fn equal_to(&self, value: Formula) -> Cell {
+        Cell::equation(Formula::from(&self.symbol).equals(value))
     }
 }
 
@@ -256,7 +260,7 @@ fn figures(
             (false, false) => f.given(values[k]),
         };
         VectorFigure {
-            symbol: symbol.to_string(),
+            symbol,
             column: columns[k].clone(),
             value: (exists || !unknowns[k]).then_some(value),
             is_sought: unknowns[k],
