@@ -460,4 +460,33 @@ mod tests {
             assert!((expression.value() - value).abs() < 1e-12, "{symbols}");
         }
     }
+
+    #[test]
+    fn terms_omit_zeros_and_factors_of_one() {
+        let x = || Some(Expression::symbol("x"));
+        for (figure, factor, expected) in [
+            ("2", x(), Some("2·x")),
+            ("-2", x(), Some("-2·x")),
+            ("1", x(), Some("x")),
+            ("-1", x(), Some("-x")),
+            ("1", None, Some("1")),
+            ("0", x(), None),
+            ("0", None, None),
+            ("-", None, Some("-")),
+        ] {
+            let term = Expression::term(figure.into(), factor);
+            let numbers = term.map(|term| term.numbers().to_string());
+            assert_eq!(numbers.as_deref(), expected, "{figure}");
+        }
+        assert_eq!(Expression::sum([]).symbols().to_string(), "0");
+    }
+
+    #[test]
+    fn formula_is_evaluated_for_a_tried_unknown() {
+        let [cos, _] = Expression::symbol("θ3").cos_and_sin();
+        let function = known("m", 5.0) - known("r3", 3.0) * cos;
+        assert_eq!(function.symbols().to_string(), "m - r3 cos(θ3)");
+        assert_eq!((function.at(90.0), function.at(180.0)), (5.0, 8.0));
+        assert!(function.value().is_nan());
+    }
 }
