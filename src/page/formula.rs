@@ -1,6 +1,6 @@
 //! Breaks formulas into lines.
 
-use super::Equation;
+use super::math::{Formula, MathPiece};
 use super::words::{fill, length};
 
 /// Indentation of a formula.
@@ -9,71 +9,73 @@ const INDENT: usize = 2;
 const SHORT_SIDE: usize = 16;
 
 /// Breaks a chain of sides: on one line if it fits, or else side below side.
-pub(super) fn lines(equation: &Equation, width: usize) -> Vec<String> {
-    let sides = &equation.sides;
-    let indent = " ".repeat(INDENT);
-    let text = format!("{indent}{}", sides.join(" = "));
-    let Some((first, others)) = sides.split_first().map(|(f, o)| (f.as_str(), o)) else {
+pub(super) fn lines(sides: &[Formula], width: usize) -> Vec<String> {
+    let Some((first, others)) = sides.split_first() else {
         return Vec::new();
     };
+    let equation = others.iter().cloned().fold(first.clone(), Formula::equals);
+    let indent = " ".repeat(INDENT);
+    let text = format!("{indent}{equation}");
     if length(&text) <= width {
         return vec![text];
     }
-    let left = length(first);
+    let first = first.to_string();
+    let left = length(&first);
     if left > SHORT_SIDE || left + 2 * INDENT > width / 2 {
-        return terms(&text, width, 2 * INDENT);
+        return fill(&terms(&equation), width, [INDENT, 2 * INDENT]);
     }
     // Each line takes as many sides as fit, with the equals signs aligned.
-    let mut rows: Vec<String> = Vec::new();
     let start = INDENT + left + " = ".len();
+    let space = width.saturating_sub(start);
+    let mut rows: Vec<Formula> = Vec::new();
     for side in others {
-        let fits = |row: &&mut String| start + length(row) + 3 + length(side) <= width;
+        let longer = |row: &Formula| row.clone().equals(side.clone());
+        let fits = |row: &&mut Formula| length(&longer(row).to_string()) <= space;
         match rows.last_mut().filter(fits) {
-            Some(row) => row.push_str(&format!(" = {side}")),
+            Some(row) => *row = longer(row),
             None => rows.push(side.clone()),
         }
     }
-    let space = width.saturating_sub(start);
     let blank = " ".repeat(start);
     let mut lines = Vec::new();
     for (i, row) in rows.iter().enumerate() {
-        let name = if i == 0 { first } else { "" };
-        for (j, line) in terms(row, space, 2).into_iter().enumerate() {
-            let before = match j {
-                0 => format!("{indent}{name:left$} = "),
-                _ => blank.clone(),
-            };
-            lines.push(before + &line);
+        let name = if i == 0 { &first } else { "" };
+        for (j, line) in fill(&terms(row), space, [0, 2]).iter().enumerate() {
+            lines.push(match j {
+                0 => format!("{indent}{name:left$} = {line}"),
+                _ => format!("{blank}{line}"),
+            });
         }
     }
     lines
 }
 
-/// Breaks a formula into lines of at most `width` columns, before the signs between its terms.
-fn terms(formula: &str, width: usize, indent: usize) -> Vec<String> {
-    let own = formula.len() - formula.trim_start().len();
-    fill(&parts(formula), width, [own, indent])
-}
-
 /// Splits a formula into terms, each with the sign before it; brackets are not split.
-fn parts(formula: &str) -> Vec<String> {
-    let mut parts: Vec<String> = Vec::new();
+fn terms(formula: &Formula) -> Vec<String> {
+    let mut terms = vec![String::new()];
     let mut depth = 0_usize;
-    for word in formula.split_whitespace() {
-        let starts = depth == 0 && matches!(word, "+" | "-" | "=" | "+-");
-        match parts.last_mut().filter(|_| !starts) {
-            Some(part) => part.push_str(&format!(" {word}")),
-            None => parts.push(word.to_owned()),
+    for (k, piece) in formula.0.iter().enumerate() {
+        let around = [k.wrapping_sub(1), k + 1].map(|k| formula.0.get(k));
+        let is_between = around == [Some(&MathPiece::Blank); 2];
+        match piece {
+            MathPiece::Sign('(') => depth += 1,
+            MathPiece::Sign(')') => depth = depth.saturating_sub(1),
+            MathPiece::Sign('+' | '-' | '=' | '±') if is_between && depth == 0 => {
+                terms.push(String::new());
+            }
+            _ => {}
         }
-        let open = word.matches('(').count();
-        depth = (depth + open).saturating_sub(word.matches(')').count());
+        if let Some(term) = terms.last_mut() {
+            term.push_str(&piece.to_string());
+        }
     }
     // `= 0` at the end of a sum does not get a line of its own.
-    if let [.., last, end] = &mut parts[..]
+    if let [.., last, end] = &mut terms[..]
         && end == "= 0"
     {
-        last.push_str(" = 0");
-        parts.pop();
+        last.push_str("= 0");
+        terms.pop();
     }
-    parts
+    let terms = terms.iter().map(|term| term.trim().to_owned());
+    terms.collect()
 }

@@ -2,10 +2,10 @@
 //! pictures. It has no script. It is light or dark on a screen, as the reader prefers, and light on
 //! A4 paper.
 
-use super::math::{MathPiece, UNIT, pieces};
-use super::prose::{ProsePiece, is_spelled, is_symbol, with_marked_unit};
+use super::math::{Formula, MathPiece};
+use super::prose::{ProsePiece, label};
 use super::svg::marked_up;
-use super::{Content, Equation, Facts, Illustration, Page, Row, Table};
+use super::{Cell, Content, Equation, Facts, Illustration, Page, Row, Table};
 use crate::wording::words;
 use std::fmt::Write as _;
 
@@ -89,7 +89,7 @@ fn figure(picture: &Illustration, class: &str, symbols: &[String]) -> String {
 }
 
 fn equation(equation: &Equation) -> String {
-    let sides: Vec<String> = equation.sides.iter().map(|side| formula(side)).collect();
+    let sides: Vec<String> = equation.sides.iter().map(formula).collect();
     format!("<div class=\"eq\">{}</div>\n", sides.join(" = "))
 }
 
@@ -131,8 +131,7 @@ fn columns(table: &Table, symbols: &[String]) -> String {
             }
             Row::Figures { cells, .. } => {
                 let cells = (0..count).map(|k| cells.get(k).and_then(Option::as_ref));
-                let texts = cells.map(|cell| cell.map_or("", |cell| cell.text.trim()));
-                texts.map(figures).collect()
+                cells.map(figures).collect()
             }
         };
         let _ = writeln!(text, "<tr><th>{name}</th>{cells}</tr>");
@@ -142,9 +141,9 @@ fn columns(table: &Table, symbols: &[String]) -> String {
 
 /// Formats the name of a row or column; rates are typeset as in formulas.
 fn name_of(text: &str, symbols: &[String]) -> String {
-    match is_spelled(text) || is_symbol(text, symbols) {
-        true => formula(&with_marked_unit(text)),
-        false => marked_up(text),
+    match label(text, symbols) {
+        Some(label) => formula(&label),
+        None => marked_up(text),
     }
 }
 
@@ -154,89 +153,91 @@ fn prose(text: &str, symbols: &[String]) -> String {
     for piece in super::prose::pieces(text, symbols) {
         let _ = match piece {
             ProsePiece::Typed(typed) => write!(out, "<code>{}</code>", marked_up(typed)),
-            ProsePiece::Formula(word) => write!(out, "{}", formula(word)),
-            ProsePiece::Unit(unit) => write!(out, "{}", formula(&format!("{UNIT}{unit}"))),
+            ProsePiece::Formula(word) => write!(out, "{}", formula(&word)),
             ProsePiece::Words(words) => write!(out, "{}", marked_up(words)),
         };
     }
     out
 }
 
-/// Formats a cell. A cell with an equation is a formula for a result or an unknown, and is
-/// highlighted.
-fn figures(text: &str) -> String {
-    match text.contains(" = ") {
-        true => format!("<td class=\"found\">{}</td>", formula(text)),
-        false => format!("<td>{}</td>", marked_up(&text.replace('-', "\u{2212}"))),
+/// Formats a cell; an equation is highlighted.
+fn figures(cell: Option<&Cell>) -> String {
+    match cell.and_then(|cell| cell.formula.as_ref()) {
+        Some(equation) => format!("<td class=\"found\">{}</td>", formula(equation)),
+        None => {
+            let text = cell.map_or("", |cell| cell.text.trim());
+            format!("<td>{}</td>", marked_up(&text.replace('-', "\u{2212}")))
+        }
     }
 }
 
 /// Formats a formula with its indices and powers.
-fn formula(text: &str) -> String {
-    let mut out = String::new();
-    for piece in pieces(text) {
-        let _ = match piece {
-            MathPiece::Symbol(letter, index, order) => {
-                let dots = ["", "\u{307}", "\u{308}"][order.min(2)];
-                // The first of several letters carries the dots.
-                let (first, rest) =
-                    letter.split_at(letter.chars().next().map_or(0, char::len_utf8));
-                let (first, rest) = (marked_up(first), marked_up(rest));
-                let _ = match rest.as_str() {
-                    "" => write!(out, "<i>{first}{dots}</i>"),
-                    rest => write!(out, "{first}{dots}{rest}"),
-                };
-                match index.as_str() {
-                    "" => Ok(()),
-                    index => write!(out, "<sub>{}</sub>", marked_up(index)),
-                }
+fn formula(of: &Formula) -> String {
+    let pieces = of.0.iter().map(|piece| match piece {
+        MathPiece::Symbol(symbol) => {
+            let dots = ["", "\u{307}", "\u{308}"][symbol.order.min(2)];
+            // The first of several letters carries the dots.
+            let first = symbol.letter.chars().next().map_or(0, char::len_utf8);
+            let (first, rest) = symbol.letter.split_at(first);
+            let (first, rest) = (marked_up(first), marked_up(rest));
+            let letter = match rest.as_str() {
+                "" => format!("<i>{first}{dots}</i>"),
+                rest => format!("{first}{dots}{rest}"),
+            };
+            match symbol.index.replace('_', " ").as_str() {
+                "" => letter,
+                index => format!("{letter}<sub>{}</sub>", marked_up(index)),
             }
-            MathPiece::Function(name) | MathPiece::Unit(name) => write!(out, "{name}"),
-            MathPiece::Number(digits, None) => write!(out, "{digits}"),
-            MathPiece::Number(digits, Some(power)) => {
-                let power = power.replace('-', "\u{2212}");
-                write!(out, "{digits}·10<sup>{power}</sup>")
+        }
+        MathPiece::Function(name, of) => format!("{name}({})", formula(of)),
+        MathPiece::Word(text) => marked_up(text),
+        MathPiece::Number(number) => match number.split_once('e') {
+            None => marked_up(number),
+            Some((digits, power)) => {
+                let power = marked_up(&power.replace('-', "\u{2212}"));
+                format!("{}·10<sup>{power}</sup>", marked_up(digits))
             }
-            MathPiece::Power(raised) => write!(out, "<sup>{raised}</sup>"),
-            MathPiece::Sign('-') => write!(out, "\u{2212}"),
-            MathPiece::Sign(sign) => write!(out, "{}", marked_up(&sign.to_string())),
-            MathPiece::Blank => write!(out, " "),
-        };
-    }
-    out
+        },
+        MathPiece::Power(exponent) => format!("<sup>{}</sup>", marked_up(exponent)),
+        MathPiece::Sign('-') => "\u{2212}".into(),
+        MathPiece::Sign(sign) => marked_up(&sign.to_string()),
+        MathPiece::Blank => " ".into(),
+    });
+    pieces.collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::page::Symbol;
 
     #[test]
     fn formulas_become_html_with_indices_and_powers() {
         assert_eq!(
-            formula("-r2 ω2^2 cos(θ2)"),
+            formula(&Formula::example()),
             "\u{2212}<i>r</i><sub>2</sub> <i>ω</i><sub>2</sub><sup>2</sup> cos(<i>θ</i><sub>2</sub>)"
         );
-        assert_eq!(formula("5.7e-14 mm"), "5.7·10<sup>\u{2212}14</sup> mm");
+        let small = Formula::measured("5.7e-14", "mm");
+        assert_eq!(formula(&small), "5.7·10<sup>\u{2212}14</sup> mm");
         assert_eq!(
             name_of("dr/dt [mm/s]", &[]),
             "<i>r\u{307}</i> [mm/s]",
             "as in the formulas"
         );
-        assert_eq!(formula("dr4/dt"), "<i>r\u{307}</i><sub>4</sub>");
-        assert_eq!(formula("drod/dt"), "r\u{307}od", "over the first letter");
+        let rate = |name| formula(&Symbol::named(name).derivative(1).into());
+        assert_eq!(rate("r4"), "<i>r\u{307}</i><sub>4</sub>");
+        assert_eq!(rate("rod"), "r\u{307}od", "over the first letter");
         assert_eq!(
             name_of("α [rad/s^2]", &[]),
             "<i>α</i> [rad/s<sup>2</sup>]",
             "as below it"
         );
         assert_eq!(
-            prose(
-                "Write `a < b`, which removes dr6/dt: 2 \u{e000}mm/s^2.",
-                &[]
-            ),
+            prose("Write `a < b`, which removes dr6/dt: 2 mm/s^2.", &[]),
             "Write <code>a &lt; b</code>, which removes <i>r\u{307}</i><sub>6</sub>: \
              2 mm/s<sup>2</sup>."
         );
-        assert_eq!(formula("a < b"), "<i>a</i> &lt; <i>b</i>");
+        let less = Formula::from("a").with_sign('<').then("b");
+        assert_eq!(formula(&less), "<i>a</i>&lt;<i>b</i>");
     }
 }

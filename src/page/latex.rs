@@ -1,9 +1,9 @@
 //! Writes a page as LaTeX that a plain TeX Live can process: the class `article`, amsmath, and TikZ
 //! for pictures.
 
-use super::math::{MathPiece, UNIT, closing, pieces};
-use super::prose::{ProsePiece, is_spelled, is_symbol, with_marked_unit};
-use super::{Content, Equation, Facts, Illustration, Page, Row, Table};
+use super::math::{Formula, MathPiece};
+use super::prose::{ProsePiece, label};
+use super::{Cell, Content, Equation, Facts, Illustration, Page, Row, Table};
 use std::fmt::Write as _;
 
 const HEAD: &str = include_str!("latex/preamble.tex");
@@ -60,7 +60,7 @@ fn figure(picture: &Illustration, symbols: &[String]) -> String {
 }
 
 fn equation(equation: &Equation) -> String {
-    let sides: Vec<String> = equation.sides.iter().map(|side| formula(side)).collect();
+    let sides: Vec<String> = equation.sides.iter().map(formula).collect();
     format!("\\eqline{{{}}}\n", sides.join(" = "))
 }
 
@@ -85,34 +85,32 @@ fn columns(table: &Table, symbols: &[String]) -> String {
     rows.push(
         std::iter::once(table.title.clone())
             .chain(headers)
+            .map(Cell::proved)
             .collect(),
     );
     for row in &table.rows {
         let (mark, name) = row.label(true);
-        let mut texts = vec![format!("{mark} {}", name.trim()).trim().to_owned()];
+        let empty = || Cell::proved("");
+        let mut all = vec![Cell::proved(format!("{mark} {}", name.trim()).trim())];
         match row {
             Row::Part(_) => {}
-            Row::Told { words, .. } => texts.push(words.clone()),
+            Row::Told { words, .. } => all.push(Cell::proved(words)),
             Row::Figures { cells, .. } => {
-                let text = |cell: &Option<super::Cell>| {
-                    cell.as_ref()
-                        .map_or_else(String::new, |c| c.text.trim().to_owned())
-                };
-                texts.extend(cells.iter().map(text));
+                all.extend(cells.iter().map(|cell| cell.clone().unwrap_or_else(empty)));
             }
         }
-        texts.resize(count + 1, String::new());
-        rows.push(texts);
+        all.resize(count + 1, empty());
+        rows.push(all);
     }
     for row in &rows {
-        let row: &Vec<String> = row;
-        for (width, text) in widths.iter_mut().zip(row) {
-            *width = (*width).max(text.chars().count() + 2);
+        let row: &Vec<Cell> = row;
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = (*width).max(cell.text.trim().chars().count() + 2);
         }
     }
     let is_wide = widths.iter().sum::<usize>() > LINE;
-    let line = |row: &Vec<String>| {
-        let cells: Vec<String> = row.iter().map(|text| cell(text, symbols)).collect();
+    let line = |row: &Vec<Cell>| {
+        let cells: Vec<String> = row.iter().map(|one| cell(one, symbols)).collect();
         cells.join(" & ")
     };
     let Some((head, body)) = rows.split_first() else {
@@ -139,84 +137,67 @@ fn columns(table: &Table, symbols: &[String]) -> String {
 /// Maximum number of rows of a table on one page.
 const ROWS: usize = 40;
 
-/// Formats a cell. A cell with an equation is a formula for a result or an unknown, and is
-/// highlighted.
-fn cell(text: &str, symbols: &[String]) -> String {
-    let negative = text
-        .strip_prefix('-')
-        .filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
-    // Rates are typeset as in formulas.
-    if (is_spelled(text) || is_symbol(text, symbols)) && !text.contains(" = ") {
-        return format!("\\({}\\)", formula(&with_marked_unit(text)));
+/// Formats a cell; an equation is highlighted.
+fn cell(cell: &Cell, symbols: &[String]) -> String {
+    let text = cell.text.trim();
+    if let Some(equation) = &cell.formula {
+        return format!("\\boldmath\\({}\\)", formula(equation));
     }
-    match (text.contains(" = "), negative) {
-        (true, _) => format!("\\boldmath\\({}\\)", formula(text)),
-        (false, Some(size)) => format!("\\(-\\){}", escaped(size)),
-        (false, None) => escaped(text),
+    // Rates are typeset as in formulas.
+    if let Some(label) = label(text, symbols) {
+        return format!("\\({}\\)", formula(&label));
+    }
+    match text.strip_prefix('-') {
+        Some(size) if size.starts_with(|c: char| c.is_ascii_digit()) => {
+            format!("\\(-\\){}", escaped(size))
+        }
+        _ => escaped(text),
     }
 }
 
 /// Formats a formula in math mode.
-fn formula(text: &str) -> String {
-    set(&pieces(text))
-}
-
-fn set(pieces: &[MathPiece]) -> String {
-    let mut out = String::new();
-    let mut k = 0;
-    while let Some(piece) = pieces.get(k) {
-        // A root covers the whole content of its brackets.
-        if let MathPiece::Function(name) = piece
-            && name == "sqrt"
-            && let Some(end) = closing(pieces, k + 1)
-        {
-            let _ = write!(out, "\\sqrt{{{}}}", set(&pieces[k + 2..end]));
-            k = end + 1;
-            continue;
-        }
-        out.push_str(&match piece {
-            MathPiece::Blank => blank(pieces.get(k.wrapping_sub(1)), pieces.get(k + 1)).to_owned(),
-            piece => one(piece),
-        });
-        k += 1;
-    }
-    out
-}
-
-fn one(piece: &MathPiece) -> String {
-    match piece {
-        MathPiece::Symbol(letter, index, order) => {
-            let letter = match (letter.chars().count(), greek(letter)) {
-                (_, Some(name)) => format!("{name} "),
-                (1, None) if letter.is_ascii() => letter.clone(),
-                _ => format!("\\text{{{}}}", escaped(letter)),
+fn formula(of: &Formula) -> String {
+    let pieces = &of.0;
+    let one = |(k, piece): (usize, &MathPiece)| match piece {
+        MathPiece::Symbol(symbol) => {
+            let letter = match greek(&symbol.letter) {
+                Some(name) => format!("{name} "),
+                None if symbol.letter.len() == 1 => symbol.letter.clone(),
+                None => format!("\\text{{{}}}", escaped(&symbol.letter)),
             };
-            let letter = match order {
+            let letter = match symbol.order {
                 0 => letter,
                 1 => dotted("dot", &letter),
                 _ => dotted("ddot", &letter),
             };
-            match index.as_str() {
+            match symbol.index.replace('_', " ").as_str() {
                 "" => letter,
                 index => format!("{letter}_{{\\text{{{}}}}}", escaped(index)),
             }
         }
-        MathPiece::Function(name) => match name.as_str() {
-            "sin" | "cos" | "tan" => format!("\\{name} "),
-            name => format!("\\operatorname{{{name}}}"),
+        // A root covers the whole content of its brackets.
+        MathPiece::Function("sqrt", of) => format!("\\sqrt{{{}}}", formula(of)),
+        MathPiece::Function(name @ ("sin" | "cos" | "tan"), of) => {
+            format!("\\{name} ({})", formula(of))
+        }
+        MathPiece::Function(name, of) => format!("\\operatorname{{{name}}}({})", formula(of)),
+        MathPiece::Word(text) => format!("\\text{{{}}}", escaped(text)),
+        MathPiece::Number(number) => match number.split_once('e') {
+            None => escaped(number),
+            Some((digits, power)) => {
+                format!("{}\\cdot10^{{{}}}", escaped(digits), escaped(power))
+            }
         },
-        MathPiece::Unit(name) => format!("\\text{{{name}}}"),
-        MathPiece::Number(digits, None) => digits.clone(),
-        MathPiece::Number(digits, Some(power)) => format!("{digits}\\cdot10^{{{power}}}"),
-        MathPiece::Power(raised) => format!("^{{{raised}}}"),
+        MathPiece::Power(exponent) => format!("^{{{}}}", escaped(exponent)),
         MathPiece::Sign('·') => "\\cdot ".into(),
         MathPiece::Sign('±') => "\\pm ".into(),
         MathPiece::Sign(',') => ",\\penalty900 ".into(),
         MathPiece::Sign('/') => "/\\penalty900 ".into(),
-        MathPiece::Sign(sign) if "+-=()[]|/,<>".contains(*sign) => sign.to_string(),
+        MathPiece::Sign(sign) if "+-=()[]|<>".contains(*sign) => sign.to_string(),
         MathPiece::Sign(sign) => format!("\\text{{{}}}", escaped(&sign.to_string())),
-        MathPiece::Blank => String::new(),
-    }
+        MathPiece::Blank => blank(pieces.get(k.wrapping_sub(1)), pieces.get(k + 1)).into(),
+    };
+    pieces.iter().enumerate().map(one).collect()
 }
 
 /// Puts dots over a letter; in a name of several letters, over the first.
@@ -238,10 +219,7 @@ fn prose(text: &str, symbols: &[String]) -> String {
     for piece in super::prose::pieces(text, symbols) {
         let _ = match piece {
             ProsePiece::Typed(typed) => write!(out, "\\texttt{{{}}}", escaped(typed)),
-            ProsePiece::Formula(word) => write!(out, "\\({}\\)", formula(word)),
-            ProsePiece::Unit(unit) => {
-                write!(out, "\\({}\\)", formula(&format!("{UNIT}{unit}")))
-            }
+            ProsePiece::Formula(word) => write!(out, "\\({}\\)", formula(&word)),
             ProsePiece::Words(words) => write!(out, "{}", escaped(words)),
         };
     }
@@ -257,9 +235,9 @@ fn blank(before: Option<&MathPiece>, after: Option<&MathPiece>) -> &'static str 
             None | Some(MathPiece::Sign('+' | '-' | '±' | '=' | '·'))
         )
     };
-    let is_word = |piece: Option<&MathPiece>| {
-        matches!(piece, Some(MathPiece::Unit(_)))
-            || matches!(piece, Some(MathPiece::Symbol(letter, index, _)) if index.is_empty() && letter.len() > 1 && letter.is_ascii())
+    let is_word = |piece: Option<&MathPiece>| match piece {
+        Some(MathPiece::Symbol(symbol)) => symbol.is_word(),
+        piece => matches!(piece, Some(MathPiece::Word(_))),
     };
     if is_word(before) || is_word(after) {
         "\\ \\penalty900 "
@@ -299,7 +277,6 @@ pub(super) fn escaped(text: &str) -> String {
                 out.push('\\');
                 out.push(c);
             }
-            UNIT => {}
             '^' => out.push_str("\\textasciicircum{}"),
             '~' => out.push_str("\\textasciitilde{}"),
             '<' => out.push_str("\\ensuremath{<}"),
@@ -329,24 +306,28 @@ pub(super) fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::page::Symbol;
 
     #[test]
     fn formulas_become_latex_math() {
+        let root = Formula::function("sqrt", [Formula::from("m").power("2")]);
         assert_eq!(
-            formula("-r2 ω2^2 cos(θ2)"),
+            formula(&Formula::example()),
             "-r_{\\text{2}}\\,\\penalty900 \\omega _{\\text{2}}^{2}\\,\\penalty900 \\cos (\\theta _{\\text{2}})"
         );
         assert_eq!(
-            formula("sqrt(m^2 + (2)) mm"),
-            "\\sqrt{m^{2} + (2)}\\ \\penalty900 \\text{mm}"
+            formula(&root.blank().then(Formula::words("mm"))),
+            "\\sqrt{m^{2}}\\ \\penalty900 \\text{mm}"
         );
-        assert_eq!(formula("d2r4/dt2"), "\\ddot{r}_{\\text{4}}");
-        assert_eq!(formula("drod/dt"), "\\dot{\\text{r}}\\text{od}");
+        let rate = |name, order| formula(&Symbol::named(name).derivative(order).into());
+        assert_eq!(rate("r4", 2), "\\ddot{r}_{\\text{4}}");
+        assert_eq!(rate("rod", 1), "\\dot{\\text{r}}\\text{od}");
         assert_eq!(
             prose("Type `a_b`, which removes dr6/dt.", &[]),
             "Type \\texttt{a\\_b}, which removes \\(\\dot{r}_{\\text{6}}\\)."
         );
-        assert_eq!(formula("5.7e-14"), "5.7\\cdot10^{-14}");
+        let small = Formula::number("5.7e-14");
+        assert_eq!(formula(&small), "5.7\\cdot10^{-14}");
     }
 
     #[test]

@@ -111,7 +111,9 @@ impl Content {
             Content::Heading(_, text) => of(TextRole::Section, text),
             Content::Text(text) => of(TextRole::Body, text),
             Content::Equations(equations) => {
-                let lines = equations.iter().flat_map(|e| formula::lines(e, width));
+                let lines = equations
+                    .iter()
+                    .flat_map(|e| formula::lines(&e.sides, width));
                 lines.map(|line| Line::of(TextRole::Body, line)).collect()
             }
             Content::Facts(facts) => facts.lines(names, width),

@@ -18,7 +18,7 @@ impl Page {
                 Content::Facts(list) => facts(list),
                 Content::Equations(equations) => {
                     let lines = equations.iter();
-                    let lines = lines.map(|e| e.sides.join(" = ") + "\n");
+                    let lines = lines.map(|equation| format!("{equation}\n"));
                     format!("```text\n{}```\n", lines.collect::<String>())
                 }
                 Content::Table(table) => columns(table),

@@ -1,269 +1,361 @@
-//! Splits formulas into pieces, for writers that typeset them.
+//! Formulas as data: pieces that every writer typesets in its own way.
+
+use std::fmt;
+
+/// A formula: its pieces in order.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Formula(pub(super) Vec<MathPiece>);
 
 /// A piece of a formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum MathPiece {
-    /// A symbol: its letter, its index and its order of differentiation by time, shown as dots.
-    Symbol(String, String, usize),
-    /// `cos`.
-    Function(String),
-    /// A unit of one letter, which is no symbol: the `s` of `mm/s`, following [`UNIT`].
-    Unit(String),
-    /// A number, and the power of ten that follows it.
-    Number(String, Option<String>),
+    Symbol(Symbol),
+    /// `cos` with its arguments.
+    Function(&'static str, Formula),
+    /// A word or a unit, which is no symbol.
+    Word(String),
+    /// A number without its sign: `5.7e-14`.
+    Number(String),
     /// An exponent: `2`.
     Power(String),
     /// A sign or a bracket.
     Sign(char),
-    /// One or more blanks.
     Blank,
 }
 
-/// The marker before a unit: `2 {UNIT}N m`. It distinguishes the unit of seconds from a length
-/// named `s`. Plain texts are shown without it.
-pub(crate) const UNIT: char = '\u{e000}';
+/// A symbol: its letter or name, its index, and its order of differentiation by time.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Symbol {
+    pub(super) letter: String,
+    pub(super) index: String,
+    /// The order of differentiation by time.
+    pub(super) order: usize,
+    /// Whether an underscore separates the index in plain text.
+    is_separate: bool,
+}
 
-/// Units that can follow another unit and a blank, as in `N m`.
-const FACTORS: [&str; 7] = ["m", "mm", "cm", "in", "s", "rad", "kg"];
-
-const FUNCTIONS: [&str; 8] = ["sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt"];
-/// Names of components, which have an index although no digit occurs.
-const COMPONENTS: [&str; 18] = [
-    "mx", "my", "ax", "ay", "ex", "ey", "fx", "fy", "tx", "ty", "sx", "sy", "nx", "ny", "Kx", "Ky",
-    "Fx", "Fy",
-];
-
-/// Splits a formula into pieces.
-pub(super) fn pieces(formula: &str) -> Vec<MathPiece> {
-    let chars: Vec<char> = formula.chars().collect();
-    let mut pieces = Vec::new();
-    let mut i = 0;
-    let mut in_unit = false;
-    while let Some(&c) = chars.get(i) {
-        if c == UNIT {
-            in_unit = true;
-            i += 1;
-            continue;
+impl Symbol {
+    /// Creates the symbol of a name, with the number at its end or the part after its first
+    /// underscore as index.
+    pub(crate) fn named(name: &str) -> Symbol {
+        let first = name.chars().next().map_or(0, char::len_utf8);
+        let number = name[first..].trim_end_matches('\'');
+        let is_number = !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit());
+        match name.split_once('_') {
+            Some((letter, index)) if !letter.is_empty() => Symbol::separate(letter, index),
+            _ if is_number => Symbol::indexed(&name[..first], &name[first..]),
+            _ => Symbol::indexed(name, ""),
         }
-        in_unit &= continues_unit(&chars[i..]);
-        let run = |is: fn(char) -> bool| -> String {
-            chars[i..].iter().copied().take_while(|&c| is(c)).collect()
-        };
-        let length = |text: &str| text.chars().count();
-        if c == ' ' {
-            i += length(&run(|c| c == ' '));
-            pieces.push(MathPiece::Blank);
-        } else if c.is_ascii_digit() {
-            let digits = run(|c| c.is_ascii_digit() || c == '.');
-            i += length(&digits);
-            let power = exponent(&chars[i..]);
-            i += power.as_ref().map_or(0, |power| length(power) + 1);
-            pieces.push(MathPiece::Number(digits, power));
-        } else if c == '^' && chars.get(i + 1).is_some_and(char::is_ascii_digit) {
-            let raised: String = chars[i + 1..]
-                .iter()
-                .take_while(|c| c.is_ascii_digit())
-                .collect();
-            i += 1 + length(&raised);
-            pieces.push(MathPiece::Power(raised));
-        } else if c.is_alphabetic() {
-            let name = name(&chars[i..]);
-            let (name, order) = match derivative(&name, &chars[i + length(&name)..]) {
-                Some((inner, order)) => (inner.to_owned(), order),
-                None => (name, 0),
-            };
-            i += length(&name) + [0, 4, 6][order];
-            let is_called = chars.get(i) == Some(&'(');
-            pieces.push(match in_unit && name.chars().count() == 1 {
-                true => MathPiece::Unit(name),
-                false if is_called && FUNCTIONS.contains(&name.as_str()) => {
-                    MathPiece::Function(name)
+    }
+
+    /// Creates a symbol whose index follows directly in plain text: `Kx`.
+    pub(crate) fn indexed(letter: impl Into<String>, index: impl Into<String>) -> Symbol {
+        Symbol {
+            letter: letter.into(),
+            index: index.into(),
+            ..Symbol::default()
+        }
+    }
+
+    /// Creates a symbol whose index follows an underscore in plain text: `θ_ram`.
+    pub(crate) fn separate(letter: impl Into<String>, index: impl Into<String>) -> Symbol {
+        Symbol {
+            is_separate: true,
+            ..Symbol::indexed(letter, index)
+        }
+    }
+
+    /// Returns the derivative of this order by time.
+    pub(crate) fn derivative(self, order: usize) -> Symbol {
+        Symbol { order, ..self }
+    }
+
+    /// Returns `true` if the symbol is a word, which is upright.
+    pub(super) fn is_word(&self) -> bool {
+        self.index.is_empty() && self.letter.len() > 1 && self.letter.is_ascii()
+    }
+}
+
+impl Formula {
+    fn one(piece: MathPiece) -> Formula {
+        Formula(vec![piece])
+    }
+
+    /// Creates the formula of a formatted number.
+    pub(crate) fn number(figure: &str) -> Formula {
+        match figure.strip_prefix('-') {
+            Some("") => Formula::sign('-'),
+            Some(size) => Formula::sign('-').then(Formula::number(size)),
+            None => Formula::one(MathPiece::Number(figure.to_owned())),
+        }
+    }
+
+    /// Creates the formula of a formatted number with its unit.
+    pub(crate) fn measured(figure: impl AsRef<str>, unit: &str) -> Formula {
+        let number = Formula::number(figure.as_ref());
+        match unit {
+            "" => number,
+            unit => number.blank().then(Formula::words(unit)),
+        }
+    }
+
+    /// Creates a formula of words and units: `force at B`, `N m`, `mm/s^2`.
+    pub(crate) fn words(text: &str) -> Formula {
+        let mut pieces = Vec::new();
+        let mut before = ' ';
+        for c in text.chars() {
+            // A hyphen within a name belongs to it.
+            let is_sign = "/^(),:|".contains(c) || c == '-' && !before.is_alphanumeric();
+            match (c, pieces.last_mut()) {
+                (' ', _) => pieces.push(MathPiece::Blank),
+                (_, Some(MathPiece::Power(name) | MathPiece::Word(name))) if !is_sign => {
+                    name.push(c);
                 }
-                false => named(&name, order),
-            });
-        } else if c == '+' && chars.get(i + 1) == Some(&'-') {
-            i += 2;
-            pieces.push(MathPiece::Sign('±'));
-        } else {
-            i += 1;
-            pieces.push(MathPiece::Sign(c));
+                ('^', _) => pieces.push(MathPiece::Power(String::new())),
+                _ if is_sign => pieces.push(MathPiece::Sign(c)),
+                _ => pieces.push(MathPiece::Word(c.into())),
+            }
+            before = c;
+        }
+        for piece in &mut pieces {
+            if let MathPiece::Word(name) = piece
+                && name.bytes().all(|b| b.is_ascii_digit())
+            {
+                *piece = MathPiece::Number(std::mem::take(name));
+            }
+        }
+        Formula(pieces)
+    }
+
+    /// Creates a message whose arguments are formulas.
+    pub(crate) fn message<const N: usize>(
+        message: impl FnOnce([&str; N]) -> String,
+        arguments: [Formula; N],
+    ) -> Formula {
+        // Characters for private use hold the places of the arguments.
+        let places: [char; N] = std::array::from_fn(|k| ('\u{e000}'..).nth(k).unwrap_or_default());
+        let marks = places.map(String::from);
+        let text = message(marks.each_ref().map(String::as_str));
+        let mut formula = Formula::default();
+        for part in text.split_inclusive(places) {
+            formula = formula.then(Formula::words(part.trim_end_matches(places)));
+            if let Some(k) = places.iter().position(|&place| part.ends_with(place)) {
+                formula = formula.then(arguments[k].clone());
+            }
+        }
+        formula
+    }
+
+    /// Creates a call of a function with its arguments.
+    pub(crate) fn function(
+        name: &'static str,
+        arguments: impl IntoIterator<Item = Formula>,
+    ) -> Formula {
+        let listed = arguments
+            .into_iter()
+            .reduce(|all, one| all.with_sign(',').blank().then(one));
+        Formula::one(MathPiece::Function(name, listed.unwrap_or_default()))
+    }
+
+    pub(crate) fn sign(sign: char) -> Formula {
+        Formula::one(MathPiece::Sign(sign))
+    }
+
+    pub(crate) fn zero() -> Formula {
+        Formula::number("0")
+    }
+
+    pub(crate) fn then(mut self, other: impl Into<Formula>) -> Formula {
+        self.0.extend(other.into().0);
+        self
+    }
+
+    pub(crate) fn blank(self) -> Formula {
+        self.then(Formula::one(MathPiece::Blank))
+    }
+
+    pub(crate) fn with_sign(self, sign: char) -> Formula {
+        self.then(Formula::sign(sign))
+    }
+
+    pub(crate) fn power(self, exponent: &str) -> Formula {
+        self.then(Formula::one(MathPiece::Power(exponent.to_owned())))
+    }
+
+    /// Returns the formula between two signs, such as bars.
+    pub(crate) fn between(self, [open, close]: [char; 2]) -> Formula {
+        Formula::sign(open).then(self).with_sign(close)
+    }
+
+    pub(crate) fn in_brackets(self) -> Formula {
+        self.between(['(', ')'])
+    }
+
+    pub(crate) fn equals(self, other: Formula) -> Formula {
+        self.blank().with_sign('=').blank().then(other)
+    }
+
+    /// Returns the formula without the minus sign in front of it, if it has one.
+    pub(crate) fn without_minus(&self) -> Option<Formula> {
+        match self.0.split_first() {
+            Some((MathPiece::Sign('-'), rest)) if !rest.is_empty() => Some(Formula(rest.into())),
+            _ => None,
         }
     }
-    pieces
-}
 
-/// Returns the name at the beginning. A `-` within it belongs to the name, because a minus sign is
-/// surrounded by blanks.
-fn name(chars: &[char]) -> String {
-    let is_letter = |c: &char| c.is_alphanumeric() || matches!(c, '_' | '.' | '\'');
-    let joins = |k: usize| chars[k] == '-' && chars.get(k + 1).is_some_and(|c| c.is_alphanumeric());
-    let length = (0..chars.len()).take_while(|&k| is_letter(&chars[k]) || joins(k));
-    chars[..length.count()].iter().collect()
-}
+    /// Returns the number that the formula begins with.
+    pub(crate) fn leading_number(&self) -> Option<&str> {
+        match self.0.first() {
+            Some(MathPiece::Number(number)) => Some(number),
+            _ => None,
+        }
+    }
 
-/// Returns `true` if the text following a part of a unit is another part of it.
-fn continues_unit(rest: &[char]) -> bool {
-    match rest.first() {
-        Some('/' | '^') => true,
-        Some(' ') => FACTORS.contains(&name(&rest[1..]).as_str()),
-        Some(c) => c.is_alphabetic(),
-        None => false,
+    /// Returns `true` if the formula is a single number or symbol.
+    pub(crate) fn is_single(&self) -> bool {
+        self.0.len() == 1
+    }
+
+    /// Returns the formula with every text replaced.
+    pub(super) fn with_texts(&self, shown: &impl Fn(&str) -> String) -> Formula {
+        let piece = |piece: &MathPiece| match piece {
+            MathPiece::Symbol(symbol) => MathPiece::Symbol(Symbol {
+                letter: shown(&symbol.letter),
+                index: shown(&symbol.index),
+                ..symbol.clone()
+            }),
+            MathPiece::Function(name, of) => MathPiece::Function(name, of.with_texts(shown)),
+            MathPiece::Word(word) => MathPiece::Word(shown(word)),
+            // In plain text, two characters.
+            MathPiece::Sign('±') => piece.clone(),
+            MathPiece::Sign(sign) => {
+                let sign = shown(&sign.to_string()).chars().next();
+                MathPiece::Sign(sign.unwrap_or_default())
+            }
+            MathPiece::Number(_) | MathPiece::Power(_) | MathPiece::Blank => piece.clone(),
+        };
+        Formula(self.0.iter().map(piece).collect())
     }
 }
 
-/// Returns the exponent of `e-14` following a number.
-fn exponent(rest: &[char]) -> Option<String> {
-    let after = rest.strip_prefix(&['e'])?;
-    let sign = usize::from(matches!(after.first(), Some('-' | '+')));
-    let digits = after[sign..].iter().take_while(|c| c.is_ascii_digit());
-    let digits = digits.count();
-    (digits > 0).then(|| after[..sign + digits].iter().collect())
-}
-
-/// Returns the name and the order of a derivative: of `dr4` before `/dt`, or of `d2r4` before
-/// `/dt2`.
-fn derivative<'n>(name: &'n str, rest: &[char]) -> Option<(&'n str, usize)> {
-    let follows = |word: &str| {
-        let word: Vec<char> = word.chars().collect();
-        let ends = |c: Option<&char>| !c.is_some_and(|c| c.is_alphanumeric());
-        rest.starts_with(&word) && ends(rest.get(word.len()))
-    };
-    if let Some(inner) = name.strip_prefix("d2").filter(|_| follows("/dt2")) {
-        return Some((inner, 2)).filter(|(inner, _)| !inner.is_empty());
+impl From<Symbol> for Formula {
+    fn from(symbol: Symbol) -> Formula {
+        Formula::one(MathPiece::Symbol(symbol))
     }
-    let inner = name.strip_prefix('d').filter(|_| follows("/dt"))?;
-    Some((inner, 1)).filter(|(inner, _)| !inner.is_empty())
 }
 
-/// Splits a name into a symbol and its index: `r3`, `θ3`, `α_ram`, `aB`, `a_r3.com_t`.
-fn named(name: &str, order: usize) -> MathPiece {
-    let split = |at: usize| (name[..at].to_owned(), name[at..].to_owned());
-    let first = name.chars().next().map_or(0, char::len_utf8);
-    let rest = &name[first..];
-    let is_number = |text: &str| {
-        let digits = text.trim_end_matches('\'');
-        !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit())
-    };
-    let of_point = name.starts_with(['v', 'a', 'x', 'y'])
-        && rest.starts_with(|c: char| c.is_ascii_uppercase());
-    let (letter, index) = match name.split_once('_') {
-        Some((letter, index)) if !letter.is_empty() => (letter.into(), index.replace('_', " ")),
-        _ if name.starts_with(is_greek)
-            || is_number(rest)
-            || of_point
-            || COMPONENTS.contains(&name) =>
-        {
-            split(first)
-        }
-        _ => (name.to_owned(), String::new()),
-    };
-    MathPiece::Symbol(letter, index, order)
+impl From<&str> for Symbol {
+    fn from(name: &str) -> Symbol {
+        Symbol::named(name)
+    }
 }
 
-/// Returns `true` for a Greek letter. Symbols begin with one if not with a Latin letter; words of a
-/// language have other letters.
-fn is_greek(c: char) -> bool {
-    ('\u{370}'..='\u{3ff}').contains(&c)
+impl From<&Symbol> for Formula {
+    fn from(symbol: &Symbol) -> Formula {
+        symbol.clone().into()
+    }
 }
 
-/// Returns the index of the bracket that closes the one at this position.
-pub(super) fn closing(pieces: &[MathPiece], open: usize) -> Option<usize> {
-    let mut depth = 0_usize;
-    for (k, piece) in pieces.iter().enumerate().skip(open) {
-        match piece {
-            MathPiece::Sign('(') => depth += 1,
-            MathPiece::Sign(')') => depth = depth.checked_sub(1)?,
-            _ => {}
-        }
-        if depth == 0 {
-            return Some(k);
+impl From<&str> for Formula {
+    /// Creates the symbol of a name.
+    fn from(name: &str) -> Formula {
+        Symbol::named(name).into()
+    }
+}
+
+impl fmt::Display for Symbol {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Symbol { letter, index, .. } = self;
+        let [before, after] = [["", ""], ["d", "/dt"], ["d2", "/dt2"]][self.order.min(2)];
+        let between = if self.is_separate { "_" } else { "" };
+        write!(f, "{before}{letter}{between}{index}{after}")
+    }
+}
+
+impl fmt::Display for MathPiece {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            MathPiece::Symbol(symbol) => write!(f, "{symbol}"),
+            MathPiece::Function(name, of) => write!(f, "{name}({of})"),
+            MathPiece::Word(text) | MathPiece::Number(text) => f.write_str(text),
+            MathPiece::Power(exponent) => write!(f, "^{exponent}"),
+            MathPiece::Sign('±') => f.write_str("+-"),
+            MathPiece::Sign(sign) => write!(f, "{sign}"),
+            MathPiece::Blank => f.write_str(" "),
         }
     }
-    None
+}
+
+impl fmt::Display for Formula {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|piece| write!(f, "{piece}"))
+    }
+}
+
+#[cfg(test)]
+impl Formula {
+    /// Returns `-r2 ω2^2 cos(θ2)`.
+    pub(super) fn example() -> Formula {
+        let cos = Formula::function("cos", ["θ2".into()]);
+        let square = Formula::from("ω2").power("2");
+        let factors = Formula::from("r2").blank().then(square).blank().then(cos);
+        Formula::sign('-').then(factors)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use MathPiece::{Blank, Function, Number, Power, Sign};
-
-    fn symbol(letter: &str, index: &str, order: usize) -> MathPiece {
-        MathPiece::Symbol(letter.into(), index.into(), order)
-    }
-
-    /// Names in a scene may contain a `-` or be those of functions.
-    #[test]
-    fn names_with_hyphens_or_of_functions_stay_whole() {
-        let symbols = |formula: &str| -> Vec<String> {
-            let of = |piece: MathPiece| match piece {
-                MathPiece::Symbol(letter, index, _) => Some(format!("{letter}|{index}")),
-                MathPiece::Function(name) => Some(format!("{name}()")),
-                _ => None,
-            };
-            pieces(formula).into_iter().filter_map(of).collect()
-        };
-        assert_eq!(symbols("sin(θ_a-b - θ3)"), ["sin()", "θ|a-b", "θ|3"]);
-        assert_eq!(
-            symbols("r1 + sin + r4 = -r2"),
-            ["r|1", "sin|", "r|4", "r|2"]
-        );
-    }
 
     #[test]
-    fn names_split_into_symbol_and_index() {
+    fn names_split_into_letter_and_index() {
         for (name, letter, index) in [
             ("r3", "r", "3"),
             ("θ3", "θ", "3"),
+            ("θ3'", "θ", "3'"),
             ("α_ram", "α", "ram"),
-            ("aB", "a", "B"),
-            ("aBt", "a", "Bt"),
-            ("xB", "x", "B"),
-            ("a_r3.com_t", "a", "r3.com t"),
-            ("mx", "m", "x"),
-            ("Kx", "K", "x"),
-            ("açısı", "açısı", ""),
-            ("deg", "deg", ""),
-            ("ram", "ram", ""),
-            ("at", "at", ""),
+            ("a_r3.com_t", "a", "r3.com_t"),
+            ("a-b", "a-b", ""),
+            ("mx", "mx", ""),
+            ("sin", "sin", ""),
+            ("_", "_", ""),
+            ("", "", ""),
         ] {
-            assert_eq!(pieces(name), [symbol(letter, index, 0)], "{name}");
+            let symbol = Symbol::named(name);
+            assert_eq!((&*symbol.letter, &*symbol.index), (letter, index), "{name}");
+            assert_eq!(symbol.to_string(), name);
+        }
+        assert_eq!(Symbol::named("r4").derivative(2).to_string(), "d2r4/dt2");
+    }
+
+    #[test]
+    fn words_split_into_units_numbers_and_signs() {
+        let word = |text: &str| MathPiece::Word(text.into());
+        let acceleration = [
+            word("mm"),
+            MathPiece::Sign('/'),
+            word("s"),
+            MathPiece::Power("2".into()),
+        ];
+        assert_eq!(Formula::words("mm/s^2").0, acceleration);
+        let loop_of = [
+            word("loop"),
+            MathPiece::Blank,
+            MathPiece::Number("1".into()),
+        ];
+        assert_eq!(Formula::words("loop 1").0, loop_of);
+        assert_eq!(Formula::words("boom-rod").0, [word("boom-rod")]);
+        for text in ["N m", "1/rad", "angle of -(", "", " deg", "a  b,"] {
+            assert_eq!(Formula::words(text).to_string(), text);
         }
     }
 
     #[test]
-    fn formulas_split_into_pieces() {
-        let taken = pieces("-ω3^2·sqrt(2) 5.7e-14");
-        let two = || Number("2".into(), None);
-        let expected = [
-            Sign('-'),
-            symbol("ω", "3", 0),
-            Power("2".into()),
-            Sign('·'),
-            Function("sqrt".into()),
-            Sign('('),
-            two(),
-            Sign(')'),
-            Blank,
-            Number("5.7".into(), Some("-14".into())),
-        ];
-        assert_eq!(taken, expected);
-        assert_eq!(closing(&taken, 5), Some(7));
-        assert_eq!(pieces("dr4/dt"), [symbol("r", "4", 1)]);
-        assert_eq!(
-            pieces("d2r4/dt2 r4"),
-            [symbol("r", "4", 2), Blank, symbol("r", "4", 0)]
-        );
-        let unit = |name: &str| MathPiece::Unit(name.into());
-        assert_eq!(pieces("p +- q")[2], Sign('±'));
-        let marked = |text: &str| pieces(&text.replace('@', &UNIT.to_string()));
-        assert_eq!(marked("2 @mm/s")[4], unit("s"));
-        assert_eq!(marked("2 @N m")[2..], [unit("N"), Blank, unit("m")]);
-        assert_eq!(marked("2 @m/s^2 s")[2], unit("m"));
-        assert_eq!(marked("2 @m/s^2 + s")[9], symbol("s", "", 0));
-        // Unmarked letters are symbols.
-        for (text, at, letter) in [("2 m r3", 2, "m"), ("r2/s", 2, "s"), ("2 N", 2, "N")] {
-            assert_eq!(pieces(text)[at], symbol(letter, "", 0), "{text}");
-        }
-        assert_eq!(pieces("dist")[0], symbol("dist", "", 0));
+    fn messages_take_formulas_as_arguments_in_any_order() {
+        let arguments = [Formula::from("x"), Formula::measured("-2.5", "mm")];
+        let message = |[one, other]: [&str; 2]| format!("{other} of {one}: {other}");
+        let formula = Formula::message(message, arguments);
+        assert_eq!(formula.to_string(), "-2.5 mm of x: -2.5 mm");
+        assert_eq!(formula.0[1], MathPiece::Number("2.5".into()));
     }
 }

@@ -36,7 +36,7 @@ pub(crate) use artwork::TextAnchor;
 pub(crate) use columns::ColumnLayout;
 pub(crate) use html::html_document;
 pub use line::{Line, Span, TextRole};
-pub(crate) use math::UNIT;
+pub use math::{Formula, Symbol};
 pub(crate) use style::StyleSheet;
 pub use svg::SvgGround;
 pub(crate) use svg::marked_up;
@@ -47,6 +47,7 @@ pub use terminal_text::TextStyle;
 pub(crate) use words::cut;
 pub(crate) use words::wrapped;
 
+use std::fmt;
 use std::sync::Arc;
 
 /// A document.
@@ -129,7 +130,14 @@ pub struct Facts {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equation {
     /// The sides; the first is the symbol to be determined.
-    pub sides: Vec<String>,
+    pub sides: Vec<Formula>,
+}
+
+impl fmt::Display for Equation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sides: Vec<String> = self.sides.iter().map(Formula::to_string).collect();
+        f.write_str(&sides.join(" = "))
+    }
 }
 
 impl Page {
@@ -194,8 +202,8 @@ impl Page {
     }
 
     /// Adds a formula; consecutive formulas form one block.
-    pub(crate) fn equation<S: Into<String>>(&mut self, sides: impl IntoIterator<Item = S>) {
-        let sides = sides.into_iter().map(Into::into).collect();
+    pub(crate) fn equation(&mut self, sides: impl IntoIterator<Item = Formula>) {
+        let sides = sides.into_iter().collect();
         let equation = Equation { sides };
         match self.blocks.last_mut().map(|block| &mut block.content) {
             Some(Content::Equations(equations)) => equations.push(equation),

@@ -1,31 +1,67 @@
-//! Splits paragraphs into pieces, for writers that typeset code, rates, powers and names
+//! Splits sentences and labels into pieces, for writers that typeset code, rates, powers and names
 //! differently.
 
-use super::math::UNIT;
+use super::math::{Formula, Symbol};
 
 /// A piece of a paragraph.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum ProsePiece<'t> {
     /// Words with their blanks.
     Words(&'t str),
     /// Text between backticks.
     Typed(&'t str),
-    /// A rate, a term with a power, or a symbol.
-    Formula(&'t str),
-    /// A unit with a power.
-    Unit(&'t str),
+    /// A rate, a symbol, or a number or unit with a power.
+    Formula(Formula),
 }
 
 /// Returns `true` if a text contains a rate or a power, which formulas typeset differently.
-pub(super) fn is_spelled(text: &str) -> bool {
+fn is_spelled(text: &str) -> bool {
     text.contains("/dt") || text.contains('^')
 }
 
-/// Marks the unit in the brackets behind the name of a row or column.
-pub(super) fn with_marked_unit(text: &str) -> String {
-    match text.rsplit_once(" [") {
-        Some((name, unit)) if unit.ends_with(']') => format!("{name} [{UNIT}{unit}"),
-        _ => text.to_owned(),
+/// Returns the name of a row or column, with the unit behind it, as a formula, if it is a symbol or
+/// a rate.
+pub(super) fn label(text: &str, symbols: &[String]) -> Option<Formula> {
+    if !is_spelled(text) && !is_symbol(text, symbols) {
+        return None;
+    }
+    Some(match text.rsplit_once(" [") {
+        Some((name, unit)) if unit.ends_with(']') => {
+            let unit = Formula::words(unit.trim_end_matches(']')).between(['[', ']']);
+            words(name).blank().then(unit)
+        }
+        _ => words(text),
+    })
+}
+
+/// Returns words as a formula.
+fn words(text: &str) -> Formula {
+    let words = text
+        .split(' ')
+        .map(word)
+        .reduce(|text, word| text.blank().then(word));
+    words.unwrap_or_default()
+}
+
+/// Returns a word of a sentence as a formula: `r3`, `dr3/dt`, `μ(θ3)`, `100^2`.
+fn word(text: &str) -> Formula {
+    let rate = |before, after| text.strip_prefix(before)?.strip_suffix(after);
+    if let Some((base, exponent)) = text.rsplit_once('^') {
+        return word(base).power(exponent);
+    }
+    if let Some((function, (of, rest))) = text
+        .split_once('(')
+        .and_then(|(function, rest)| Some((function, rest.split_once(')')?)))
+    {
+        return word(function)
+            .then(word(of).in_brackets())
+            .then(Formula::words(rest));
+    }
+    match (rate("d2", "/dt2"), rate("d", "/dt")) {
+        (Some(name), _) => Symbol::named(name).derivative(2).into(),
+        (_, Some(name)) => Symbol::named(name).derivative(1).into(),
+        _ if is_number(text) => Formula::number(text),
+        _ => text.into(),
     }
 }
 
@@ -39,7 +75,7 @@ const WORDS: [&str; 4] = ["a", "A", "I", "o"];
 
 /// Returns `true` if a word of a sentence is a symbol: one of these names, or a word that begins
 /// with a Greek letter.
-pub(super) fn is_symbol(word: &str, symbols: &[String]) -> bool {
+fn is_symbol(word: &str, symbols: &[String]) -> bool {
     let is_greek = word.starts_with(['θ', 'ω', 'α', 'β', 'γ', 'μ', 'ν']);
     is_greek || symbols.iter().any(|name| name == word) && !WORDS.contains(&word)
 }
@@ -86,8 +122,10 @@ fn push_words<'t>(text: &'t str, symbols: &[String], pieces: &mut Vec<ProsePiece
             true => word,
             false => word.trim_end_matches(')'),
         };
-        let is_measured = std::mem::replace(&mut is_behind_number, is_number(word));
-        let is_unit = word.starts_with(UNIT) || is_measured && is_unit(word);
+        let is_unit = is_unit(word) && (is_behind_number || word.contains('/'));
+        // A further unit can follow a unit: `N m`.
+        let is_followed = part[opened + word.len()..] == *" ";
+        is_behind_number = is_number(word) || is_unit && is_followed;
         // A Turkish suffix follows an apostrophe.
         let stem = match word.rsplit_once('\'') {
             Some((stem, end)) if !end.is_empty() && is_symbol(stem, symbols) => stem,
@@ -99,13 +137,12 @@ fn push_words<'t>(text: &'t str, symbols: &[String], pieces: &mut Vec<ProsePiece
         }
         let word = if is_spelled(word) { word } else { stem };
         let end = opened + word.len();
-        let around = [&part[..opened], &part[end..]].map(ProsePiece::Words);
-        let [before, after] = around;
-        let set = match is_unit {
-            true => ProsePiece::Unit(word),
-            false => ProsePiece::Formula(word),
+        let [before, after] = [&part[..opened], &part[end..]].map(ProsePiece::Words);
+        let formula = match is_unit {
+            true => Formula::words(word),
+            false => self::word(word),
         };
-        let shown_text = [before, set, after].into_iter();
+        let shown_text = [before, ProsePiece::Formula(formula), after].into_iter();
         pieces.extend(shown_text.filter(|piece| *piece != ProsePiece::Words("")));
     }
 }
@@ -121,7 +158,7 @@ mod tests {
             ProsePiece::Words("a "),
             ProsePiece::Typed("b c"),
             ProsePiece::Words(" "),
-            ProsePiece::Formula("dr4/dt"),
+            ProsePiece::Formula(Symbol::named("r4").derivative(1).into()),
             ProsePiece::Words(": "),
             ProsePiece::Words("d"),
         ];
@@ -132,10 +169,10 @@ mod tests {
     #[test]
     fn names_are_symbols_but_articles_are_words() {
         let names = ["s", "r2", "a"].map(str::to_owned);
-        let symbols = |text: &'static str| -> Vec<&str> {
+        let symbols = |text: &'static str| -> Vec<String> {
             let of = |piece| match piece {
-                ProsePiece::Formula(word) => Some(word),
-                ProsePiece::Words(_) | ProsePiece::Typed(_) | ProsePiece::Unit(_) => None,
+                ProsePiece::Formula(word) => Some(word.to_string()),
+                ProsePiece::Words(_) | ProsePiece::Typed(_) => None,
             };
             pieces(text, &names).into_iter().filter_map(of).collect()
         };
@@ -144,7 +181,7 @@ mod tests {
             ["r2", "s", "θ3", "s", "μ(θ)"]
         );
         // After a number, `s` is the unit second.
-        assert_eq!(symbols("after 2 s, 9.81 m/s^2, s is"), ["s"]);
+        assert_eq!(symbols("after 2 s, 9.81 m/s^2, s is"), ["m/s^2", "s"]);
         assert_eq!(symbols("r2'nin boyu, s'dir"), ["r2", "s"]);
     }
 }

@@ -4,7 +4,6 @@
 //! any ground. Text is escaped, without control characters: no scene can inject markup.
 
 use super::artwork::{ArtElement, Artwork, TextAnchor};
-use super::math::UNIT;
 use super::style::{DARK, LIGHT, StyleSheet, rules};
 use crate::Vec2;
 use crate::document::sanitized;
@@ -147,7 +146,6 @@ pub(crate) fn marked_up(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in sanitized(text, false).chars() {
         match c {
-            UNIT => {}
             '&' => escaped.push_str("&amp;"),
             '<' => escaped.push_str("&lt;"),
             '>' => escaped.push_str("&gt;"),

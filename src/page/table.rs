@@ -1,6 +1,7 @@
 //! Represents tables of values as data.
 
 use super::line::TextRole;
+use super::math::Formula;
 use super::words::length;
 use std::ops::Range;
 
@@ -60,6 +61,8 @@ pub struct Cell {
     pub text: String,
     /// The digits that no error bound proves.
     pub unproved: UnprovedDigits,
+    /// The equation of a result or of an unknown, which is highlighted.
+    pub formula: Option<Formula>,
 }
 
 /// The digits of a value that its error bound does not prove.
@@ -221,6 +224,15 @@ impl Cell {
         Cell {
             text: text.into(),
             unproved: UnprovedDigits::Nothing,
+            formula: None,
+        }
+    }
+
+    /// Creates a cell with an equation.
+    pub(crate) fn equation(formula: Formula) -> Cell {
+        Cell {
+            formula: Some(formula.clone()),
+            ..Cell::proved(formula.to_string())
         }
     }
 }

@@ -1,6 +1,5 @@
 //! Converts the texts of a page to characters that a terminal can display.
 
-use super::math::UNIT;
 use super::{Block, Cell, Content, Equation, Facts, Head, Illustration, Page, Row, Table};
 use crate::document::sanitized;
 
@@ -39,10 +38,10 @@ impl Page {
 impl Content {
     /// Returns the content with every text as displayed.
     pub(super) fn shown(&self, ascii: bool) -> Content {
-        self.with_texts(&|text| shown(&text.replace(UNIT, ""), ascii))
+        self.with_texts(&|text| shown(text, ascii))
     }
 
-    /// Returns the content for writers that typeset formulas: sanitized, with the markers of units.
+    /// Returns the content for writers that typeset formulas: sanitized.
     pub(super) fn harmless(&self) -> Content {
         self.with_texts(&|text| shown(text, false))
     }
@@ -54,8 +53,14 @@ impl Content {
             Content::Heading(level, text) => Content::Heading(*level, shown(text)),
             Content::Text(text) => Content::Text(shown(text)),
             Content::Equations(equations) => {
-                let sides = equations.iter().map(|equation| all(&equation.sides));
-                Content::Equations(sides.map(|sides| Equation { sides }).collect())
+                let sides = |equation: &Equation| Equation {
+                    sides: equation
+                        .sides
+                        .iter()
+                        .map(|side| side.with_texts(shown))
+                        .collect(),
+                };
+                Content::Equations(equations.iter().map(sides).collect())
             }
             Content::Facts(facts) => {
                 let list = facts.list.iter();
@@ -95,6 +100,7 @@ impl Row {
         let cell = |cell: &Cell| Cell {
             text: shown(&cell.text),
             unproved: cell.unproved.clone(),
+            formula: cell.formula.as_ref().map(|f| f.with_texts(shown)),
         };
         match self {
             Row::Part(name) => Row::Part(shown(name)),

@@ -111,7 +111,7 @@ fn parts_are_separated_unless_introduced() {
     page.text_below("state ok");
     page.heading("of it");
     page.text("it is so:");
-    page.equation(["a", "b"]);
+    page.equation(["a".into(), "b".into()]);
     assert_eq!(
         text(&page, 40),
         "T\nstate ok\n\nof it\nit is so:\n  a = b\n"
@@ -122,7 +122,7 @@ fn parts_are_separated_unless_introduced() {
 fn ascii_text_spells_out_other_characters() {
     let mut page = Page::default();
     page.title("Kurbel \u{2192} \u{1b}[2J \u{fc}");
-    page.equation(["θ3", "2·α"]);
+    page.equation(["θ3".into(), Formula::number("2").with_sign('·').then("α")]);
     let shown = page.to_text(TextStyle::plain(true));
     assert!(shown.is_ascii() && !shown.contains('\u{1b}'), "{shown:?}");
     assert!(shown.ends_with("  theta3 = 2*alpha\n"), "{shown}");

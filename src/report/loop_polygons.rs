@@ -79,7 +79,8 @@ impl LoopVectors {
             components.retain(|(v, _)| v.norm() > MIN_VISIBLE_VECTOR * longest);
             let is_sum = letter == "v" && components.len() == 1;
             for (v, suffix) in components {
-                let symbol = super::working::of_point(letter, &motion.of) + &motion.about;
+                let symbol = super::working::of_point(letter, &motion.of);
+                let symbol = format!("{symbol}{}", motion.about);
                 let name = match is_sum {
                     true => symbol,
                     false => format!("{symbol} {suffix}"),

@@ -106,15 +106,17 @@ fn hold(page: &Page, context: &str) -> usize {
         };
         for equation in equations {
             // An equation with unknowns is not a numeric chain.
-            if equation.sides.last().is_some_and(|side| side == "0") {
+            if (equation.sides.last()).is_some_and(|side| side.to_string() == "0") {
                 continue;
             }
             let sides = equation.sides.iter();
-            let values: Vec<(f64, f64)> = sides.filter_map(|side| Reader::side(side)).collect();
+            let values: Vec<(f64, f64)> = sides
+                .filter_map(|side| Reader::side(&side.to_string()))
+                .collect();
             for pair in values.windows(2) {
                 let size = pair[0].1.max(pair[1].1).max(f64::MIN_POSITIVE);
                 let off = (pair[0].0 - pair[1].0).abs() / size;
-                assert!(off < 1e-8, "{context}: {:?}: {off:e}", equation.sides);
+                assert!(off < 1e-8, "{context}: {equation}: {off:e}");
                 count += 1;
             }
         }

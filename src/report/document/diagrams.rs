@@ -1,11 +1,11 @@
 //! Draws vectors to scale: the polygon of each loop, and velocities and accelerations from one
 //! pole.
 
-use super::{ReportedState, picture};
+use super::ReportedState;
 use crate::Vec2;
 use crate::angle;
 use crate::drawing::{ArrowKind, VectorDiagram};
-use crate::page::{Illustration, Page, Table};
+use crate::page::{Content, Illustration, Page, Table};
 use crate::report::text::number::{direction, significant};
 use crate::report::working::{LoopVector, LoopVectors, PointMotion};
 use crate::solver::Order;
@@ -124,16 +124,12 @@ fn show(
     diagram: &VectorDiagram,
     (caption, in_characters): (String, Option<String>),
 ) {
-    let artwork = Arc::new(diagram.artwork(&caption));
-    picture(
-        page,
-        Illustration {
-            artwork,
-            caption,
-            character_caption: in_characters,
-            characters: diagram.characters(),
-        },
-    );
+    page.add(Content::Picture(Illustration {
+        artwork: Arc::new(diagram.artwork(&caption)),
+        caption,
+        character_caption: in_characters,
+        characters: diagram.characters(),
+    }));
 }
 
 /// Draws velocities or accelerations from one pole, with the components of which they are sums.

@@ -5,11 +5,10 @@ use crate::drawing::{
     self, Glyphs, Labels, Layers, Overlay, OverlayRequest, Role, Shape, WorldView, legend_lines,
     render,
 };
-use crate::page::{Block, Content, Illustration, Page};
+use crate::page::{Block, Content, Page};
 use crate::quantity::Catalogue;
 use crate::wording::words;
 use crate::{LinkId, Vec2};
-use std::sync::Arc;
 
 /// Columns and maximum rows of a picture on paper and as text, and the ratio of a cell's height to
 /// its width.
@@ -86,15 +85,7 @@ impl ReportedState<'_> {
         let labels = &mut Labels::default();
         let artwork = drawing::artwork(&figure, &view(FREE), &caption, &[], labels);
         let drawn = render(&figure, &view(FREE_CHARACTERS), Glyphs::Ascii).text();
-        picture(
-            page,
-            Illustration {
-                character_caption: None,
-                artwork: Arc::new(artwork),
-                caption,
-                characters: drawing::lines_drawn(&drawn),
-            },
-        );
+        picture(page, artwork, caption, drawing::lines_drawn(&drawn));
         true
     }
 
@@ -170,15 +161,6 @@ impl ReportedState<'_> {
         for line in legend_lines(&legend, Glyphs::Ascii, width, 2) {
             characters.push(line.into_iter().map(|piece| piece.text).collect());
         }
-        let artwork = Arc::new(artwork);
-        picture(
-            page,
-            Illustration {
-                character_caption: None,
-                artwork,
-                caption,
-                characters,
-            },
-        );
+        picture(page, artwork, caption, characters);
     }
 }

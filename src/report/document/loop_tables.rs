@@ -11,7 +11,7 @@ impl ReportedState<'_> {
     /// Adds the tables of an order with unknowns marked.
     pub(super) fn tables_with_unknowns(&self, order: Order, page: &mut Page) {
         page.text(words().tables_asked());
-        self.tables(order, &VectorFigure::text_before, page);
+        self.tables(order, &VectorFigure::before, page);
     }
 
     /// Adds the tables of an order that request the values of an answer key, without an
@@ -30,9 +30,9 @@ impl ReportedState<'_> {
         let write = |figure: &VectorFigure| {
             let is_elsewhere = figure.found_by.is_some() && is_found_here(&figure.column);
             match (&figure.value, key.requires(&figure.column)) {
-                (Some(value), false) if figure.found_by.is_none() => value.clone(),
+                (Some(value), false) if figure.found_by.is_none() => Cell::proved(value),
                 (_, true) if !is_elsewhere && figure.is_sought => figure.unknown(),
-                _ => figure.text_before(),
+                _ => figure.before(),
             }
         };
         self.tables(order, &write, page);
@@ -46,11 +46,11 @@ impl ReportedState<'_> {
         };
         if exists && !self.loops.is_empty() {
             page.text(words().tables_told());
-            self.tables(order, &VectorFigure::text_after, page);
+            self.tables(order, &VectorFigure::after, page);
         }
     }
 
-    fn tables(&self, order: Order, write: &dyn Fn(&VectorFigure) -> String, page: &mut Page) {
+    fn tables(&self, order: Order, write: &dyn Fn(&VectorFigure) -> Cell, page: &mut Page) {
         for (number, of) in self.loops.iter().enumerate() {
             let title = match self.loops.len() {
                 1 => String::new(),
@@ -65,7 +65,7 @@ impl ReportedState<'_> {
         title: String,
         of: &LoopVectors,
         order: Order,
-        write: &dyn Fn(&VectorFigure) -> String,
+        write: &dyn Fn(&VectorFigure) -> Cell,
     ) -> Table {
         let headers = of.vectors.iter().map(|vector| vector.name.as_str());
         let mut table = Table::new(title, headers);
@@ -83,7 +83,7 @@ impl ReportedState<'_> {
                 mark: String::new(),
                 name,
                 more: None,
-                cells: figures.map(|f| Some(Cell::proved(write(f)))).collect(),
+                cells: figures.map(|f| Some(write(f))).collect(),
             });
         }
         table

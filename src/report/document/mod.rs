@@ -17,11 +17,12 @@ use super::external_comparison::ForeignFigures;
 use super::working::{LoopVectors, WorkedState, Working, WorkingNotation, WorkingPart};
 use crate::SlideId;
 use crate::drawing::Extents;
-use crate::page::{Block, Content, Illustration, Page};
+use crate::page::{Artwork, Block, Content, Illustration, Page};
 use crate::parallel;
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, State};
 use crate::wording::words;
+use std::sync::Arc;
 
 /// A report on one state of a scene.
 #[derive(Clone, Debug)]
@@ -235,6 +236,11 @@ fn facts(scene: &Scene, solver: &Solver) -> Page {
 }
 
 /// Adds a picture to a page.
-fn picture(page: &mut Page, illustration: Illustration) {
-    page.add(Content::Picture(illustration));
+fn picture(page: &mut Page, artwork: Artwork, caption: String, characters: Vec<String>) {
+    page.add(Content::Picture(Illustration {
+        artwork: Arc::new(artwork),
+        caption,
+        character_caption: None,
+        characters,
+    }));
 }

@@ -4,13 +4,12 @@ use super::picture;
 use crate::Vec2;
 use crate::drawing::plot::{Plot, PlotStyle};
 use crate::drawing::{Glyphs, lines_drawn};
-use crate::page::{Illustration, Page};
+use crate::page::Page;
 use crate::quantity::{Abscissa, Aspect, Catalogue, Curves, Quantity, Subject};
 use crate::scene::{Scene, VectorKind};
 use crate::solver::Solver;
 use crate::wording::words;
 use std::collections::HashSet;
-use std::sync::Arc;
 
 /// Maximum number of curves that different dashes can distinguish.
 const MAX_CURVES: usize = 5;
@@ -84,13 +83,6 @@ fn plot(curves: &Curves, caption: &str, page: &mut Page) {
         .map(|curve| curve.quantity.name.as_str())
         .collect();
     let caption = words().plotted_are(caption, &names.join(", "));
-    picture(
-        page,
-        Illustration {
-            character_caption: None,
-            artwork: Arc::new(plot.artwork(&caption, SIZE, true, None)),
-            characters: lines_drawn(&characters),
-            caption,
-        },
-    );
+    let artwork = plot.artwork(&caption, SIZE, true, None);
+    picture(page, artwork, caption, lines_drawn(&characters));
 }

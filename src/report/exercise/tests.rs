@@ -976,7 +976,7 @@ fn assert_same_questions(made: &Exercise, name: &str) {
     let cells: Vec<_> = vectors.flat_map(|v| v.figures.iter().flatten()).collect();
     let mut requested = Vec::new();
     for symbol in requested_symbols(&sheet) {
-        let cell = cells.iter().find(|cell| cell.symbol == symbol);
+        let cell = cells.iter().find(|cell| cell.symbol.to_string() == symbol);
         let cell = cell.unwrap_or_else(|| panic!("{name}: {symbol}"));
         requested.push(cell.column.as_str());
         assert!(

@@ -2,18 +2,18 @@
 //! solver's state.
 
 use super::context::{Context, Draft};
-use super::equations::{EquationTerm, LoopSide, Multiplier};
-use super::figures::WrittenSum;
-use crate::page::UNIT;
+use super::equations::{LoopSide, Multiplier, pieces};
+use super::expression::Expression;
+use crate::page::Formula;
 use crate::solver::Order;
 use crate::wording::words;
 
 /// Writes every loop with all numbers substituted, and the largest difference between the solution
 /// and the state.
 pub(super) fn check(context: &Context<'_>, draft: &mut Draft) {
-    draft.page.part(words().check_part());
+    draft.part(words().check_part());
     if !context.has_positions() {
-        draft.page.text(words().nothing_to_check());
+        draft.text(words().nothing_to_check());
         return;
     }
     closure(context, draft);
@@ -31,7 +31,7 @@ pub(super) fn check(context: &Context<'_>, draft: &mut Draft) {
             let part = crate::report::text::number::perpendicular_up(part, 2);
             words().figures_differ(&part, symbol)
         };
-        draft.page.text(text);
+        draft.text(text);
     }
 }
 
@@ -40,7 +40,7 @@ fn closure(context: &Context<'_>, draft: &mut Draft) {
     if context.polygon.loops.is_empty() {
         return;
     }
-    draft.page.text(words().left_of_loops());
+    draft.text(words().left_of_loops());
     for stage in context.stages {
         for &number in &stage.loops {
             let of = &context.polygon.loops[number];
@@ -50,27 +50,29 @@ fn closure(context: &Context<'_>, draft: &mut Draft) {
                     sought: [false; 2],
                     ..context.member(term, stage)
                 });
-                let pieces: Vec<EquationTerm> = members
-                    .flat_map(|m| m.pieces(Order::Position, &axis, f))
-                    .collect();
+                let members: Vec<LoopSide<'_>> = members.collect();
+                let pieces = pieces(&members, Order::Position, &axis, f);
                 let size = pieces
                     .iter()
                     .fold(0.0_f64, |maximum, p| maximum.max(p.value.abs()));
-                let mut sum = WrittenSum::default();
-                pieces
-                    .iter()
-                    .for_each(|p| sum.push_figure(&f.format_or_zero(p.value, size)));
+                let sum = Expression::sum(
+                    (pieces.iter())
+                        .map(|p| Expression::figure(f.format_or_zero(p.value, size), p.value)),
+                );
                 let left: f64 = pieces.iter().map(|p| p.value).sum();
-                draft.page.equation([
+                draft.equation([
                     match is_one {
-                        true => label.to_owned(),
-                        false => words().loop_component(number + 1, &label),
+                        true => label.into(),
+                        false => {
+                            let message =
+                                |[axis]: [&str; 1]| words().loop_component(number + 1, &axis);
+                            Formula::message(message, [label.into()])
+                        }
                     },
-                    sum.text(),
-                    if left == 0.0 {
-                        "0".into()
-                    } else {
-                        format!("{left:.1e} {UNIT}{}", f.unit)
+                    sum.numbers(),
+                    match left {
+                        0.0 => Formula::zero(),
+                        _ => Formula::measured(format!("{left:.1e}"), f.unit),
                     },
                 ]);
             }

@@ -3,16 +3,15 @@
 
 use super::context::{Context, Draft};
 use super::equations::{
-    EquationTerm, Heading, LoopSide, Multiplier, in_figures, in_symbols, known,
+    EquationTerm, Heading, LoopSide, Multiplier, in_figures, known, longest, pieces, sum,
 };
 use super::expression::{Expression, Function};
-use super::figures::{Figures, WrittenSum};
+use super::figures::Figures;
 use super::loops::group_unknowns::{ProblemForm, Stage};
 use super::loops::polygon::Term;
 use super::loops::sides::{SideShape, Turns};
-use super::positions::pieces;
-use super::symbols;
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
+use crate::solver::Order;
 use crate::wording::words;
 
 /// The equations of a loop with their coefficients.
@@ -25,7 +24,7 @@ pub(super) struct Collection {
 /// A known coefficient, named by a letter.
 struct Coefficient {
     /// The formula, in symbols and with numbers.
-    formulas: Vec<String>,
+    formulas: [Formula; 2],
     figure: String,
     value: f64,
     /// The magnitude of the formula's terms, which determines its rounding error.
@@ -38,79 +37,71 @@ struct Coefficient {
 struct CollectedTerm {
     negative: bool,
     coefficient: Option<usize>,
-    factors: Vec<UnknownFactor>,
+    factors: Option<Expression>,
 }
 
 impl CollectedTerm {
-    fn new(negative: bool, coefficient: Option<usize>, factors: Vec<UnknownFactor>) -> Self {
+    fn new<const N: usize>(
+        negative: bool,
+        coefficient: Option<usize>,
+        factors: [Expression; N],
+    ) -> Self {
         CollectedTerm {
             negative,
             coefficient,
-            factors,
+            factors: Expression::product(factors),
         }
     }
 
     /// Returns a term with a coefficient, if that exists.
-    fn known(
+    fn known<const N: usize>(
         negative: bool,
         coefficient: Option<usize>,
-        factors: Vec<UnknownFactor>,
+        factors: [Expression; N],
     ) -> Option<Self> {
         coefficient.map(|_| CollectedTerm::new(negative, coefficient, factors))
     }
-}
 
-/// An unknown, or its sine or cosine.
-#[derive(Clone)]
-struct UnknownFactor {
-    text: String,
-    value: f64,
-    /// The maximum absolute value.
-    size: f64,
+    /// Returns the term of an unknown length.
+    fn length(member: &LoopSide<'_>) -> Option<Self> {
+        let length = [unknown_length(member)];
+        Some(CollectedTerm::new(member.reversed, None, length))
+    }
 }
 
 /// Sides that rotate by an unknown angle: components along its direction and to the left.
 struct CollectedArm {
-    theta: String,
+    theta: Symbol,
     degrees: f64,
     along: Expression,
     left: Option<Expression>,
 }
 
 impl CollectedArm {
-    fn sin(&self) -> UnknownFactor {
-        UnknownFactor::turning("sin", &self.theta, self.degrees.to_radians().sin())
+    fn turning(&self, function: Function) -> Expression {
+        let theta = Expression::unknown(self.theta.clone(), self.degrees);
+        Expression::of(function, [theta])
     }
 
-    fn cos(&self) -> UnknownFactor {
-        UnknownFactor::turning("cos", &self.theta, self.degrees.to_radians().cos())
+    fn sin(&self) -> Expression {
+        self.turning(Function::Sin)
+    }
+
+    fn cos(&self) -> Expression {
+        self.turning(Function::Cos)
     }
 }
 
-impl UnknownFactor {
-    fn turning(function: &str, theta: &str, value: f64) -> UnknownFactor {
-        UnknownFactor {
-            text: format!("{function}({theta})"),
-            value,
-            size: 1.0,
-        }
-    }
-
-    fn length(member: &LoopSide<'_>) -> UnknownFactor {
-        let r = member.reading.r;
-        UnknownFactor {
-            text: member.side.name.clone(),
-            value: r,
-            size: r.abs(),
-        }
-    }
+/// Returns the unknown length of a side.
+fn unknown_length(member: &LoopSide<'_>) -> Expression {
+    Expression::unknown(member.side.name.as_str(), member.reading.r)
 }
 
 /// Returns the letter of a coefficient: A to Z, then A26.
-fn letter(number: usize) -> String {
+fn letter(number: usize) -> Symbol {
     match u8::try_from(number) {
-        Ok(n) if n < 26 => char::from(b'A' + n).to_string(),
-        _ => format!("A{number}"),
+        Ok(n) if n < 26 => Symbol::indexed(char::from(b'A' + n), ""),
+        _ => Symbol::indexed("A", number.to_string()),
     }
 }
 
@@ -156,11 +147,6 @@ impl LoopCollector<'_> {
         self.context.figures
     }
 
-    fn size(&self) -> f64 {
-        let lengths = self.members.iter().map(|m| m.reading.r.abs());
-        lengths.fold(0.0, f64::max)
-    }
-
     fn member(&self, term: Term) -> LoopSide<'_> {
         self.context.member(term, self.stage)
     }
@@ -168,7 +154,7 @@ impl LoopCollector<'_> {
     /// Adds the known terms along an axis, optionally negated, as a coefficient; returns `None` if
     /// there are none.
     fn known(&self, into: &mut Collection, axis: &Multiplier, minus: bool) -> Option<usize> {
-        let all = pieces(&self.members, axis, self.figures());
+        let all = pieces(&self.members, Order::Position, axis, self.figures());
         let mut of: Vec<EquationTerm> = all.into_iter().filter(|p| p.unknown.is_none()).collect();
         if of.is_empty() {
             return None;
@@ -177,11 +163,11 @@ impl LoopCollector<'_> {
             piece.negative = !piece.negative;
             piece.value = -piece.value;
         }
-        let formulas = vec![in_symbols(&of), in_figures(&of, self.figures())];
+        let formulas = [sum(&of).symbols(), in_figures(&of, self.figures())];
         let value = known(&of);
         let size = of.iter().map(|piece| piece.size).sum();
         Some(into.coefficient(Coefficient {
-            figure: self.figures().format_or_zero(value, self.size()),
+            figure: self.figures().format_or_zero(value, longest(&self.members)),
             formulas,
             value,
             size,
@@ -192,19 +178,23 @@ impl LoopCollector<'_> {
     /// Adds a coefficient given by a formula.
     fn formula(&self, into: &mut Collection, formula: &Expression, power: usize) -> usize {
         let value = formula.value();
-        let size = if power == 0 { 1.0 } else { self.size() };
+        let size = if power == 0 {
+            1.0
+        } else {
+            longest(&self.members)
+        };
         let numbers = formula.numbers();
         let figure = match (formula, power) {
             // A length alone is written as given.
-            (Expression::Known { .. }, _) => numbers.clone(),
+            (Expression::Known { .. }, _) => numbers.to_string(),
             (Expression::Minus(of), _) if matches!(**of, Expression::Known { .. }) => {
-                numbers.clone()
+                numbers.to_string()
             }
             (_, 0) => self.figures().given(value),
             _ => self.figures().format_or_zero(value, size),
         };
         into.coefficient(Coefficient {
-            formulas: vec![formula.symbols(), numbers],
+            formulas: [formula.symbols(), numbers],
             figure,
             value,
             size,
@@ -226,11 +216,7 @@ impl LoopCollector<'_> {
     /// Returns the known direction of a side.
     fn theta(&self, member: &LoopSide<'_>) -> Expression {
         let degrees = member.reading.theta;
-        Expression::known(
-            member.side.theta(),
-            self.figures().direction(degrees),
-            degrees,
-        )
+        self.figures().directed(member.side.theta(), degrees)
     }
 
     /// Returns the components of one side, or of several that rotate together.
@@ -245,26 +231,34 @@ impl LoopCollector<'_> {
             };
         }
         let link = members.iter().find_map(|m| m.side.turns_with());
-        let theta = link.map_or_else(String::new, |link| {
-            symbols::theta(self.context.scene.link_name(link))
-        });
-        let degrees = link.map_or(0.0, |link| self.context.state.angle(link));
-        let part = |function: Function| {
-            let terms = members.iter().filter_map(|m| {
-                let ahead = match m.side.turns {
-                    Turns::With(_, ahead) => ahead,
-                    Turns::Never | Turns::Freely => 0.0,
-                };
-                self.turned(m, &theta, ahead, function)
-            });
-            Expression::total(terms.collect::<Vec<_>>())
-        };
+        let theta = link.map_or_else(Symbol::default, |link| self.context.theta(link));
+        let [along, left] = self.turning_sum(&members, &theta, Some(0.0));
         CollectedArm {
-            along: part(Function::Cos).unwrap_or(Expression::Number(0.0)),
-            left: part(Function::Sin),
+            along: along.unwrap_or(Expression::Number(0.0)),
+            left,
             theta,
-            degrees,
+            degrees: link.map_or(0.0, |link| self.context.state.angle(link)),
         }
+    }
+
+    /// Returns the components of sides along a direction and to its left, if they exist. The angle
+    /// of the direction to the link with which all of them rotate is constant.
+    fn turning_sum(
+        &self,
+        members: &[LoopSide<'_>],
+        theta: &Symbol,
+        offset: Option<f64>,
+    ) -> [Option<Expression>; 2] {
+        [Function::Cos, Function::Sin].map(|function| {
+            let terms = members.iter().filter_map(|m| {
+                let ahead = match (m.side.turns, offset) {
+                    (Turns::With(_, own), Some(offset)) => crate::angle::wrapped(own - offset),
+                    _ => 0.0,
+                };
+                self.turned(m, theta, ahead, function)
+            });
+            Expression::total(terms)
+        })
     }
 
     /// Returns a side's component along a direction or to its left; `ahead` is the constant angle
@@ -273,7 +267,7 @@ impl LoopCollector<'_> {
     fn turned(
         &self,
         member: &LoopSide<'_>,
-        theta: &str,
+        theta: &Symbol,
         ahead: f64,
         function: Function,
     ) -> Option<Expression> {
@@ -281,14 +275,15 @@ impl LoopCollector<'_> {
         if ahead == 0.0 {
             return (function == Function::Cos).then_some(length);
         }
-        let symbol = format!("{} - {theta}", member.side.theta());
-        let angle = Expression::known(symbol, self.figures().direction(ahead), ahead);
+        let difference =
+            Expression::symbol(member.side.theta()) - Expression::symbol(theta.clone());
+        let angle = self.figures().directed(difference.symbols(), ahead);
         Some(length * Expression::of(function, [angle]))
     }
 
     /// Collects a loop with two unknown angles: each equation eliminates the length of one arm's
     /// own side.
-    fn triangle(&self, a: &[Term], b: &[Term]) -> (Collection, Vec<String>) {
+    fn triangle(&self, a: &[Term], b: &[Term]) -> (Collection, Vec<Formula>) {
         let mut into = Collection::default();
         let [a, b] = [a, b].map(|arm| self.arm(arm));
         let minus_x = self.known(&mut into, &Multiplier::X, true);
@@ -303,33 +298,30 @@ impl LoopCollector<'_> {
                 .map(|left| self.formula(&mut into, left, 1));
         }
         for ((own, other), k) in [(&b, &a), (&a, &b)].into_iter().zip([0, 1]) {
-            let mut terms = Vec::new();
-            let mut push = |negative, coefficient, factors| {
-                terms.extend(CollectedTerm::known(negative, coefficient, factors));
-            };
-            push(false, minus_x, vec![own.sin()]);
-            push(false, y, vec![own.cos()]);
-            push(false, along[k], vec![other.sin(), own.cos()]);
-            push(true, along[k], vec![other.cos(), own.sin()]);
-            push(false, left[k], vec![other.cos(), own.cos()]);
-            push(false, left[k], vec![other.sin(), own.sin()]);
-            push(false, left[1 - k], Vec::new());
-            into.equations.push(terms);
+            let terms = [
+                CollectedTerm::known(false, minus_x, [own.sin()]),
+                CollectedTerm::known(false, y, [own.cos()]),
+                CollectedTerm::known(false, along[k], [other.sin(), own.cos()]),
+                CollectedTerm::known(true, along[k], [other.cos(), own.sin()]),
+                CollectedTerm::known(false, left[k], [other.cos(), own.cos()]),
+                CollectedTerm::known(false, left[k], [other.sin(), own.sin()]),
+                CollectedTerm::known(false, left[1 - k], []),
+            ];
+            into.add(terms);
         }
         let notation = self.context.notation;
-        let multipliers = [&b, &a].map(|arm| notation.across(&arm.theta));
+        let multipliers = [&b, &a].map(|arm| notation.across(arm.theta.clone()));
         (into, multipliers.into())
     }
 
     /// Collects a loop with an unknown angle, and a position along a guide of known direction; the
     /// first equation contains only the angle.
-    fn quadratic(&self, arm: &[Term], slide: Term) -> (Collection, Vec<String>) {
+    fn quadratic(&self, arm: &[Term], slide: Term) -> (Collection, Vec<Formula>) {
         let mut into = Collection::default();
         let arm = self.arm(arm);
         let slide = self.member(slide);
         let heading = || Heading::of(&slide);
-        let [cos, sin] = [Function::Cos, Function::Sin]
-            .map(|function| Expression::of(function, [self.theta(&slide)]));
+        let [cos, sin] = self.theta(&slide).cos_and_sin();
         let [mut a, mut b] = [
             arm.along.clone() * cos.clone(),
             -(arm.along.clone() * sin.clone()),
@@ -342,30 +334,28 @@ impl LoopCollector<'_> {
         let b = Some(self.formula(&mut into, &b, 1));
         let across = self.known(&mut into, &Multiplier::Across(heading()), false);
         let along = self.known(&mut into, &Multiplier::Along(heading()), false);
-        let term = CollectedTerm::new;
-        let mut first = vec![
-            term(false, a, vec![arm.sin()]),
-            term(false, b, vec![arm.cos()]),
-        ];
-        first.extend(CollectedTerm::known(false, across, Vec::new()));
-        let mut second = vec![
-            term(slide.reversed, None, vec![UnknownFactor::length(&slide)]),
-            term(false, a, vec![arm.cos()]),
-            term(true, b, vec![arm.sin()]),
-        ];
-        second.extend(CollectedTerm::known(false, along, Vec::new()));
-        into.equations = vec![first, second];
+        into.add([
+            CollectedTerm::known(false, a, [arm.sin()]),
+            CollectedTerm::known(false, b, [arm.cos()]),
+            CollectedTerm::known(false, across, []),
+        ]);
+        into.add([
+            CollectedTerm::length(&slide),
+            CollectedTerm::known(false, a, [arm.cos()]),
+            CollectedTerm::known(true, b, [arm.sin()]),
+            CollectedTerm::known(false, along, []),
+        ]);
         (into, self.both_of(&slide))
     }
 
     /// Returns the names of both unit vectors of a side.
-    fn both_of(&self, member: &LoopSide<'_>) -> Vec<String> {
+    fn both_of(&self, member: &LoopSide<'_>) -> Vec<Formula> {
         let (notation, theta) = (self.context.notation, member.side.theta());
-        vec![notation.across(&theta), notation.along(&theta)]
+        vec![notation.across(theta.clone()), notation.along(theta)]
     }
 
     /// Collects a loop with unknown length and angle of one vector, and sides that rotate with it.
-    fn along(&self, own: Term, arm: &[Term]) -> (Collection, Vec<String>) {
+    fn along(&self, own: Term, arm: &[Term]) -> (Collection, Vec<Formula>) {
         let mut into = Collection::default();
         let member = self.member(own);
         let theta = member.side.theta();
@@ -375,46 +365,33 @@ impl LoopCollector<'_> {
             along: self.length(&member),
             left: None,
         };
-        let others: Vec<LoopSide<'_>> = arm
-            .iter()
-            .filter(|term| **term != own)
-            .map(|&term| self.member(term))
-            .collect();
-        let rest = |function: Function| {
-            let terms = others.iter().filter_map(|m| {
-                let ahead = match (m.side.turns, member.side.turns) {
-                    (Turns::With(_, one), Turns::With(_, other)) => {
-                        crate::angle::wrapped(one - other)
-                    }
-                    _ => 0.0,
-                };
-                self.turned(m, &theta, ahead, function)
-            });
-            Expression::total(terms.collect::<Vec<_>>())
+        let others = arm.iter().filter(|term| **term != own);
+        let others: Vec<LoopSide<'_>> = others.map(|&term| self.member(term)).collect();
+        let offset = match member.side.turns {
+            Turns::With(_, offset) => Some(offset),
+            Turns::Never | Turns::Freely => None,
         };
         let minus_x = self.known(&mut into, &Multiplier::X, true);
         let y = self.known(&mut into, &Multiplier::Y, false);
-        let [across, along] = [Function::Sin, Function::Cos]
-            .map(|function| rest(function).map(|rest| self.formula(&mut into, &rest, 1)));
-        let mut first = Vec::new();
-        let length = vec![UnknownFactor::length(&member)];
-        let mut second = vec![CollectedTerm::new(member.reversed, None, length)];
-        let mut push = |into: usize, negative, coefficient, factors| {
-            let term = CollectedTerm::known(negative, coefficient, factors);
-            [&mut first, &mut second][into].extend(term);
-        };
-        push(0, false, minus_x, vec![turning.sin()]);
-        push(0, false, y, vec![turning.cos()]);
-        push(0, false, across, Vec::new());
-        push(1, true, minus_x, vec![turning.cos()]);
-        push(1, false, y, vec![turning.sin()]);
-        push(1, false, along, Vec::new());
-        into.equations = vec![first, second];
+        let [along, across] = self.turning_sum(&others, &theta, offset);
+        let [across, along] =
+            [across, along].map(|rest| rest.map(|rest| self.formula(&mut into, &rest, 1)));
+        into.add([
+            CollectedTerm::known(false, minus_x, [turning.sin()]),
+            CollectedTerm::known(false, y, [turning.cos()]),
+            CollectedTerm::known(false, across, []),
+        ]);
+        into.add([
+            CollectedTerm::length(&member),
+            CollectedTerm::known(true, minus_x, [turning.cos()]),
+            CollectedTerm::known(false, y, [turning.sin()]),
+            CollectedTerm::known(false, along, []),
+        ]);
         (into, self.both_of(&member))
     }
 
     /// Collects a loop with two positions along guides of known directions: an equation for each.
-    fn guides(&self, a: Term, b: Term) -> (Collection, Vec<String>) {
+    fn guides(&self, a: Term, b: Term) -> (Collection, Vec<Formula>) {
         let mut into = Collection::default();
         let mut multipliers = Vec::new();
         for (own, other) in [(a, b), (b, a)] {
@@ -423,10 +400,10 @@ impl LoopCollector<'_> {
             let factor = self.formula(&mut into, &between.minus_if(own.reversed), 0);
             let axis = Multiplier::Across(Heading::of(&other));
             let rest = self.known(&mut into, &axis, false);
-            let length = vec![UnknownFactor::length(&own)];
-            let mut terms = vec![CollectedTerm::new(false, Some(factor), length)];
-            terms.extend(CollectedTerm::known(false, rest, Vec::new()));
-            into.equations.push(terms);
+            into.add([
+                CollectedTerm::known(false, Some(factor), [unknown_length(&own)]),
+                CollectedTerm::known(false, rest, []),
+            ]);
             multipliers.push(axis.name(self.context.notation));
         }
         (into, multipliers)
@@ -435,58 +412,50 @@ impl LoopCollector<'_> {
     /// Collects a loop of a coupled group: both components, with a coefficient for every side.
     fn components(&self) -> Collection {
         let mut into = Collection::default();
-        let mut equations = Vec::new();
         let mut lengths = vec![None; self.terms.len()];
-        for (axis, function) in [(Multiplier::X, "cos"), (Multiplier::Y, "sin")] {
+        for (axis, function) in [
+            (Multiplier::X, Function::Cos),
+            (Multiplier::Y, Function::Sin),
+        ] {
             let mut terms: Vec<CollectedTerm> = Vec::new();
             let rest = self.known(&mut into, &axis, false);
-            terms.extend(CollectedTerm::known(false, rest, Vec::new()));
+            terms.extend(CollectedTerm::known(false, rest, []));
             for (member, length) in self.members.iter().zip(&mut lengths) {
-                let part = match function {
-                    "cos" => member.reading.theta.to_radians().cos(),
-                    _ => member.reading.theta.to_radians().sin(),
-                };
-                let turning = UnknownFactor::turning(function, &self.argument(member), part);
-                let stretching = UnknownFactor::length(member);
-                let (coefficient, factors, negative) = match member.sought {
-                    [false, false] => continue,
+                let turning = Expression::of(function, [self.argument(member)]);
+                let stretching = unknown_length(member);
+                terms.extend(match member.sought {
+                    [false, false] => None,
                     [false, true] => {
                         let own = *length.get_or_insert_with(|| {
                             self.formula(&mut into, &self.length(member), 1)
                         });
-                        (Some(own), vec![turning], false)
+                        CollectedTerm::known(false, Some(own), [turning])
                     }
-                    [true, true] => (None, vec![stretching, turning], member.reversed),
+                    [true, true] => {
+                        let factors = [stretching, turning];
+                        Some(CollectedTerm::new(member.reversed, None, factors))
+                    }
                     [true, false] => {
-                        let of = match function {
-                            "cos" => Function::Cos,
-                            _ => Function::Sin,
-                        };
-                        let part = Expression::of(of, [self.theta(member)]);
+                        let part = Expression::of(function, [self.theta(member)]);
                         let own = self.formula(&mut into, &part.minus_if(member.reversed), 0);
-                        (Some(own), vec![stretching], false)
+                        CollectedTerm::known(false, Some(own), [stretching])
                     }
-                };
-                terms.push(CollectedTerm::new(negative, coefficient, factors));
+                });
             }
-            equations.push(terms);
+            into.equations.push(terms);
         }
-        into.equations = equations;
         into
     }
 
     /// Returns the angle of a side, expressed by that of the link with which it rotates.
-    fn argument(&self, member: &LoopSide<'_>) -> String {
-        match member.side.turns {
+    fn argument(&self, member: &LoopSide<'_>) -> Expression {
+        let angle = match member.side.turns {
             Turns::With(link, ahead) if member.side.shape != SideShape::Link(link) => {
-                let theta = symbols::theta(self.context.scene.link_name(link));
-                match self.figures().direction(ahead).as_str() {
-                    "0" => theta,
-                    by => format!("{theta} + {by}"),
-                }
+                self.context.leading_angle(link, ahead)
             }
-            _ => member.side.theta(),
-        }
+            _ => member.side.theta().into(),
+        };
+        Expression::unknown(angle, member.reading.theta)
     }
 
     /// Writes one equation in one angle: squaring and adding both components eliminates the other
@@ -523,41 +492,35 @@ impl LoopCollector<'_> {
         ];
         let size = lengths + c.value() * c.value();
         let alone = lost.along.symbols();
-        let arm = alone.trim_start_matches('-');
-        draft
-            .page
-            .text(words().squared_and_added(arm, &lost.theta, &kept.theta));
-        let [sin, cos] = [kept.sin(), kept.cos()];
-        let [p, q, r] = SQUARED;
-        let text = format!("{p} {} + {q} {} + {r}", sin.text, cos.text);
-        draft.page.equation([text, "0".into()]);
+        let arm = alone.without_minus().unwrap_or(alone);
+        draft.text(words().squared_and_added(&arm, &lost.theta, &kept.theta));
+        let factors = || [Some(kept.sin()), Some(kept.cos()), None];
+        let terms = SQUARED.map(Expression::symbol).into_iter().zip(factors());
+        let terms = terms.map(|(letter, factor)| match factor {
+            Some(factor) => letter * factor,
+            None => letter,
+        });
+        draft.write_zero(Expression::sum(terms).symbols());
         let values = [0, 1, 2].map(|k| {
             draft.worked(SQUARED[k], &formulas[k], |value| {
-                format!("{} {UNIT}{}^2", f.format_or_zero(value, size), f.unit)
+                f.area_or_zero(value, size)
             })
         });
-        let mut sum = WrittenSum::default();
-        for (value, factor) in values.iter().zip([Some(&sin.text), Some(&cos.text), None]) {
-            push(&mut sum, f.format_or_zero(*value, size), factor);
-        }
-        draft.page.equation([sum.text(), "0".into()]);
-        let left = values[0] * sin.value + values[1] * cos.value + values[2];
-        draft.agree(&words().collected_equation(number + 1), left, 0.0, size);
-    }
-}
-
-/// Adds a value times a factor; skips a value of 0.
-fn push(sum: &mut WrittenSum, figure: String, after: Option<&String>) {
-    match (figure.as_str(), after) {
-        ("0", _) => {}
-        ("1", Some(after)) => sum.push(false, after),
-        ("-1", Some(after)) => sum.push(true, after),
-        (_, Some(after)) => sum.push_figure(&format!("{figure}·{after}")),
-        (_, None) => sum.push_figure(&figure),
+        let terms = values.into_iter().zip(factors());
+        let terms = terms
+            .filter_map(|(value, factor)| Expression::term(f.format_or_zero(value, size), factor));
+        draft.write_zero(Expression::sum(terms).numbers());
+        let left = values[0] * kept.sin().value() + values[1] * kept.cos().value() + values[2];
+        draft.agree(words().collected_equation(number + 1), left, 0.0, size);
     }
 }
 
 impl Collection {
+    /// Adds the equation of the terms that exist.
+    fn add<const N: usize>(&mut self, terms: [Option<CollectedTerm>; N]) {
+        self.equations.push(terms.into_iter().flatten().collect());
+    }
+
     fn coefficient(&mut self, coefficient: Coefficient) -> usize {
         self.coefficients.push(coefficient);
         self.coefficients.len() - 1
@@ -570,64 +533,54 @@ impl Collection {
         context: &Context<'_>,
         draft: &mut Draft,
         number: usize,
-        multipliers: &[String],
+        multipliers: &[Formula],
     ) {
         let f = context.figures;
-        draft.page.text(match multipliers {
+        draft.text(match multipliers {
             [one, other] => words().collected_by(one, other),
             _ => words().collected_with_letters().to_owned(),
         });
         for terms in &self.equations {
-            let mut sum = WrittenSum::default();
-            for term in terms {
-                let letter = term.coefficient.map(letter);
-                let factors = term.factors.iter().map(|factor| factor.text.clone());
-                let text: Vec<String> = letter.into_iter().chain(factors).collect();
-                sum.push(term.negative, &text.join(" "));
-            }
-            draft.page.equation([sum.text(), "0".into()]);
+            let terms = terms.iter().filter_map(|term| {
+                let letter = term.coefficient.map(|k| Expression::symbol(letter(k)));
+                let product = Expression::product(letter.into_iter().chain(term.factors.clone()));
+                Some(product?.minus_if(term.negative))
+            });
+            draft.write_zero(Expression::sum(terms).symbols());
         }
         for (k, coefficient) in self.coefficients.iter().enumerate() {
             let unit = match coefficient.power {
-                0 => String::new(),
-                _ => format!(" {UNIT}{}", f.unit),
+                0 => "",
+                _ => f.unit,
             };
-            let found = format!("{}{unit}", coefficient.figure);
-            let mut sides = vec![letter(k)];
+            let found = Formula::number(&coefficient.figure);
+            let mut sides = vec![letter(k).into()];
             for side in &coefficient.formulas {
                 // A single term equals its value.
-                if *side != coefficient.figure && sides.last() != Some(side) {
+                if *side != found && sides.last() != Some(side) {
                     sides.push(side.clone());
                 }
             }
-            draft.page.equation(sides.into_iter().chain([found]));
+            sides.push(Formula::measured(&coefficient.figure, unit));
+            draft.equation(sides);
         }
-        draft.page.text(words().collected_with_numbers());
+        draft.text(words().collected_with_numbers());
         for terms in &self.equations {
-            let mut sum = WrittenSum::default();
             let (mut left, mut size) = (0.0, 0.0);
+            let mut written = Vec::new();
             for term in terms {
                 let of = term.coefficient.and_then(|k| self.coefficients.get(k));
                 let value = of.map_or(1.0, |of| of.value);
                 let sign = if term.negative { -1.0 } else { 1.0 };
-                let product: f64 = term.factors.iter().map(|factor| factor.value).product();
-                let maximum: f64 = term.factors.iter().map(|factor| factor.size).product();
-                left += sign * value * product;
-                size += of.map_or(1.0, |of| of.size) * maximum;
-                let factors: Vec<&str> = term.factors.iter().map(|f| f.text.as_str()).collect();
-                let factors = factors.join("·");
-                let after = (!factors.is_empty()).then_some(&factors);
+                let factors = term.factors.as_ref();
+                left += sign * value * factors.map_or(1.0, Expression::value);
+                size += of.map_or(1.0, |of| of.size) * factors.map_or(1.0, Expression::maximum);
                 let figure = of.map_or_else(|| "1".to_owned(), |of| of.figure.clone());
-                let figure = match (term.negative, figure.strip_prefix('-')) {
-                    (false, _) => figure,
-                    (true, Some(size)) => size.to_owned(),
-                    (true, None) if figure == "0" => figure,
-                    (true, None) => format!("-{figure}"),
-                };
-                push(&mut sum, figure, after);
+                let term_of = Expression::term(figure, term.factors.clone());
+                written.extend(term_of.map(|one| one.minus_if(term.negative)));
             }
-            draft.page.equation([sum.text(), "0".into()]);
-            draft.agree(&words().collected_equation(number + 1), left, 0.0, size);
+            draft.write_zero(Expression::sum(written).numbers());
+            draft.agree(words().collected_equation(number + 1), left, 0.0, size);
         }
     }
 }

@@ -4,15 +4,15 @@
 use super::equations::LoopSide;
 use super::expression::Expression;
 use super::figures::Figures;
-use super::loops::group_unknowns::{Schedule, Stage};
+use super::loops::group_unknowns::{LoopUnknown, Schedule, Stage};
 use super::loops::polygon::{Loop, Polygon, Term};
 use super::loops::sides::{SideReading, SideShape, Turns};
-use super::symbols::WorkingNotation;
-use crate::page::{Block, Content, Head, Page, Setting, Table, Units};
+use super::symbols::{self, WorkingNotation};
+use crate::page::{Block, Content, Formula, Head, Page, Setting, Symbol, Table, Units};
 use crate::scene::Scene;
 use crate::solver::{Condition, Group, Known, Order, Solver};
 use crate::wording::words;
-use crate::{Input, Mechanism, angle};
+use crate::{Input, LinkId, Mechanism, angle};
 
 /// The context of a worked solution.
 pub(super) struct Context<'a> {
@@ -165,6 +165,31 @@ impl<'a> Context<'a> {
             .collect()
     }
 
+    /// Returns the symbol of a link's angle.
+    pub(super) fn theta(&self, link: LinkId) -> Symbol {
+        symbols::theta(self.scene.link_name(link))
+    }
+
+    /// Returns the angle of a link, plus the angle by which a vector leads it.
+    pub(super) fn leading_angle(&self, link: LinkId, ahead: f64) -> Formula {
+        let theta = Expression::symbol(self.theta(link));
+        match self.figures.direction(ahead) {
+            by if by == "0" => theta.symbols(),
+            by => (theta + Expression::figure(by, ahead)).symbols(),
+        }
+    }
+
+    /// Returns the symbol of an unknown, or of its rate of an order.
+    pub(super) fn symbol(&self, unknown: LoopUnknown, order: Order) -> Symbol {
+        let side = |side: usize| &self.polygon.sides[side].name;
+        match unknown {
+            LoopUnknown::Angle(link) => symbols::angle(self.scene.link_name(link), order),
+            LoopUnknown::Travel(slide) => symbols::length(self.scene.slide_name(slide), order),
+            LoopUnknown::Length(of) => symbols::length(side(of), order),
+            LoopUnknown::Direction(of) => symbols::angle(side(of), order),
+        }
+    }
+
     /// Describes a group: `group 2, dyad RRR at C: links r3, r4`.
     pub(super) fn group_text(&self, number: usize) -> String {
         let Some(group) = self.solver.plan().groups.get(number) else {
@@ -227,6 +252,28 @@ impl super::loops::sides::Side {
 const INDENT: usize = 2;
 
 impl Draft {
+    pub(super) fn part(&mut self, text: &str) {
+        self.page.part(text);
+    }
+
+    pub(super) fn section(&mut self, text: impl AsRef<str>) {
+        self.page.section(text);
+    }
+
+    pub(super) fn text(&mut self, text: impl Into<String>) {
+        self.page.text(text);
+    }
+
+    /// Writes equal sides.
+    pub(super) fn equation(&mut self, sides: impl IntoIterator<Item = Formula>) {
+        self.page.equation(sides);
+    }
+
+    /// Writes `formula = 0`.
+    pub(super) fn write_zero(&mut self, formula: Formula) {
+        self.equation([formula, Formula::zero()]);
+    }
+
     pub(super) fn table<const N: usize>(&mut self, head: [&str; N], rows: Vec<[String; N]>) {
         let rows = rows.into_iter().map(Into::into).collect();
         self.wide_table(head.map(str::to_owned).into(), rows);
@@ -267,51 +314,51 @@ impl Draft {
     /// Writes `symbol = formula = value` and returns the value.
     pub(super) fn found(
         &mut self,
-        symbol: &str,
+        symbol: impl Into<Formula>,
         formula: &Expression,
-        figure: impl FnOnce(f64) -> String,
+        figure: impl FnOnce(f64) -> Formula,
     ) -> f64 {
-        self.work(symbol, vec![formula.symbols()], formula, figure)
+        self.work(symbol.into(), vec![formula.symbols()], formula, figure)
     }
 
     /// Writes `symbol = numbers = value` and returns the value.
     pub(super) fn write_numbers(
         &mut self,
-        symbol: &str,
+        symbol: impl Into<Formula>,
         formula: &Expression,
-        figure: impl FnOnce(f64) -> String,
+        figure: impl FnOnce(f64) -> Formula,
     ) -> f64 {
-        self.work(symbol, vec![formula.numbers()], formula, figure)
+        self.work(symbol.into(), vec![formula.numbers()], formula, figure)
     }
 
     /// Writes `symbol = formula = numbers = value` and returns the value.
     pub(super) fn worked(
         &mut self,
-        symbol: &str,
+        symbol: impl Into<Formula>,
         formula: &Expression,
-        figure: impl FnOnce(f64) -> String,
+        figure: impl FnOnce(f64) -> Formula,
     ) -> f64 {
         let both = vec![formula.symbols(), formula.numbers()];
-        self.work(symbol, both, formula, figure)
+        self.work(symbol.into(), both, formula, figure)
     }
 
     fn work(
         &mut self,
-        symbol: &str,
-        forms: Vec<String>,
+        symbol: Formula,
+        forms: Vec<Formula>,
         formula: &Expression,
-        figure: impl FnOnce(f64) -> String,
+        figure: impl FnOnce(f64) -> Formula,
     ) -> f64 {
         let value = formula.value();
-        let sides = std::iter::once(symbol.to_owned()).chain(forms);
+        let sides = std::iter::once(symbol).chain(forms);
         self.page.equation(sides.chain([figure(value)]));
         value
     }
 
     /// Records a calculated value together with the solver's.
-    pub(super) fn agree(&mut self, symbol: &str, computed: f64, solved: f64, size: f64) {
+    pub(super) fn agree(&mut self, symbol: impl ToString, computed: f64, solved: f64, size: f64) {
         self.agreements.push(Agreement {
-            symbol: symbol.to_owned(),
+            symbol: symbol.to_string(),
             worked: computed,
             solved,
             size,
@@ -320,7 +367,13 @@ impl Draft {
 
     /// Records a calculated angle in degrees, modulo a turn; `loss` is the error of the formula in
     /// radians.
-    pub(super) fn agree_angle(&mut self, symbol: &str, computed: f64, solved: f64, loss: f64) {
+    pub(super) fn agree_angle(
+        &mut self,
+        symbol: impl ToString,
+        computed: f64,
+        solved: f64,
+        loss: f64,
+    ) {
         let away = angle::wrapped(computed - solved + angle::TURN / 2.0) - angle::TURN / 2.0;
         self.agree(symbol, solved + away, solved, loss.to_degrees());
     }

@@ -6,7 +6,7 @@ use super::loops::group_unknowns::Stage;
 use super::loops::sides::{Side, SideShape};
 use super::loops::solution::turn;
 use super::symbols;
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
 use crate::solver::{Newton, NewtonRow, NewtonUnknown};
 use crate::wording::words;
 use crate::{Body, PointId};
@@ -23,42 +23,41 @@ pub(super) fn position(context: &Context<'_>, draft: &mut Draft, stage: &Stage) 
     match own {
         Some(newton) => last_step(context, draft, &newton),
         None if context.has_positions() => solved(context, draft, stage),
-        None => draft.page.text(words().solved_at_once()),
+        None => draft.text(words().solved_at_once()),
     }
 }
 
 /// Writes the unknowns, their values and the residual of every equation, then the matrix.
 fn last_step(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
     let f = context.figures;
-    draft.page.text(words().no_part_alone());
-    let names: Vec<String> = newton
+    draft.text(words().no_part_alone());
+    let names: Vec<Symbol> = newton
         .unknowns
         .iter()
         .map(|&u| unknown_name(context, u))
         .collect();
     for ((unknown, name), value) in newton.unknowns.iter().zip(&names).zip(&newton.values) {
-        let figure = f.number(*value);
-        draft.page.equation([
-            name.clone(),
+        draft.equation([
+            name.clone().into(),
             match unknown {
-                NewtonUnknown::X(_) | NewtonUnknown::Y(_) => format!("{figure} {UNIT}{}", f.unit),
+                NewtonUnknown::X(_) | NewtonUnknown::Y(_) => f.length(*value),
                 NewtonUnknown::Angle(_) => {
-                    format!("{figure} rad = {} deg", f.direction(value.to_degrees()))
+                    let degrees = f.direction(value.to_degrees());
+                    let degrees = Formula::measured(degrees, "deg");
+                    Formula::measured(f.number(*value), "rad").equals(degrees)
                 }
             },
         ]);
     }
-    draft.page.text(words().equations_left());
+    draft.text(words().equations_left());
     for (i, (row, left)) in newton.rows.iter().zip(&newton.residuals).enumerate() {
-        let (text, unit) = row_text(context, row);
-        let left = if *left == 0.0 {
-            "0".into()
-        } else {
-            format!("{left:.1e}")
+        let (formula, unit) = equation_of(context, row);
+        let left = match *left {
+            0.0 => "0".into(),
+            left => format!("{left:.1e}"),
         };
-        draft
-            .page
-            .equation([format!("f{}", i + 1), text, format!("{left} {UNIT}{unit}")]);
+        let function = Symbol::indexed("f", (i + 1).to_string());
+        draft.equation([function.into(), formula, Formula::measured(left, &unit)]);
     }
     matrix(context, draft, newton, &names);
     sides(context, draft, newton);
@@ -90,7 +89,7 @@ fn sides(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
             continue;
         };
         if !std::mem::replace(&mut is_begun, true) {
-            draft.page.text(words().sides_by_joints());
+            draft.text(words().sides_by_joints());
         }
         let theta = side.theta();
         let [x, y] = between;
@@ -99,20 +98,16 @@ fn sides(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
             && !is_shown
             && matches!(side.shape, SideShape::Link(_) | SideShape::Rigid(..))
         {
-            let angle = Expression::of(Function::Atan2, [y.clone(), x.clone()]);
-            let computed = draft.worked(&theta, &angle, |computed| turn(f, computed));
+            let angle = Expression::atan2(y.clone(), x.clone());
+            let computed = draft.worked(theta.clone(), &angle, |computed| turn(f, computed));
             let loss = context.longest / reading.r.abs();
             draft.agree_angle(&theta, computed, reading.theta, loss);
         }
         if unknowns[0] {
-            let [cos, sin] = [Function::Cos, Function::Sin].map(|function| {
-                let of =
-                    Expression::known(theta.clone(), f.direction(reading.theta), reading.theta);
-                Expression::of(function, [of])
-            });
-            let computed = draft.worked(&side.name, &(x * cos + y * sin), |r| {
-                format!("{} {UNIT}{}", f.number(r), f.unit)
-            });
+            let angle = f.directed(theta, reading.theta);
+            let [cos, sin] = angle.cos_and_sin();
+            let along = x * cos + y * sin;
+            let computed = draft.worked(side.name.as_str(), &along, |r| f.length(r));
             draft.agree(&side.name, computed, reading.r, context.longest);
         }
     }
@@ -126,26 +121,21 @@ fn between(context: &Context<'_>, side: &Side) -> Option<[Expression; 2]> {
         let point = points.find(|&point| scene.point_name(point) == Some(name))?;
         let at = context.state.position(point);
         let size = context.longest;
-        let coordinate = |axis: &str, value: f64| {
-            Expression::known(
-                symbols::of_point(axis, name),
-                f.format_or_zero(value, size),
-                value,
-            )
-        };
+        let coordinate =
+            |axis: &str, value: f64| f.rounded(symbols::of_point(axis, name), value, size);
         Some([coordinate("x", at.x), coordinate("y", at.y)])
     };
     let ([x0, y0], [x1, y1]) = (place(&side.tail)?, place(&side.head)?);
     Some([x1 - x0, y1 - y0])
 }
 
-fn matrix(context: &Context<'_>, draft: &mut Draft, newton: &Newton, names: &[String]) {
+fn matrix(context: &Context<'_>, draft: &mut Draft, newton: &Newton, names: &[Symbol]) {
     let n = names.len();
     if n > MAX_COLUMNS {
-        draft.page.text(words().jacobian_too_large(n));
+        draft.text(words().jacobian_too_large(n));
         return;
     }
-    draft.page.text(words().jacobian_rows());
+    draft.text(words().jacobian_rows());
     let headers = newton.unknowns.iter().zip(names).map(|(unknown, name)| {
         let unit = match unknown {
             NewtonUnknown::X(_) | NewtonUnknown::Y(_) => context.figures.unit,
@@ -163,7 +153,7 @@ fn matrix(context: &Context<'_>, draft: &mut Draft, newton: &Newton, names: &[St
             let cells = row
                 .iter()
                 .map(|&v| context.figures.format_or_zero(v, largest));
-            let unit = newton.rows.get(i).map(|row| row_text(context, row).1);
+            let unit = newton.rows.get(i).map(|row| equation_of(context, row).1);
             let unit = unit.unwrap_or_default();
             std::iter::once(format!("f{} [{unit}]", i + 1))
                 .chain(cells)
@@ -172,11 +162,11 @@ fn matrix(context: &Context<'_>, draft: &mut Draft, newton: &Newton, names: &[St
     draft.wide_table(head.collect(), rows.collect());
 }
 
-fn unknown_name(context: &Context<'_>, unknown: NewtonUnknown) -> String {
+fn unknown_name(context: &Context<'_>, unknown: NewtonUnknown) -> Symbol {
     match unknown {
         NewtonUnknown::X(point) => symbols::of_point("x", point_name(context, Some(point))),
         NewtonUnknown::Y(point) => symbols::of_point("y", point_name(context, Some(point))),
-        NewtonUnknown::Angle(link) => symbols::theta(context.scene.link_name(link)),
+        NewtonUnknown::Angle(link) => context.theta(link),
     }
 }
 
@@ -190,39 +180,40 @@ fn point_name<'a>(context: &'a Context<'_>, point: Option<PointId>) -> &'a str {
 }
 
 /// Returns an equation, and the unit of its residual.
-fn row_text(context: &Context<'_>, row: &NewtonRow) -> (String, String) {
+fn equation_of(context: &Context<'_>, row: &NewtonRow) -> (Formula, String) {
     let unit = context.figures.unit;
+    let name = |point| Formula::from(point_name(context, point));
+    let two_ways = |axis: &str, point| {
+        let arguments = [axis.into(), name(point)];
+        Formula::message(|[axis, point]| words().two_ways(axis, point), arguments)
+    };
+    let two = || Expression::Number(2.0);
     match *row {
         NewtonRow::Distance(ends, length) => {
-            let [a, b] = ends.map(|end| point_name(context, end));
-            let length = context.figures.given(length);
-            (
-                format!("(|{a} - {b}|^2 - {length}^2)/2"),
-                format!("{unit}^2"),
-            )
+            let [a, b] = ends.map(|end| Expression::symbol(point_name(context, end)));
+            let distance = Expression::symbol((a - b).symbols().between(['|', '|']));
+            let length = Expression::figure(context.figures.given(length), length);
+            let left = (distance.squared() - length.squared()) / two();
+            (left.symbols(), format!("{unit}^2"))
         }
-        NewtonRow::MeetingX(point) => (
-            words().two_ways("x", point_name(context, point)),
-            unit.into(),
-        ),
-        NewtonRow::MeetingY(point) => (
-            words().two_ways("y", point_name(context, point)),
-            unit.into(),
-        ),
-        NewtonRow::Guide(point) => (
-            words().distance_from_guide(point_name(context, point)),
-            unit.into(),
-        ),
-        NewtonRow::Elbow([link, from]) => {
-            let [link, from] = [link, from].map(|l| symbols::theta(context.scene.link_name(l)));
-            (format!("2 tan(({link} - {from} - q)/2)"), "rad".into())
+        NewtonRow::MeetingX(point) => (two_ways("x", point), unit.into()),
+        NewtonRow::MeetingY(point) => (two_ways("y", point), unit.into()),
+        NewtonRow::Guide(point) => {
+            let distance = |[point]: [&str; 1]| words().distance_from_guide(point);
+            (Formula::message(distance, [name(point)]), unit.into())
+        }
+        NewtonRow::Elbow(links) => {
+            let [link, from] = links.map(|link| Expression::symbol(context.theta(link)));
+            let half = (link - from - Expression::symbol("q")) / two();
+            let left = two() * Expression::of(Function::Tan, [half]);
+            (left.symbols(), "rad".into())
         }
     }
 }
 
 /// Writes the results of a group that has no special form and is not coupled.
 fn solved(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
-    draft.page.text(words().found_together());
+    draft.text(words().found_together());
     let terms = stage
         .loops
         .iter()
@@ -236,16 +227,12 @@ fn solved(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
         let member = context.member(*term, stage);
         let f = context.figures;
         if member.sought[0] {
-            let r = f.number(member.reading.r);
-            draft
-                .page
-                .equation([member.side.name.clone(), format!("{r} {UNIT}{}", f.unit)]);
+            let r = f.length(member.reading.r);
+            draft.equation([member.side.name.as_str().into(), r]);
         }
         if member.sought[1] {
-            let theta = f.direction(member.reading.theta);
-            draft
-                .page
-                .equation([member.side.theta(), format!("{theta} deg")]);
+            let theta = Formula::measured(f.direction(member.reading.theta), "deg");
+            draft.equation([member.side.theta().into(), theta]);
         }
     }
 }

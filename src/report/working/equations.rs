@@ -11,10 +11,12 @@
 //! Multiplied by the unit vector u_j or n_j of another side, u gives cos(theta - theta_j) or
 //! sin(theta - theta_j), and n gives sin(theta_j - theta) or cos(theta - theta_j).
 
-use super::figures::{Figures, WrittenSum, factor};
+use super::expression::{Expression, Function};
+use super::figures::Figures;
 use super::loops::sides::{Side, SideReading, Turns};
 use super::symbols::{self, WorkingNotation};
 use crate::Vec2;
+use crate::page::{Formula, Symbol};
 use crate::solver::Order;
 
 /// The vector by which a loop equation is multiplied.
@@ -33,7 +35,7 @@ pub(super) enum Multiplier {
 /// A direction with its symbol.
 #[derive(Clone, Debug)]
 pub(super) struct Heading {
-    pub symbol: String,
+    pub symbol: Symbol,
     pub degrees: f64,
     pub u: Vec2,
     /// Whether the angle itself is unknown, and represented by its symbol.
@@ -58,18 +60,16 @@ pub(super) struct LoopSide<'a> {
 #[derive(Clone, Debug)]
 pub(super) struct EquationTerm {
     pub negative: bool,
-    /// The term without its sign: in symbols, and with numbers for known values.
-    pub symbols: String,
-    pub numbers: String,
+    /// The term without its sign; the unknown in it has no number.
+    pub formula: Expression,
     /// The value, or the factor of the unknown, including the sign.
     pub value: f64,
     /// The maximum absolute value at any angle, which determines its rounding error.
     pub size: f64,
     /// The unknown in it.
-    pub unknown: Option<String>,
-    /// The factors of the unknown, without the sign: in symbols, and with numbers; 1 if there are
-    /// none.
-    factors: [String; 2],
+    pub unknown: Option<Symbol>,
+    /// The factors of the unknown, without the sign; `None` if there are none.
+    factor: Option<Expression>,
     /// Whether the unknown is a factor rather than an angle.
     linear: bool,
     /// Whether the term is given, so that it needs no more than its own digits.
@@ -99,27 +99,33 @@ impl Multiplier {
     }
 
     /// Returns the function in the component of u, or of n, and whether it is negative.
-    fn function(&self, turning: bool, theta: &str, heading: &str) -> (bool, String) {
-        match (self, turning) {
-            (Multiplier::X, false) => (false, format!("cos({theta})")),
-            (Multiplier::X, true) => (true, format!("sin({theta})")),
-            (Multiplier::Y, false) => (false, format!("sin({theta})")),
-            (Multiplier::Y, true) => (false, format!("cos({theta})")),
+    fn function(
+        &self,
+        turning: bool,
+        theta: Expression,
+        heading: Expression,
+    ) -> (bool, Expression) {
+        let (negative, function, angle) = match (self, turning) {
+            (Multiplier::X, false) => (false, Function::Cos, theta),
+            (Multiplier::X, true) => (true, Function::Sin, theta),
+            (Multiplier::Y, false) => (false, Function::Sin, theta),
+            (Multiplier::Y, true) => (false, Function::Cos, theta),
             (Multiplier::Along(_), false) | (Multiplier::Across(_), true) => {
-                (false, format!("cos({theta} - {heading})"))
+                (false, Function::Cos, theta - heading)
             }
-            (Multiplier::Along(_), true) => (false, format!("sin({heading} - {theta})")),
-            (Multiplier::Across(_), false) => (false, format!("sin({theta} - {heading})")),
-        }
+            (Multiplier::Along(_), true) => (false, Function::Sin, heading - theta),
+            (Multiplier::Across(_), false) => (false, Function::Sin, theta - heading),
+        };
+        (negative, Expression::of(function, [angle]))
     }
 
     /// Returns the name of the unit vector.
-    pub(super) fn name(&self, notation: WorkingNotation) -> String {
+    pub(super) fn name(&self, notation: WorkingNotation) -> Formula {
         match self {
             Multiplier::X => "x".into(),
             Multiplier::Y => "y".into(),
-            Multiplier::Along(h) => notation.along(&h.symbol),
-            Multiplier::Across(h) => notation.across(&h.symbol),
+            Multiplier::Along(h) => notation.along(h.symbol.clone()),
+            Multiplier::Across(h) => notation.across(h.symbol.clone()),
         }
     }
 
@@ -131,20 +137,20 @@ impl Multiplier {
     }
 
     /// Returns `true` if u, or n, of a side is perpendicular to the axis by its symbol alone.
-    fn removes(&self, turning: bool, theta: &str) -> bool {
+    fn removes(&self, turning: bool, theta: &Symbol) -> bool {
         match self {
             Multiplier::X | Multiplier::Y => false,
-            Multiplier::Along(h) => turning && h.symbol == theta,
-            Multiplier::Across(h) => !turning && h.symbol == theta,
+            Multiplier::Along(h) => turning && h.symbol == *theta,
+            Multiplier::Across(h) => !turning && h.symbol == *theta,
         }
     }
 
     /// Returns `true` if u, or n, of a side is parallel to the axis by its symbol alone.
-    fn keeps(&self, turning: bool, theta: &str) -> bool {
+    fn keeps(&self, turning: bool, theta: &Symbol) -> bool {
         match self {
             Multiplier::X | Multiplier::Y => false,
-            Multiplier::Along(h) => !turning && h.symbol == theta,
-            Multiplier::Across(h) => turning && h.symbol == theta,
+            Multiplier::Along(h) => !turning && h.symbol == *theta,
+            Multiplier::Across(h) => turning && h.symbol == *theta,
         }
     }
 }
@@ -158,8 +164,9 @@ struct FactorProduct {
     turning: bool,
 }
 
+#[derive(Clone)]
 struct Factor {
-    symbol: String,
+    symbol: Symbol,
     value: f64,
     square: bool,
     sought: bool,
@@ -168,18 +175,40 @@ struct Factor {
 
 impl<'a> LoopSide<'a> {
     /// Returns the terms that the side adds to an equation of this order.
-    pub(super) fn pieces(
-        &self,
-        order: Order,
-        axis: &Multiplier,
-        figures: Figures,
-    ) -> Vec<EquationTerm> {
-        let products = match order {
-            Order::Position => vec![self.product(false, 1.0, false, vec![self.length()])],
-            Order::Velocity => self.velocity(),
-            // Forces need no further terms of a loop.
-            Order::Acceleration | Order::Force => self.acceleration(),
+    fn pieces(&self, order: Order, axis: &Multiplier, figures: Figures) -> Vec<EquationTerm> {
+        let (stretches, turns) = (self.side.stretches(), self.side.turns != Turns::Never);
+        let length = || self.length(Order::Position, false);
+        let mut products = Vec::new();
+        let mut add = |exists: bool, count: f64, turning: bool, factors: Vec<Factor>| {
+            products.extend(exists.then_some(FactorProduct {
+                negative: self.reversed != (count < 0.0),
+                count: count.abs(),
+                factors,
+                turning,
+            }));
         };
+        match order {
+            Order::Position => add(true, 1.0, false, vec![self.length(order, true)]),
+            Order::Velocity => {
+                add(stretches, 1.0, false, vec![self.length(order, true)]);
+                add(turns, 1.0, true, vec![length(), self.angle(order, true)]);
+            }
+            // Forces need no further terms of a loop.
+            Order::Acceleration | Order::Force => {
+                let [rate, omega] = [
+                    self.length(Order::Velocity, false),
+                    self.angle(Order::Velocity, false),
+                ];
+                let square = Factor {
+                    square: true,
+                    ..omega.clone()
+                };
+                add(stretches, 1.0, false, vec![self.length(order, true)]);
+                add(stretches && turns, 2.0, true, vec![rate, omega]);
+                add(turns, 1.0, true, vec![length(), self.angle(order, true)]);
+                add(turns, -1.0, false, vec![length(), square]);
+            }
+        }
         let theta = self.side.theta();
         let left = products
             .into_iter()
@@ -188,109 +217,33 @@ impl<'a> LoopSide<'a> {
             .collect()
     }
 
-    fn velocity(&self) -> Vec<FactorProduct> {
-        let mut products = Vec::new();
-        if self.side.stretches() {
-            products.push(self.product(false, 1.0, false, vec![self.rate(true)]));
-        }
-        if self.turns() {
-            let factors = vec![self.length_known(), self.omega(true, false)];
-            products.push(self.product(false, 1.0, true, factors));
-        }
-        products
+    /// Returns the vector from the start of the side to its end, as the loop traverses it.
+    pub(super) fn vector(&self) -> Vec2 {
+        let vector = self.reading.vector();
+        if self.reversed { -vector } else { vector }
     }
 
-    fn acceleration(&self) -> Vec<FactorProduct> {
-        let mut products = Vec::new();
-        if self.side.stretches() {
-            products.push(self.product(false, 1.0, false, vec![self.accel()]));
-        }
-        if self.side.stretches() && self.turns() {
-            let factors = vec![self.rate(false), self.omega(false, false)];
-            products.push(self.product(false, 2.0, true, factors));
-        }
-        if self.turns() {
-            let turning = vec![self.length_known(), self.alpha()];
-            products.push(self.product(false, 1.0, true, turning));
-            let centripetal = vec![self.length_known(), self.omega(false, true)];
-            products.push(self.product(true, 1.0, false, centripetal));
-        }
-        products
-    }
-
-    fn turns(&self) -> bool {
-        self.side.turns != Turns::Never
-    }
-
-    fn product(
-        &self,
-        negative: bool,
-        count: f64,
-        turning: bool,
-        factors: Vec<Factor>,
-    ) -> FactorProduct {
-        FactorProduct {
-            negative: negative != self.reversed,
-            count,
-            factors,
-            turning,
-        }
-    }
-
-    fn length(&self) -> Factor {
+    /// Returns the length or its rate, which is unknown only in the equation of its own order.
+    fn length(&self, order: Order, is_own: bool) -> Factor {
         Factor {
-            symbol: self.side.name.clone(),
-            value: self.reading.r,
+            symbol: symbols::length(&self.side.name, order),
+            value: self.reading.length(order),
             square: false,
-            sought: self.sought[0],
-            given: !self.side.stretches(),
+            sought: is_own && self.sought[0],
+            given: match order {
+                Order::Position => !self.side.stretches(),
+                _ => self.driven,
+            },
         }
     }
 
-    /// Returns the length as a known factor, for rates.
-    fn length_known(&self) -> Factor {
+    /// Returns the rate of the angle.
+    fn angle(&self, order: Order, is_own: bool) -> Factor {
         Factor {
-            sought: false,
-            ..self.length()
-        }
-    }
-
-    fn rate(&self, unknown: bool) -> Factor {
-        Factor {
-            symbol: symbols::rate(&self.side.name),
-            value: self.reading.rate,
+            symbol: symbols::angle(self.turner, order),
+            value: self.reading.angle(order),
             square: false,
-            sought: unknown && self.sought[0],
-            given: self.driven,
-        }
-    }
-
-    fn accel(&self) -> Factor {
-        Factor {
-            symbol: symbols::accel(&self.side.name),
-            value: self.reading.accel,
-            square: false,
-            sought: self.sought[0],
-            given: self.driven,
-        }
-    }
-
-    fn omega(&self, unknown: bool, square: bool) -> Factor {
-        Factor {
-            symbol: symbols::omega(self.turner),
-            value: self.reading.omega,
-            square,
-            sought: unknown && self.sought[1],
-            given: self.driven,
-        }
-    }
-
-    fn alpha(&self) -> Factor {
-        Factor {
-            symbol: symbols::alpha(self.turner),
-            value: self.reading.alpha,
-            square: false,
-            sought: self.sought[1],
+            sought: is_own && self.sought[1],
             given: self.driven,
         }
     }
@@ -306,164 +259,157 @@ impl<'a> LoopSide<'a> {
         let is_position = order == Order::Position;
         // In a position, an unknown angle stays inside its function.
         let open_angle = is_position && self.sought[1];
-        let angle = if open_angle {
-            theta.clone()
-        } else {
-            figures.direction(self.reading.theta)
+        let angle = |symbol: &Symbol, degrees: f64, is_open: bool| match is_open {
+            true => Expression::unknown(symbol.clone(), degrees),
+            false => figures.directed(symbol.clone(), degrees),
         };
+        let own = angle(&theta, self.reading.theta, open_angle);
         let heading = axis.heading();
         let is_open = is_position && heading.is_some_and(|h| h.open);
-        let (symbol, degrees) = heading.map_or_else(Default::default, |h| {
-            let figure = if is_open {
-                h.symbol.clone()
-            } else {
-                figures.direction(h.degrees)
-            };
-            (h.symbol.clone(), figure)
-        });
+        let other = heading.map(|h| angle(&h.symbol, h.degrees, is_open));
         let keeps = axis.keeps(product.turning, &theta);
-        let (minus, function) = axis.function(product.turning, &theta, &symbol);
-        let (_, with_numbers) = axis.function(product.turning, &angle, &degrees);
+        let (minus, function) = axis.function(
+            product.turning,
+            own,
+            other.unwrap_or(Expression::Number(0.0)),
+        );
         let [along_u, along_n] = axis.parts(self.reading.u);
         let part = if product.turning { along_n } else { along_u };
         let mut size = product.count;
         let mut unknown = None;
-        let (mut symbols, mut numbers) = (Vec::new(), Vec::new());
-        let mut extra: [Vec<String>; 2] = [Vec::new(), Vec::new()];
+        let mut factors = Vec::new();
         if product.count != 1.0 {
-            symbols.push(figures.given(product.count));
-            numbers.push(figures.given(product.count));
+            factors.push(Expression::Number(product.count));
         }
         for f in &product.factors {
-            let square = if f.square { "^2" } else { "" };
-            symbols.push(format!("{}{square}", f.symbol));
             if f.sought {
-                numbers.push(f.symbol.clone());
-                unknown = Some(f.symbol.clone());
+                unknown = Some((f.symbol.clone(), factors.len()));
             } else {
-                let figure = if f.given {
-                    figures.given(f.value)
-                } else {
-                    figures.number(f.value)
-                };
-                numbers.push(format!("{}{square}", factor(&figure)));
                 size *= if f.square { f.value * f.value } else { f.value };
             }
+            factors.push(f.expression(figures));
         }
         if !keeps {
-            symbols.push(function);
-            numbers.push(with_numbers);
+            factors.push(function);
         }
-        if let Some(unknown) = &unknown {
-            extra = [&symbols, &numbers].map(|all| {
-                let others = all.iter().filter(|text| *text != unknown);
-                others.cloned().collect()
-            });
-        }
-        let negative = product.negative != (minus && !keeps);
+        let others = |at: usize| factors[..at].iter().chain(&factors[at + 1..]).cloned();
         EquationTerm {
-            negative,
-            symbols: symbols.join(" "),
-            numbers: numbers.join("·"),
+            negative: product.negative != (minus && !keeps),
             // `part` already contains the sign of the function.
             value: size * if product.negative { -part } else { part },
             size: size.abs(),
-            unknown: unknown.or((open_angle || is_open).then_some(theta)),
             given: self.side.turns == Turns::Never
                 && product.factors.iter().all(|f| f.given || f.sought),
-            factors: [(0, " "), (1, "·")].map(|(form, between)| match extra[form].as_slice() {
-                [] => "1".to_owned(),
-                factors => factors.join(between),
-            }),
+            factor: unknown
+                .as_ref()
+                .and_then(|(_, at)| Expression::product(others(*at))),
+            unknown: match unknown {
+                Some((symbol, _)) => Some(symbol),
+                None => (open_angle || is_open).then_some(theta),
+            },
+            formula: Expression::product(factors).unwrap_or(Expression::Number(1.0)),
             linear: !open_angle && !is_open,
         }
     }
 }
 
-/// Writes the sum in symbols.
-pub(super) fn in_symbols(pieces: &[EquationTerm]) -> String {
-    let mut sum = WrittenSum::default();
-    pieces.iter().for_each(|p| sum.push(p.negative, &p.symbols));
-    sum.text()
+impl Factor {
+    fn expression(&self, figures: Figures) -> Expression {
+        if self.sought {
+            return Expression::symbol(self.symbol.clone());
+        }
+        let figure = match self.given {
+            true => figures.given(self.value),
+            false => figures.number(self.value),
+        };
+        let number = Formula::number(&figure);
+        let known = Expression::Known {
+            symbol: self.symbol.clone().into(),
+            // Also in brackets without another factor.
+            figure: match number.without_minus() {
+                Some(_) => number.in_brackets(),
+                None => number,
+            },
+            value: self.value,
+        };
+        if self.square { known.squared() } else { known }
+    }
 }
 
-/// Writes the sum with numbers for known values.
-pub(super) fn in_numbers(pieces: &[EquationTerm]) -> String {
-    let mut sum = WrittenSum::default();
-    pieces.iter().for_each(|p| sum.push(p.negative, &p.numbers));
-    sum.text()
+/// Returns the sum of the terms.
+pub(super) fn sum(pieces: &[EquationTerm]) -> Expression {
+    Expression::sum(pieces.iter().map(EquationTerm::signed))
+}
+
+impl EquationTerm {
+    fn signed(&self) -> Expression {
+        self.formula.clone().minus_if(self.negative)
+    }
 }
 
 /// Writes the sum with every known term evaluated: `-1299.04 - 147.173 ω3`. Terms of positions with
 /// an unknown angle stay unchanged.
-pub(super) fn in_figures(pieces: &[EquationTerm], figures: Figures) -> String {
+pub(super) fn in_figures(pieces: &[EquationTerm], figures: Figures) -> Formula {
     let size = pieces
         .iter()
         .fold(0.0_f64, |maximum, p| maximum.max(p.size));
-    let mut sum = WrittenSum::default();
-    for piece in pieces {
+    let terms = pieces.iter().filter_map(|piece| {
+        if piece.unknown.is_some() && !piece.linear {
+            let numbers = Expression::symbol(piece.formula.numbers());
+            return Some(numbers.minus_if(piece.negative));
+        }
         let figure = if piece.given && piece.value.abs() > 1e-15 * size {
             figures.given(piece.value)
         } else {
             figures.format_or_zero(piece.value, size)
         };
-        match &piece.unknown {
-            Some(_) if !piece.linear => sum.push(piece.negative, &piece.numbers),
-            // Zero terms are omitted.
-            _ if figure == "0" => {}
-            Some(symbol) => sum.push_figure(&times(&figure, symbol)),
-            None => sum.push_figure(&figure),
-        }
-    }
-    sum.text()
+        let unknown = piece.unknown.clone();
+        Expression::term(figure, unknown.map(Expression::symbol))
+    });
+    Expression::sum(terms).symbols()
 }
 
-/// Solves the equation for a rate that is a factor in it: `-r2 ω2 sin(θ4 - θ2)/(r3 sin(θ4 - θ3))`,
-/// in symbols and with numbers.
-pub(super) fn solved_for(pieces: &[EquationTerm], symbol: &str) -> [String; 2] {
-    let is_own = |piece: &&EquationTerm| piece.unknown.as_deref() == Some(symbol);
-    let above: Vec<&EquationTerm> = pieces.iter().filter(|p| !is_own(p)).collect();
-    let below: Vec<&EquationTerm> = pieces.iter().filter(is_own).collect();
+/// Solves the equation for a rate that is a factor in it: `-r2 ω2 sin(θ4 - θ2)/(r3 sin(θ4 - θ3))`.
+pub(super) fn solved_for(pieces: &[EquationTerm], symbol: &Symbol) -> Expression {
+    let (below, above): (Vec<EquationTerm>, Vec<EquationTerm>) =
+        (pieces.iter().cloned()).partition(|p| p.unknown.as_ref() == Some(symbol));
     // The minus sign of a single divisor moves to the front.
-    let is_turned = matches!(below[..], [one] if one.negative);
-    let sum = |of: &[&EquationTerm], turned: bool, text: &dyn Fn(&EquationTerm) -> String| {
-        let mut sum = WrittenSum::default();
-        of.iter()
-            .for_each(|p| sum.push(p.negative != turned, &text(p)));
-        sum.text()
+    let is_turned = matches!(below[..], [ref one] if one.negative);
+    let (above, negative) = match &above[..] {
+        [] => (Expression::Number(0.0), false),
+        [one] => (one.formula.clone(), one.negative == is_turned),
+        _ => (sum(&above), !is_turned),
     };
-    [0, 1].map(|form| {
-        let complete = |p: &EquationTerm| match form {
-            0 => p.symbols.clone(),
-            _ => p.numbers.clone(),
-        };
-        let (above, is_sum) = match above[..] {
-            [] => ("0".to_owned(), false),
-            [_] => (sum(&above, !is_turned, &complete), false),
-            _ => (sum(&above, false, &complete), true),
-        };
-        let divisor = sum(&below, is_turned, &|p| p.factors[form].clone());
-        let above = match (is_sum, is_turned, divisor.as_str()) {
-            (false, ..) | (true, true, "1") => above,
-            (true, true, _) => format!("({above})"),
-            (true, false, _) => format!("-({above})"),
-        };
-        let is_product = divisor.contains([' ', '·']);
-        match divisor.as_str() {
-            "1" => above,
-            _ if is_product => format!("{above}/({divisor})"),
-            _ => format!("{above}/{divisor}"),
+    let divisors = below.into_iter().map(|p| {
+        match p.factor {
+            // The difference of angles in a function would look like one of the whole divisor.
+            Some(function @ Expression::Function(..)) => function.in_brackets(),
+            factor => factor.unwrap_or(Expression::Number(1.0)),
         }
-    })
+        .minus_if(p.negative != is_turned)
+    });
+    let quotient = match Expression::sum(divisors) {
+        Expression::Number(1.0) => above,
+        divisor => above / divisor,
+    };
+    quotient.minus_if(negative)
 }
 
-/// Writes a value times a symbol, without a factor of 1.
-fn times(figure: &str, symbol: &str) -> String {
-    match figure {
-        "1" => symbol.to_owned(),
-        "-1" => format!("-{symbol}"),
-        _ => format!("{figure} {symbol}"),
-    }
+/// Returns the terms that the sides add to an equation of this order.
+pub(super) fn pieces(
+    members: &[LoopSide<'_>],
+    order: Order,
+    axis: &Multiplier,
+    figures: Figures,
+) -> Vec<EquationTerm> {
+    let of = |member: &LoopSide<'_>| member.pieces(order, axis, figures);
+    members.iter().flat_map(of).collect()
+}
+
+/// Returns the length of the longest side.
+pub(super) fn longest(members: &[LoopSide<'_>]) -> f64 {
+    let lengths = members.iter().map(|member| member.reading.r.abs());
+    lengths.fold(0.0, f64::max)
 }
 
 /// Returns the sum of the known terms.
@@ -473,9 +419,7 @@ pub(super) fn known(pieces: &[EquationTerm]) -> f64 {
 }
 
 /// Returns the factor of an unknown.
-pub(super) fn coefficient(pieces: &[EquationTerm], symbol: &str) -> f64 {
-    let of_it = pieces
-        .iter()
-        .filter(|p| p.unknown.as_deref() == Some(symbol));
+pub(super) fn coefficient(pieces: &[EquationTerm], symbol: &Symbol) -> f64 {
+    let of_it = pieces.iter().filter(|p| p.unknown.as_ref() == Some(symbol));
     of_it.map(|p| p.value).sum()
 }

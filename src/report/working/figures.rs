@@ -1,6 +1,11 @@
 //! Formats values in formulas.
 
+use super::expression::Expression;
+use super::symbols::index;
+use crate::page::Formula;
 use crate::report::text::number::{concise, direction, significant};
+use crate::solver::Order;
+use crate::study::UnknownKind;
 
 /// Significant digits, and the scene's unit of length.
 #[derive(Clone, Copy, Debug)]
@@ -29,6 +34,24 @@ impl Figures {
         } else {
             self.number(value)
         }
+    }
+
+    /// Formats a computed length.
+    pub(super) fn length(&self, value: f64) -> Formula {
+        Formula::measured(self.number(value), self.unit)
+    }
+
+    /// Formats a computed length, or 0 for a rounding error of lengths of this magnitude.
+    pub(super) fn length_or_zero(&self, value: f64, size: f64) -> Formula {
+        Formula::measured(self.format_or_zero(value, size), self.unit)
+    }
+
+    /// Formats a square of lengths, or 0 for a rounding error of values of this magnitude.
+    pub(super) fn area_or_zero(&self, value: f64, size: f64) -> Formula {
+        Formula::measured(
+            self.format_or_zero(value, size),
+            &format!("{}^2", self.unit),
+        )
     }
 
     /// Formats a value given by the scene, with no more digits than it has.
@@ -64,6 +87,51 @@ impl Figures {
         }
     }
 
+    /// Returns a computed value with its symbol.
+    pub(super) fn computed(&self, symbol: impl Into<Formula>, value: f64) -> Expression {
+        Expression::known(symbol, self.number(value), value)
+    }
+
+    /// Returns a computed value with its symbol, written as 0 if it is a rounding error.
+    pub(super) fn rounded(&self, symbol: impl Into<Formula>, value: f64, size: f64) -> Expression {
+        Expression::known(symbol, self.format_or_zero(value, size), value)
+    }
+
+    /// Returns a value given by the scene with its symbol.
+    pub(super) fn as_given(&self, symbol: impl Into<Formula>, value: f64) -> Expression {
+        Expression::known(symbol, self.given(value), value)
+    }
+
+    /// Returns a direction in degrees with its symbol.
+    pub(super) fn directed(&self, symbol: impl Into<Formula>, degrees: f64) -> Expression {
+        Expression::known(symbol, self.direction(degrees), degrees)
+    }
+
+    /// Writes the sum of values without those that are 0 or rounding errors.
+    pub(super) fn sum(&self, values: impl IntoIterator<Item = f64>, size: f64) -> Expression {
+        let figures = values
+            .into_iter()
+            .map(|value| self.format_or_zero(value, size));
+        Expression::sum(figures.filter_map(|figure| Expression::term(figure, None)))
+    }
+
+    /// Returns the unit of an unknown.
+    pub(super) fn unit_of(&self, kind: UnknownKind) -> &'static str {
+        match kind {
+            UnknownKind::Angle => "deg",
+            UnknownKind::Length => self.unit,
+        }
+    }
+
+    /// Returns the unit of an unknown, or of its rate of an order.
+    pub(super) fn rate_unit(&self, kind: UnknownKind, order: Order) -> String {
+        match (order, kind) {
+            (Order::Position, _) => self.unit_of(kind).to_owned(),
+            (_, UnknownKind::Angle) => ["rad/s", "rad/s^2"][index(order) - 1].to_owned(),
+            (_, UnknownKind::Length) => self.length_unit(index(order)),
+        }
+    }
+
     /// Returns the unit of a length or of its rate: `mm`, `mm/s`, `mm/s^2`.
     pub(super) fn length_unit(&self, order: usize) -> String {
         match order {
@@ -71,48 +139,6 @@ impl Figures {
             1 => format!("{}/s", self.unit),
             _ => format!("{}/s^2", self.unit),
         }
-    }
-}
-
-/// A sum in written form, each term with its sign.
-#[derive(Clone, Debug, Default)]
-pub(super) struct WrittenSum(String);
-
-impl WrittenSum {
-    pub(super) fn push(&mut self, negative: bool, term: &str) {
-        self.0 += match (self.0.is_empty(), negative) {
-            (true, true) => "-",
-            (true, false) => "",
-            (false, true) => " - ",
-            (false, false) => " + ",
-        };
-        self.0 += term;
-    }
-
-    /// Adds a formatted value with its own sign.
-    pub(super) fn push_figure(&mut self, text: &str) {
-        match text.strip_prefix('-') {
-            Some(size) if !size.is_empty() => self.push(true, size),
-            _ => self.push(false, text),
-        }
-    }
-
-    /// Returns the sum; 0 if it has no terms.
-    pub(super) fn text(self) -> String {
-        if self.0.is_empty() {
-            "0".into()
-        } else {
-            self.0
-        }
-    }
-}
-
-/// Returns a formatted value as a factor, in brackets if it is negative.
-pub(super) fn factor(text: &str) -> String {
-    if text.starts_with('-') && text.len() > 1 {
-        format!("({text})")
-    } else {
-        text.to_owned()
     }
 }
 
@@ -124,18 +150,6 @@ mod tests {
         digits: 6,
         unit: "mm",
     };
-
-    #[test]
-    fn sum_has_signs_between_terms() {
-        let mut sum = WrittenSum::default();
-        sum.push(true, "r1");
-        sum.push(false, "r2");
-        sum.push_figure("-3.5");
-        sum.push_figure("2");
-        assert_eq!(sum.text(), "-r1 + r2 - 3.5 + 2");
-        assert_eq!(WrittenSum::default().text(), "0");
-        assert_eq!(factor("-2"), "(-2)");
-    }
 
     #[test]
     fn values_have_the_digits_of_their_kind() {

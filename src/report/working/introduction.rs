@@ -2,17 +2,17 @@
 //! table.
 
 use super::context::{Context, Draft};
-use super::figures::WrittenSum;
+use super::expression::Expression;
 use super::loops::polygon::Loop;
 use super::loops::sides::{Side, Turns};
-use super::symbols;
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
 use crate::quantity::{Catalogue, state_word};
 use crate::report::text::number::concise;
 use crate::report::text::places::limits_text;
-use crate::solver::Condition;
+use crate::solver::{Condition, Order};
+use crate::study::UnknownKind;
 use crate::wording::words;
-use crate::{Body, Input, InputLaw, LinkId};
+use crate::{Body, Input, InputLaw};
 
 /// Writes the title, and the driver's coordinate.
 pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
@@ -24,25 +24,24 @@ pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
     } = context;
     draft.page.title(&scene.title());
     let name = &scene.driven_name(scene.mechanism.driver().input);
-    let (is_turning, units) = match scene.mechanism.driver().input {
-        Input::Turn(_) => (true, ["deg", "rad/s", "rad/s^2"].map(str::to_owned)),
-        Input::Push(_) => {
-            let units = [0, 1, 2].map(|order| figures.length_unit(order));
-            (false, units)
-        }
+    let kind = match scene.mechanism.driver().input {
+        Input::Turn(_) => UnknownKind::Angle,
+        Input::Push(_) => UnknownKind::Length,
     };
+    let orders = [Order::Position, Order::Velocity, Order::Acceleration];
+    let units = orders.map(|order| figures.rate_unit(kind, order));
     let condition = &words().condition_called(state_word(state.condition()));
     let [at, speed, acceleration] = units;
-    let at = format!("{} {UNIT}{at}", concise(state.at(), usize::MAX));
-    let speed = format!("{} {UNIT}{speed}", figures.given(state.driver_speed()));
+    let at = format!("{} {at}", concise(state.at(), usize::MAX));
+    let speed = format!("{} {speed}", figures.given(state.driver_speed()));
     let given = figures.given(state.driver_acceleration());
-    let acceleration = format!("{given} {UNIT}{acceleration}");
-    draft.page.text(match is_turning {
-        true => words().driver_turns(condition, name, &at, &speed, &acceleration),
-        false => words().driver_slides(condition, name, &at, &speed, &acceleration),
+    let acceleration = format!("{given} {acceleration}");
+    draft.text(match kind {
+        UnknownKind::Angle => words().driver_turns(condition, name, &at, &speed, &acceleration),
+        UnknownKind::Length => words().driver_slides(condition, name, &at, &speed, &acceleration),
     });
     if let Some(text) = condition_text(context) {
-        draft.page.text(text);
+        draft.text(text);
     }
     inputs(context, draft);
 }
@@ -52,16 +51,16 @@ fn inputs(context: &Context<'_>, draft: &mut Draft) {
     let mechanism = &context.scene.mechanism;
     let symbol = |input| match input {
         Input::Turn(link) => {
-            let name = |link| symbols::theta(context.scene.link_name(link));
+            let name = |link| Expression::symbol(context.theta(link));
             match mechanism.turned_from(link) {
                 Body::Ground => name(link),
-                Body::Link(from) => format!("{} - {}", name(link), name(from)),
+                Body::Link(from) => name(link) - name(from),
             }
         }
-        Input::Push(slide) => context.scene.slide_name(slide).to_owned(),
+        Input::Push(slide) => Expression::symbol(context.scene.slide_name(slide)),
     };
     if !mechanism.timed().is_empty() {
-        draft.page.text(words().inputs_are_given());
+        draft.text(words().inputs_are_given());
     }
     for timed in mechanism.timed() {
         let at = timed.coordinate(context.state.at());
@@ -69,20 +68,26 @@ fn inputs(context: &Context<'_>, draft: &mut Draft) {
             Input::Turn(_) => [context.figures.direction(at), "deg".to_owned()],
             Input::Push(_) => [context.figures.given(at), context.figures.length_unit(0)],
         };
-        let (name, at) = (symbol(timed.input), format!("{at} {UNIT}{unit}"));
+        let (name, at) = (symbol(timed.input), Formula::measured(at, &unit));
         match timed.law {
             InputLaw::Ratio { ratio, phase } => {
-                let [ratio, phase] = [ratio, phase].map(|v| concise(v, usize::MAX));
-                let law = format!("{ratio} {} + {phase}", symbol(mechanism.driver().input));
-                let law = law.replace("+ -", "- ");
-                draft.page.equation([name, law, at]);
+                let number = |v| Expression::figure(concise(v, usize::MAX), v);
+                let turned = number(ratio.abs()) * symbol(mechanism.driver().input);
+                let law = turned.minus_if(ratio < 0.0) + number(phase);
+                draft.equation([name.symbols(), law.symbols(), at]);
             }
             InputLaw::Table(_) => {
-                draft.page.text(words().inputs_have_tables(&name));
-                draft.page.equation([name.clone(), at]);
+                let name = name.symbols();
+                draft.text(words().inputs_have_tables(&name));
+                draft.equation([name.clone(), at]);
                 let driver = mechanism.driver().input;
-                let by = symbol(driver);
-                let names = [format!("d{name}/d{by}"), format!("d²{name}/d{by}²")];
+                let by = symbol(driver).symbols();
+                let derivative = |before: &str| {
+                    let above = Formula::words(before).then(name.clone());
+                    let below = Formula::words("d").then(by.clone());
+                    above.with_sign('/').then(below)
+                };
+                let names = [derivative("d"), derivative("d²").with_sign('²')];
                 let rates = timed.rates(context.state.at(), driver);
                 let unit = |input| match input {
                     Input::Turn(_) => "rad".to_owned(),
@@ -90,16 +95,12 @@ fn inputs(context: &Context<'_>, draft: &mut Draft) {
                 };
                 let [own, per] = [unit(timed.input), unit(driver)];
                 let units = match own == per {
-                    true => [String::new(), format!(" 1/{UNIT}{per}")],
-                    false => [
-                        format!(" {UNIT}{own}/{per}"),
-                        format!(" {UNIT}{own}/{per}^2"),
-                    ],
+                    true => [String::new(), format!("1/{per}")],
+                    false => [format!("{own}/{per}"), format!("{own}/{per}^2")],
                 };
                 for ((name, rate), unit) in names.into_iter().zip(rates).zip(units) {
-                    draft
-                        .page
-                        .equation([name, context.figures.given(rate) + &unit]);
+                    let rate = Formula::measured(context.figures.given(rate), &unit);
+                    draft.equation([name, rate]);
                 }
             }
         }
@@ -111,22 +112,31 @@ pub(super) fn unit_vectors(context: &Context<'_>, draft: &mut Draft) {
     if context.polygon.loops.is_empty() {
         return;
     }
-    let (along, across) = (context.notation.along("θ"), context.notation.across("θ"));
-    let page = &mut draft.page;
-    page.text(words().unit_vectors_are(&along, &across));
-    let [u, n] = [&along, &across].map(|name| name.trim_end_matches("(θ)"));
-    let rate = |of: &str| format!("d{of}/dt");
-    for sides in [
-        [along.clone(), "cos(θ) i + sin(θ) j".to_owned()],
-        [across.clone(), "-sin(θ) i + cos(θ) j".to_owned()],
-        [rate(u), format!("ω {across}")],
-        [rate(n), format!("-ω {along}")],
+    let notation = context.notation;
+    let (along, across) = (notation.along("θ"), notation.across("θ"));
+    draft.text(words().unit_vectors_are(&along, &across));
+    let [u, n] = notation.names();
+    let symbol = |name: &str| Expression::symbol(name);
+    let [cos, sin] = symbol("θ").cos_and_sin();
+    let [x, y] = [cos.clone(), sin.clone()];
+    let turning = |vector: &Formula| symbol("ω") * Expression::symbol(vector.clone());
+    for (vector, sum) in [
+        (along.clone(), x * symbol("i") + y * symbol("j")),
+        (across.clone(), -(sin * symbol("i")) + cos * symbol("j")),
+        (u.clone().derivative(1).into(), turning(&across)),
+        (n.clone().derivative(1).into(), -turning(&along)),
     ] {
-        page.equation(sides);
+        draft.equation([vector, sum.symbols()]);
     }
-    let product = |one: &str, other: &str| format!("{one}(a)·{other}(b)");
-    page.equation([product(u, u), product(n, n), "cos(a - b)".into()]);
-    page.equation([product(u, n), "sin(a - b)".into()]);
+    let product = |one: &Symbol, other: &Symbol| {
+        let of = |vector: &Symbol, angle: &str| {
+            Formula::from(vector).then(Formula::from(angle).in_brackets())
+        };
+        of(one, "a").with_sign('·').then(of(other, "b"))
+    };
+    let [cos, sin] = (symbol("a") - symbol("b")).cos_and_sin();
+    draft.equation([product(&u, &u), product(&n, &n), cos.symbols()]);
+    draft.equation([product(&u, &n), sin.symbols()]);
 }
 
 /// Explains the consequences of the state's condition; returns `None` for an ordinary state.
@@ -146,17 +156,17 @@ fn condition_text(context: &Context<'_>) -> Option<String> {
 /// Writes the closed loops, and the vectors outside them.
 pub(super) fn polygons(context: &Context<'_>, draft: &mut Draft) {
     let polygon = context.polygon;
-    draft.page.part(words().vector_polygons());
+    draft.part(words().vector_polygons());
     for (number, of) in polygon.loops.iter().enumerate() {
-        draft.page.equation([sum_text(context, of), "0".into()]);
+        draft.write_zero(sum_text(context, of));
         let walk = solved(context, of);
-        draft.page.text(match polygon.loops.len() {
+        draft.text(match polygon.loops.len() {
             1 => walk,
             _ => words().loop_is(number + 1, &walk),
         });
     }
     if polygon.loops.is_empty() {
-        draft.page.text(words().no_closed_loop());
+        draft.text(words().no_closed_loop());
     }
     let between: Vec<String> = polygon
         .sides
@@ -166,21 +176,21 @@ pub(super) fn polygons(context: &Context<'_>, draft: &mut Draft) {
         .collect();
     if !between.is_empty() {
         let between = between.join("; ");
-        draft.page.text(words().beside_vectors_of_scene(&between));
+        draft.text(words().beside_vectors_of_scene(&between));
     }
     let riders: Vec<&str> = polygon.riders().map(|side| side.name.as_str()).collect();
     if !riders.is_empty() {
-        draft.page.text(words().in_no_loop(&riders.join(", ")));
+        draft.text(words().in_no_loop(&riders.join(", ")));
     }
 }
 
 /// Returns the loop as a sum of vectors.
-pub(super) fn sum_text(context: &Context<'_>, of: &Loop) -> String {
-    let mut sum = WrittenSum::default();
-    for (side, reversed) in context.polygon.terms(of) {
-        sum.push(reversed, &side.name);
-    }
-    sum.text()
+pub(super) fn sum_text(context: &Context<'_>, of: &Loop) -> Formula {
+    let sides = context
+        .polygon
+        .terms(of)
+        .map(|(side, reversed)| Expression::symbol(side.name.as_str()).minus_if(reversed));
+    Expression::sum(sides).symbols()
 }
 
 /// Returns the points of a loop in order, and the group that solves it.
@@ -207,7 +217,7 @@ fn place<'c>(context: &Context<'c>, side: &Side) -> &'c str {
 
 /// Writes length and angle of every vector, marked as given, driven or unknown.
 pub(super) fn position_table(context: &Context<'_>, draft: &mut Draft) {
-    draft.page.part(words().position_table());
+    draft.part(words().position_table());
     let figures = context.figures;
     let mut rows = Vec::new();
     for (side, reading) in context.polygon.sides.iter().zip(&context.readings) {
@@ -275,18 +285,7 @@ fn angle_mark(context: &Context<'_>, side: &Side) -> String {
     match (is_own, context.schedule.is_driven(side)) {
         (true, true) => input_mark(context, side).into(),
         (true, false) => words().is_sought().into(),
-        (false, _) => with_offset(context, link, offset),
-    }
-}
-
-/// Returns the angle of a link, plus the angle by which a vector leads it.
-fn with_offset(context: &Context<'_>, link: LinkId, offset: f64) -> String {
-    let theta = symbols::theta(context.scene.link_name(link));
-    let by = context.figures.direction(offset);
-    if by == "0" {
-        theta
-    } else {
-        format!("{theta} + {by}")
+        (false, _) => context.leading_angle(link, offset).to_string(),
     }
 }
 
@@ -304,7 +303,7 @@ fn bodies_without_ends(context: &Context<'_>) -> Vec<[String; 6]> {
                 _ if mechanism.is_directed(link) && !driven => words().given().into(),
                 _ if driven => words().driver().into(),
                 Turns::With(root, _) if root == link => words().is_sought().into(),
-                Turns::With(root, offset) => with_offset(context, root, offset),
+                Turns::With(root, offset) => context.leading_angle(root, offset).to_string(),
                 Turns::Freely => String::new(),
             };
             let angle = if context.has_positions() {

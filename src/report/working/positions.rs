@@ -2,8 +2,7 @@
 //! by the formula of its form, with all intermediate values.
 
 use super::context::{Context, Draft};
-use super::equations::{EquationTerm, Heading, LoopSide, Multiplier, in_figures, in_symbols};
-use super::figures::Figures;
+use super::equations::{Heading, LoopSide, Multiplier, in_figures, pieces, sum};
 use super::introduction::sum_text;
 use super::loops::group_unknowns::{ProblemForm, Stage};
 use super::loops::polygon::{Loop, Term};
@@ -16,21 +15,13 @@ pub(super) fn equations(context: &Context<'_>, draft: &mut Draft) {
     if context.polygon.loops.is_empty() {
         return;
     }
-    draft.page.part(words().loop_equations());
+    draft.part(words().loop_equations());
     for stage in context.stages {
         for &number in &stage.loops {
             let of = &context.polygon.loops[number];
             loop_heading(context, draft, number, of);
             let members = context.members(of, stage);
-            for axis in [Multiplier::X, Multiplier::Y] {
-                let pieces = pieces(&members, &axis, context.figures);
-                draft.page.equation([in_symbols(&pieces), "0".into()]);
-            }
-            for axis in [Multiplier::X, Multiplier::Y] {
-                let pieces = pieces(&members, &axis, context.figures);
-                let figures = in_figures(&pieces, context.figures);
-                draft.page.equation([figures, "0".into()]);
-            }
+            super::rates::components(context, draft, &members, Order::Position);
             projected(context, draft, stage, &members);
             super::collected_terms::collected(context, draft, number, stage);
         }
@@ -42,17 +33,8 @@ pub(super) fn loop_heading(context: &Context<'_>, draft: &mut Draft, number: usi
     let sum = sum_text(context, of);
     if context.polygon.loops.len() > 1 {
         let equation = format!("{sum} = 0");
-        draft.page.section(words().loop_is(number + 1, &equation));
+        draft.section(words().loop_is(number + 1, &equation));
     }
-}
-
-pub(super) fn pieces(
-    members: &[LoopSide<'_>],
-    axis: &Multiplier,
-    figures: Figures,
-) -> Vec<EquationTerm> {
-    let of = |member: &LoopSide<'_>| member.pieces(Order::Position, axis, figures);
-    members.iter().flat_map(of).collect()
 }
 
 /// Writes the equations multiplied by unit vectors that eliminate one side each.
@@ -69,14 +51,12 @@ fn projected(context: &Context<'_>, draft: &mut Draft, stage: &Stage, members: &
     for term in removed {
         let own = context.member(term, stage);
         let axis = Multiplier::Across(Heading::of(&own));
-        let pieces = pieces(members, &axis, context.figures);
-        let across = context.notation.across(&own.side.theta());
-        draft
-            .page
-            .text(words().multiplied_across(&across, &own.side.name));
+        let pieces = pieces(members, Order::Position, &axis, context.figures);
+        let across = axis.name(context.notation);
+        draft.text(words().multiplied_across(&across, &own.side.name));
         let figures = in_figures(&pieces, context.figures);
-        draft.page.equation([in_symbols(&pieces), "0".into()]);
-        draft.page.equation([figures, "0".into()]);
+        draft.write_zero(sum(&pieces).symbols());
+        draft.write_zero(figures);
     }
 }
 
@@ -89,12 +69,12 @@ pub(super) fn single(arm: &[Term]) -> Option<Term> {
 
 /// Writes the solution of every group, in the plan's order.
 pub(super) fn solutions(context: &Context<'_>, draft: &mut Draft) {
-    draft.page.part(words().positions_by_groups());
+    draft.part(words().positions_by_groups());
     for stage in context.stages {
         match stage.group {
             Some(number) => {
                 let text = context.group_text(number);
-                draft.page.section(text);
+                draft.section(text);
             }
             None => {
                 let side = stage
@@ -104,7 +84,7 @@ pub(super) fn solutions(context: &Context<'_>, draft: &mut Draft) {
                 let names: Vec<&str> = side
                     .map(|t| context.polygon.sides[t.side].name.as_str())
                     .collect();
-                draft.page.section(words().the_vector(&names.join(", ")));
+                draft.section(words().the_vector(&names.join(", ")));
             }
         }
         solve(context, draft, stage);
@@ -120,7 +100,7 @@ fn solve(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
     };
     let is_found = context.has_positions() || solution.is_known();
     if !is_found && !matches!(stage.form, ProblemForm::Nothing) {
-        draft.page.text(words().not_without_groups_before());
+        draft.text(words().not_without_groups_before());
         return;
     }
     match &stage.form {
@@ -136,7 +116,7 @@ fn solve(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
 
 /// Writes that a group's loop has no unknowns.
 fn repeated(draft: &mut Draft) {
-    draft.page.text(words().loop_repeats_others());
+    draft.text(words().loop_repeats_others());
 }
 
 /// Writes the driver's group, and groups without a loop.
@@ -163,9 +143,9 @@ fn without_loop(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
         }
     }
     if stage.loops.is_empty() && rows.is_empty() {
-        draft.page.text(words().nothing_sought());
+        draft.text(words().nothing_sought());
     } else if stage.loops.is_empty() {
-        draft.page.text(words().driver_places());
+        draft.text(words().driver_places());
     } else {
         repeated(draft);
     }

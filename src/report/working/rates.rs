@@ -3,27 +3,29 @@
 
 use super::context::{Context, Draft};
 use super::equations::{
-    EquationTerm, Heading, LoopSide, Multiplier, coefficient, in_figures, in_numbers, in_symbols,
-    known, solved_for,
+    Heading, LoopSide, Multiplier, coefficient, in_figures, known, longest, pieces, solved_for, sum,
 };
+use super::expression::Expression;
 use super::loops::group_unknowns::{LoopUnknown, ProblemForm, Stage};
 use super::loops::sides::{SideShape, Turns};
+use super::methods::kind;
 use super::positions::loop_heading;
 use super::symbols;
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
 use crate::report::Entry;
 use crate::solver::{Condition, Order};
+use crate::study::UnknownKind;
 use crate::wording::words;
 use crate::{Input, LinkId, Vec2, angle};
 
 /// Writes velocities or accelerations.
 pub(super) fn rates(context: &Context<'_>, draft: &mut Draft, order: Order) {
-    draft.page.part(match order {
+    draft.part(match order {
         Order::Velocity => words().velocities_part(),
         _ => words().accelerations_part(),
     });
     if let Some(text) = opening_text(context, order) {
-        draft.page.text(text);
+        draft.text(text);
     }
     for stage in context.stages {
         for &number in &stage.loops {
@@ -54,37 +56,28 @@ fn opening_text(context: &Context<'_>, order: Order) -> Option<&'static str> {
     }
 }
 
-fn pieces(
+/// Writes both components, in symbols and evaluated.
+pub(super) fn components(
     context: &Context<'_>,
+    draft: &mut Draft,
     members: &[LoopSide<'_>],
     order: Order,
-    axis: &Multiplier,
-) -> Vec<EquationTerm> {
-    let of = |member: &LoopSide<'_>| member.pieces(order, axis, context.figures);
-    members.iter().flat_map(of).collect()
-}
-
-/// Writes both components, in symbols and evaluated.
-fn components(context: &Context<'_>, draft: &mut Draft, members: &[LoopSide<'_>], order: Order) {
-    let axes = [Multiplier::X, Multiplier::Y];
-    for axis in &axes {
-        let pieces = pieces(context, members, order, axis);
-        draft.page.equation([in_symbols(&pieces), "0".into()]);
+) {
+    let f = context.figures;
+    let both = [Multiplier::X, Multiplier::Y].map(|axis| pieces(members, order, &axis, f));
+    for pieces in &both {
+        draft.write_zero(sum(pieces).symbols());
     }
-    if !context.has_rates() {
-        return;
-    }
-    for axis in &axes {
-        let pieces = pieces(context, members, order, axis);
-        draft
-            .page
-            .equation([in_figures(&pieces, context.figures), "0".into()]);
+    if order == Order::Position || context.has_rates() {
+        for pieces in &both {
+            draft.write_zero(in_figures(pieces, f));
+        }
     }
 }
 
 fn solve(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Order) {
     match stage.form {
-        ProblemForm::Nothing => draft.page.text(words().nothing_sought_in_it()),
+        ProblemForm::Nothing => draft.text(words().nothing_sought_in_it()),
         ProblemForm::System => together(context, draft, stage, order),
         ProblemForm::Triangle(..)
         | ProblemForm::Quadratic(..)
@@ -113,45 +106,39 @@ fn removed(
     };
     let of = &context.polygon.loops[number];
     let members = context.members(of, stage);
-    let symbol = rate_symbol(context, unknowns, order);
-    let other_symbol = rate_symbol(context, other, order);
+    let symbol = context.symbol(unknowns, order);
+    let other_symbol = context.symbol(other, order);
     let Some(axis) = removing(&members, other) else {
         return;
     };
-    let mut pieces = pieces(context, &members, order, &axis);
+    let mut pieces = pieces(&members, order, &axis, context.figures);
     // The vector of several sides that rotate together is parallel to the axis only as a sum.
-    pieces.retain(|piece| piece.unknown.as_deref() != Some(&other_symbol));
-    let (sum, factor) = (known(&pieces), coefficient(&pieces, &symbol));
+    pieces.retain(|piece| piece.unknown.as_ref() != Some(&other_symbol));
+    let (known, factor) = (known(&pieces), coefficient(&pieces, &symbol));
     let solved = rate_value(context, unknowns, order);
-    let unit = rate_unit(context, unknowns, order);
+    let unit = context.figures.rate_unit(kind(unknowns), order);
     let f = context.figures;
-    draft
-        .page
-        .text(words().multiplied_by(&axis.name(context.notation), &other_symbol));
-    draft.page.equation([in_symbols(&pieces), "0".into()]);
-    let computed = -sum / factor;
+    draft.text(words().multiplied_by(&axis.name(context.notation), &other_symbol));
+    draft.write_zero(sum(&pieces).symbols());
+    let computed = -known / factor;
     let size = pieces.iter().fold(0.0_f64, |maximum, p| match p.unknown {
         Some(_) => maximum,
         None => maximum.max(p.size),
     });
-    let longest = members
-        .iter()
-        .fold(0.0_f64, |maximum, m| maximum.max(m.reading.r.abs()));
+    let longest = longest(&members);
     // At a singular position, the quotient of two rounding errors has no meaning.
     let sine = match unknowns {
         LoopUnknown::Angle(_) | LoopUnknown::Direction(_) => factor.abs() / longest,
         LoopUnknown::Travel(_) | LoopUnknown::Length(_) => factor.abs(),
     };
     if context.state.condition() == Condition::ChangePoint || sine < SINGULAR {
-        draft.page.equation([in_numbers(&pieces), "0".into()]);
-        draft.page.equation([in_figures(&pieces, f), "0".into()]);
-        draft.page.text(words().factor_vanishes(&symbol));
-        draft
-            .page
-            .equation([symbol, format!("{} {UNIT}{unit}", f.number(solved))]);
+        draft.write_zero(sum(&pieces).numbers());
+        draft.write_zero(in_figures(&pieces, f));
+        draft.text(words().factor_vanishes(&symbol));
+        draft.equation([symbol.into(), Formula::measured(f.number(solved), &unit)]);
         return;
     }
-    draft.page.equation([in_figures(&pieces, f), "0".into()]);
+    draft.write_zero(in_figures(&pieces, f));
     draft.agree(
         &symbol,
         computed,
@@ -159,12 +146,12 @@ fn removed(
         size / factor.abs() * (1.0 + 1.0 / sine),
     );
     let shown = f.format_or_zero(computed, size / factor.abs());
-    let [in_symbols, in_numbers] = solved_for(&pieces, &symbol);
-    draft.page.equation([
-        symbol,
-        in_symbols,
-        in_numbers,
-        format!("{shown} {UNIT}{unit}"),
+    let quotient = solved_for(&pieces, &symbol);
+    draft.equation([
+        symbol.into(),
+        quotient.symbols(),
+        quotient.numbers(),
+        Formula::measured(shown, &unit),
     ]);
 }
 
@@ -193,17 +180,14 @@ fn removing(members: &[LoopSide<'_>], unknown: LoopUnknown) -> Option<Multiplier
 
 /// Returns the direction of the sum of sides that rotate together; `None` if the sum is zero.
 fn together_heading(own: &[&LoopSide<'_>]) -> Option<Heading> {
-    let sum = own.iter().fold(Vec2::ZERO, |sum, m| {
-        let r = m.reading.vector();
-        sum + if m.reversed { -r } else { r }
-    });
+    let sum = own.iter().fold(Vec2::ZERO, |sum, m| sum + m.vector());
     let size = sum.norm();
     if !(size > 0.0) {
         return None;
     }
     let name: Vec<&str> = own.iter().map(|m| m.side.name.as_str()).collect();
     Some(Heading {
-        symbol: format!("θ_{}", name.join("_")),
+        symbol: Symbol::separate("θ", name.join("_")),
         degrees: angle::degrees(sum),
         u: sum / size,
         open: false,
@@ -215,18 +199,14 @@ fn together(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Orde
     let count = stage.unknowns.len();
     let elbows = stage.elbows(&context.scene.mechanism, context.polygon);
     let equations = 2 * stage.loops.len() + elbows.len();
-    draft
-        .page
-        .text(words().equations_for_unknowns(equations, count));
+    draft.text(words().equations_for_unknowns(equations, count));
     self::elbows(context, draft, stage, order);
     for &unknown in &stage.unknowns {
-        let symbol = rate_symbol(context, unknown, order);
+        let symbol = context.symbol(unknown, order);
         let value = rate_value(context, unknown, order);
-        let unit = rate_unit(context, unknown, order);
-        draft.page.equation([
-            symbol,
-            format!("{} {UNIT}{unit}", context.figures.number(value)),
-        ]);
+        let unit = context.figures.rate_unit(kind(unknown), order);
+        let value = Formula::measured(context.figures.number(value), &unit);
+        draft.equation([symbol.into(), value]);
     }
 }
 
@@ -236,13 +216,8 @@ pub(super) fn elbows(context: &Context<'_>, draft: &mut Draft, stage: &Stage, or
     let mechanism = &context.scene.mechanism;
     let driver = mechanism.driver();
     for [link, from] in stage.elbows(mechanism, context.polygon) {
-        let symbol = |link: LinkId| {
-            let name = context.scene.link_name(link);
-            match order {
-                Order::Position => symbols::theta(name),
-                _ => rate_symbol(context, LoopUnknown::Angle(link), order),
-            }
-        };
+        let symbol =
+            |link: LinkId| Expression::symbol(symbols::angle(context.scene.link_name(link), order));
         let timed = mechanism.timed_input(Input::Turn(link));
         let at = context.state.at();
         let [first, second] = timed.map_or([1.0, 0.0], |timed| timed.rates(at, driver.input));
@@ -252,30 +227,10 @@ pub(super) fn elbows(context: &Context<'_>, draft: &mut Draft, stage: &Stage, or
             Order::Velocity => speed * first,
             _ => context.state.driver_acceleration() * first + speed * speed * second,
         };
-        let unit = match order {
-            Order::Position => "deg".into(),
-            _ => rate_unit(context, LoopUnknown::Angle(link), order),
-        };
-        let difference = format!("{} - {}", symbol(link), symbol(from));
-        let given = format!("{} {UNIT}{unit}", context.figures.given(given));
-        draft.page.equation([difference, given]);
-    }
-}
-
-fn rate_symbol(context: &Context<'_>, unknown: LoopUnknown, order: Order) -> String {
-    let turning = |name: &str| match order {
-        Order::Velocity => symbols::omega(name),
-        _ => symbols::alpha(name),
-    };
-    let stretching = |name: &str| match order {
-        Order::Velocity => symbols::rate(name),
-        _ => symbols::accel(name),
-    };
-    match unknown {
-        LoopUnknown::Angle(link) => turning(context.scene.link_name(link)),
-        LoopUnknown::Travel(slide) => stretching(context.scene.slide_name(slide)),
-        LoopUnknown::Length(side) => stretching(&context.polygon.sides[side].name),
-        LoopUnknown::Direction(side) => turning(&context.polygon.sides[side].name),
+        let unit = context.figures.rate_unit(UnknownKind::Angle, order);
+        let difference = symbol(link) - symbol(from);
+        let given = Formula::measured(context.figures.given(given), &unit);
+        draft.equation([difference.symbols(), given]);
     }
 }
 
@@ -287,21 +242,8 @@ fn rate_value(context: &Context<'_>, unknown: LoopUnknown, order: Order) -> f64 
         LoopUnknown::Angle(link) => state.alpha(link),
         LoopUnknown::Travel(slide) if first => state.travel(slide).rate,
         LoopUnknown::Travel(slide) => state.travel(slide).accel,
-        LoopUnknown::Length(side) if first => context.readings[side].rate,
-        LoopUnknown::Length(side) => context.readings[side].accel,
-        LoopUnknown::Direction(side) if first => context.readings[side].omega,
-        LoopUnknown::Direction(side) => context.readings[side].alpha,
-    }
-}
-
-fn rate_unit(context: &Context<'_>, unknown: LoopUnknown, order: Order) -> String {
-    let first = order == Order::Velocity;
-    match unknown {
-        LoopUnknown::Angle(_) | LoopUnknown::Direction(_) if first => "rad/s".into(),
-        LoopUnknown::Angle(_) | LoopUnknown::Direction(_) => "rad/s^2".into(),
-        LoopUnknown::Travel(_) | LoopUnknown::Length(_) => {
-            context.figures.length_unit(if first { 1 } else { 2 })
-        }
+        LoopUnknown::Length(side) => context.readings[side].length(order),
+        LoopUnknown::Direction(side) => context.readings[side].angle(order),
     }
 }
 
@@ -312,16 +254,8 @@ fn table(context: &Context<'_>, draft: &mut Draft, order: Order) {
     let first = order == Order::Velocity;
     let mut rows = Vec::new();
     for (side, r) in context.polygon.sides.iter().zip(&context.readings) {
-        let length = if first {
-            (r.rate, 0.0)
-        } else {
-            (r.accel, r.rate)
-        };
-        let turning = if first {
-            (r.omega, 0.0)
-        } else {
-            (r.alpha, r.omega)
-        };
+        let length = (r.length(order), r.rate);
+        let turning = (r.angle(order), r.omega);
         let sliding = word_of(length, context, order);
         let [_, r, turning_text, word] =
             table_row(context, &side.name, Some(length), turning, order);
@@ -334,12 +268,12 @@ fn table(context: &Context<'_>, draft: &mut Draft, order: Order) {
     let without_ends = |link: &LinkId| mechanism.link(*link).ends.is_none();
     for link in mechanism.link_ids().filter(without_ends) {
         let (omega, alpha) = (context.state.omega(link), context.state.alpha(link));
-        let turning = if first { (omega, 0.0) } else { (alpha, omega) };
+        let turning = (if first { omega } else { alpha }, omega);
         let name = context.scene.link_name(link);
         let row = table_row(context, name, None, turning, order);
         rows.push((row, ""));
     }
-    let length = f.length_unit(if first { 1 } else { 2 });
+    let length = f.rate_unit(UnknownKind::Length, order);
     if first {
         let rows = rows
             .into_iter()

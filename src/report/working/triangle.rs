@@ -6,7 +6,6 @@ use super::expression::{Expression, Function};
 use super::figures::Figures;
 use super::loops::polygon::Term;
 use super::loops::solution::{DyadArm, Solution, degrees, turn};
-use crate::page::UNIT;
 use crate::wording::words;
 
 /// Relative distance of pivots below which they coincide.
@@ -23,9 +22,7 @@ impl Solution<'_> {
         let [first, second] = self.in_order(a, b);
         let [p, x, q] = self.joints(&first, &second);
         let (one, two) = (self.arm(&first), self.arm(&second));
-        draft
-            .page
-            .text(words().with_m_between(self.diagonal(), p, q, x));
+        draft.text(words().with_m_between(self.diagonal(), p, q, x));
         let [mx, my] = self.write_m(draft);
         let m = self.diagonal();
         let size = self.write_length(draft, m, [&mx, &my]);
@@ -36,13 +33,12 @@ impl Solution<'_> {
         if size <= MEETING * b.max(c) {
             return self.coincident(draft, [p, q], [&one, &two]);
         }
-        let alpha = Expression::of(Function::Atan2, [-my, mx]);
+        let alpha = Expression::atan2(-my, mx);
         let alpha = draft.found("α", &alpha, |alpha| degrees(f, alpha));
-        let m_known = || Expression::known(m, f.number(size), size);
+        let m_known = || f.computed(m, size);
         // The cosine theorem.
         let corner = |near: &DyadArm<'_>, far: &DyadArm<'_>| {
-            let [near, far] = [near, far]
-                .map(|arm| Expression::known(arm.length.as_str(), arm.figure(f), arm.value));
+            let [near, far] = [near, far].map(|arm| arm.expression(f));
             let sum = m_known().squared() + near.clone().squared() - far.squared();
             let cosine = sum / (Expression::Number(2.0) * m_known() * near);
             Expression::of(Function::Acos, [cosine])
@@ -52,7 +48,7 @@ impl Solution<'_> {
         });
         let left = (-self.known).cross(one.direction()) >= 0.0;
         let across = (-self.known).cross(one.direction()).abs();
-        draft.page.text(match left {
+        draft.text(match left {
             _ if across <= IN_LINE * size => words().lies_on_the_line(x, p, q),
             true => words().lies_to_the_left(x, p, q),
             false => words().lies_to_the_right(x, p, q),
@@ -63,7 +59,7 @@ impl Solution<'_> {
             1.0 + (b.max(c).max(size) / b.min(c).min(size))
                 / corner.to_radians().sin().abs().max(1e-8)
         };
-        let angle = |symbol, value: f64| Expression::known(symbol, f.number(value), value);
+        let angle = |symbol, value: f64| f.computed(symbol, value);
         for (arm, symbol, corner, sign) in [(&one, "β", beta, sign), (&two, "γ", gamma, -sign)] {
             let theta = -angle("α", alpha) + angle(symbol, corner).minus_if(sign < 0.0);
             self.write_angle(draft, arm, theta, loss(corner));
@@ -72,22 +68,23 @@ impl Solution<'_> {
 
     /// Writes the angles of a dyad with coinciding pivots, which no triangle determines.
     fn coincident(&self, draft: &mut Draft, [p, q]: [&str; 2], arms: [&DyadArm<'_>; 2]) {
-        draft.page.text(words().pivots_coincide(p, q));
+        draft.text(words().pivots_coincide(p, q));
         for arm in arms {
-            draft
-                .page
-                .equation([arm.theta.clone(), turn(self.figures, arm.solved)]);
+            draft.equation([arm.theta.clone().into(), turn(self.figures, arm.solved)]);
         }
     }
 
-    /// Writes an angle as `theta = -alpha + beta + 180 = ...`.
-    fn write_angle(&self, draft: &mut Draft, arm: &DyadArm<'_>, theta: Expression, loss: f64) {
+    /// Writes the unknown angle of an arm from its direction: `theta = -alpha + beta + 180 = ...`.
+    pub(super) fn write_angle(
+        &self,
+        draft: &mut Draft,
+        arm: &DyadArm<'_>,
+        direction: Expression,
+        loss: f64,
+    ) {
         let f = self.figures;
-        let theta = match arm.ahead {
-            0.0 => theta,
-            ahead => theta - Expression::figure(f.angle(ahead), ahead),
-        };
-        let computed = draft.worked(&arm.theta, &theta, |computed| turn(f, computed));
+        let theta = arm.angle_of(direction, f);
+        let computed = draft.worked(arm.theta.clone(), &theta, |computed| turn(f, computed));
         draft.agree_angle(&arm.theta, computed, arm.solved, loss);
         if let Some(side) = arm.side {
             self.write_link_angle(draft, side, computed, loss);
@@ -111,13 +108,13 @@ fn reach(
     let precise = |value: f64| Figures { digits, ..figures }.number(value);
     let equals = |size: f64| format!("{m} = {}", precise(size));
     let text = if size > sum {
-        let sum = format!("{} {UNIT}{}", precise(sum), figures.unit);
+        let sum = format!("{} {}", precise(sum), figures.unit);
         words().arms_too_short(&equals(size), &one.length, &two.length, &sum)
     } else if size < difference {
-        let difference = format!("{} {UNIT}{}", precise(difference), figures.unit);
+        let difference = format!("{} {}", precise(difference), figures.unit);
         words().arms_too_unlike(&equals(size), &one.length, &two.length, &difference)
     } else {
         words().triangle_would_close().into()
     };
-    draft.page.text(text);
+    draft.text(text);
 }

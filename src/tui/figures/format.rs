@@ -106,6 +106,7 @@ impl Format {
         Cell {
             text,
             unproved: unsure,
+            formula: None,
         }
     }
 
@@ -341,7 +342,7 @@ mod tests {
             let format = Format::of_sizes(vec![scale]);
             let (truth, bound) = (share * scale, scale * 10.0_f64.powi(size));
             let value = truth + off * bound;
-            let Cell { text, unproved: unsure } = format.write(&proved(value, bound * (1.0 + 1e-9) + 1e-15 * scale));
+            let Cell { text, unproved: unsure, .. } = format.write(&proved(value, bound * (1.0 + 1e-9) + 1e-15 * scale));
             let sure = match unsure {
                 UnprovedDigits::Nothing => text.clone(),
                 UnprovedDigits::Last(digits) => {

@@ -98,8 +98,7 @@ fn arguments(list: &str) -> Vec<(String, String)> {
     parts.map(argument).collect()
 }
 
-/// Returns the text without quotes around it, with line breaks, backslashes and other escaped
-/// characters.
+/// Returns the text without quotes around it, with line breaks and backslashes.
 fn unescaped(text: &str) -> String {
     let quoted = text
         .strip_prefix('"')
@@ -108,19 +107,12 @@ fn unescaped(text: &str) -> String {
     let mut plain = String::new();
     while let Some((before, after)) = rest.split_once('\\') {
         plain.push_str(before);
-        let numbered = after.strip_prefix("u{").and_then(|digits| {
-            let (digits, rest) = digits.split_once('}')?;
-            let number = u32::from_str_radix(digits, 16).ok()?;
-            Some((char::from_u32(number)?, rest))
-        });
         let mut letters = after.chars();
-        let (letter, behind) = match (numbered, letters.next()) {
-            (Some(numbered), _) => numbered,
-            (None, Some('n')) => ('\n', letters.as_str()),
-            (None, letter) => (letter.unwrap_or('\\'), letters.as_str()),
-        };
-        plain.push(letter);
-        rest = behind;
+        plain.push(match letters.next() {
+            Some('n') => '\n',
+            letter => letter.unwrap_or('\\'),
+        });
+        rest = letters.as_str();
     }
     plain + rest
 }

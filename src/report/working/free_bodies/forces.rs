@@ -1,36 +1,35 @@
 //! Writes the forces: loads, every link and pin in turn, and the driver.
 
 use super::free_body::{free_body, largest};
-use crate::page::UNIT;
+use crate::page::Formula;
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::expression::Expression;
-use crate::report::working::figures::WrittenSum;
 use crate::report::working::reactions;
 use crate::solver::{Condition, LoadAction};
 use crate::wording::words;
 use crate::{Input, Load, PointId, Vec2};
 
 /// Writes all parts on forces; nothing for a mechanism without loads.
-pub(in crate::report::working) fn forces(context: &Context<'_>, draft: &mut Draft) {
+pub(crate) fn forces(context: &Context<'_>, draft: &mut Draft) {
     if !context.solver.has_forces() {
         return;
     }
-    draft.page.part(words().forces_part());
+    draft.part(words().forces_part());
     let Some(torque) = context.state.drive() else {
         let withheld = crate::report::forces::withheld(context.scene, &context.state);
         let absent = || absent(context.state.condition()).to_owned();
-        draft.page.text(withheld.unwrap_or_else(absent));
+        draft.text(withheld.unwrap_or_else(absent));
         return;
     };
     if !context.scene.mechanism.timed().is_empty() {
-        draft.page.text(words().forces_of_inputs_in_tables());
+        draft.text(words().forces_of_inputs_in_tables());
         return;
     }
     let acted = context.solver.acted(&context.state);
     loads(context, draft, &acted);
     super::loads::laws(context, draft, &acted);
     if context.state.residual().is_none() {
-        draft.page.text(words().reactions_need_not_exist());
+        draft.text(words().reactions_need_not_exist());
     } else {
         reactions::reactions(context, draft, &acted);
         let links = context.scene.mechanism.link_ids();
@@ -39,7 +38,7 @@ pub(in crate::report::working) fn forces(context: &Context<'_>, draft: &mut Draf
             .map(|link| context.scene.link_name(link))
             .collect();
         if !open.is_empty() {
-            draft.page.text(words().reactions_open(&open.join(", ")));
+            draft.text(words().reactions_open(&open.join(", ")));
         }
         super::pins::pins(context, draft, &acted);
     }
@@ -76,14 +75,14 @@ fn loads(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
         }
     }
     if !rows.is_empty() {
-        draft.page.text(words().loads_here());
+        draft.text(words().loads_here());
         let torque = format!("{} [N m]", words().torque());
         draft.table([words().column_load(), "fx [N]", "fy [N]", &torque], rows);
     }
 }
 
 /// Returns the name of a kind of load.
-pub(in crate::report::working) fn kind(load: &Load) -> &'static str {
+pub(crate) fn kind(load: &Load) -> &'static str {
     match load {
         Load::Force { .. } => words().force(),
         Load::Torque { .. } => words().torque(),
@@ -94,15 +93,12 @@ pub(in crate::report::working) fn kind(load: &Load) -> &'static str {
     }
 }
 
-pub(in crate::report::working) fn components(context: &Context<'_>, force: Vec2) -> [String; 2] {
+pub(crate) fn components(context: &Context<'_>, force: Vec2) -> [String; 2] {
     let size = force.norm();
     [force.x, force.y].map(|v| context.figures.format_or_zero(v, size))
 }
 
-pub(in crate::report::working) fn point_name<'a>(
-    context: &'a Context<'_>,
-    point: PointId,
-) -> &'a str {
+pub(crate) fn point_name<'a>(context: &'a Context<'_>, point: PointId) -> &'a str {
     context.scene.point_name(point).unwrap_or(words().a_point())
 }
 
@@ -113,7 +109,7 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[LoadAct
         Input::Turn(_) => (true, "torque", "N m"),
         Input::Push(_) => (false, "force", "N"),
     };
-    draft.page.section(match is_rotary {
+    draft.section(match is_rotary {
         true => words().torque_of_driver(),
         false => words().force_of_driver(),
     });
@@ -121,25 +117,22 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[LoadAct
         let size = parts
             .iter()
             .fold(0.0_f64, |maximum, v| maximum.max(v.abs()));
-        let mut sum = WrittenSum::default();
-        parts
-            .iter()
-            .for_each(|v| sum.push_figure(&f.format_or_zero(*v, size)));
+        let figures = parts.map(|v| Expression::figure(f.format_or_zero(v, size), v));
         let size_on_the_way = size.max(largest(context, acted));
         let computed = parts.iter().sum();
-        draft.agree(&format!("driver.{what}"), computed, drive, size_on_the_way);
-        let effort = format!("{} {UNIT}{unit}", f.format_or_zero(drive, size));
-        draft.page.text(match (state.residual(), is_rotary) {
+        draft.agree(format!("driver.{what}"), computed, drive, size_on_the_way);
+        let effort = Formula::measured(f.format_or_zero(drive, size), unit);
+        draft.text(match (state.residual(), is_rotary) {
             (Some(_), true) => words().torque_checked_by_work(&effort),
             (Some(_), false) => words().force_checked_by_work(&effort),
             (None, _) => words().effort_by_work().to_owned(),
         });
         super::loads::shares(context, draft, acted, parts);
-        draft.page.equation([
-            format!("driver.{what}"),
-            super::loads::share_names().join(" + "),
-            sum.text(),
-            format!("{} {UNIT}{unit}", f.format_or_zero(drive, size)),
+        draft.equation([
+            Formula::words(&format!("driver.{what}")),
+            Expression::sum(super::loads::share_names().map(Expression::symbol)).symbols(),
+            Expression::sum(figures).numbers(),
+            effort,
         ]);
     }
     if let Some(power) = state.power() {
@@ -149,15 +142,16 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[LoadAct
         };
         let [drive, speed] = [(f.number(drive), drive), (f.given(speed), speed)]
             .map(|(figure, value)| Expression::figure(figure, value));
-        let computed = draft.write_numbers("driver.power", &(drive * speed), |power| {
-            format!("{} {UNIT}W", f.number(power))
+        let name = Formula::words("driver.power");
+        let computed = draft.write_numbers(name, &(drive * speed), |power| {
+            Formula::measured(f.number(power), "W")
         });
         draft.agree("driver.power", computed, power, power.abs());
     }
 }
 
 /// Writes the two independent checks: power, and the equilibrium of the whole mechanism.
-pub(in crate::report::working) fn check(context: &Context<'_>, draft: &mut Draft) {
+pub(crate) fn check(context: &Context<'_>, draft: &mut Draft) {
     let state = context.state;
     let (Some(left), Some(force), Some(moment)) =
         (state.residual(), state.frame_force(), state.frame_moment())
@@ -166,9 +160,7 @@ pub(in crate::report::working) fn check(context: &Context<'_>, draft: &mut Draft
     };
     let f = context.figures;
     let [x, y] = components(context, force);
-    draft
-        .page
-        .text(words().frame_feels(&x, &y, &f.number(moment)));
+    draft.text(words().frame_feels(&x, &y, &f.number(moment)));
     let unit = match context.scene.mechanism.driver().input {
         Input::Turn(_) => "N m",
         Input::Push(_) => "N",
@@ -180,14 +172,13 @@ pub(in crate::report::working) fn check(context: &Context<'_>, draft: &mut Draft
             format!("{v:.1e}")
         }
     };
+    let forces_in = |axis: &str| Formula::message(|[axis]| words().forces_in(axis), [axis.into()]);
     for (name, value, unit) in [
-        (words().virtual_work().to_owned(), left.drive, unit),
-        (words().forces_in("x"), left.force.x, "N"),
-        (words().forces_in("y"), left.force.y, "N"),
-        (words().moments().to_owned(), left.moment, "N m"),
+        (Formula::words(words().virtual_work()), left.drive, unit),
+        (forces_in("x"), left.force.x, "N"),
+        (forces_in("y"), left.force.y, "N"),
+        (Formula::words(words().moments()), left.moment, "N m"),
     ] {
-        draft
-            .page
-            .equation([name, format!("{} {UNIT}{unit}", small(value))]);
+        draft.equation([name, Formula::measured(small(value), unit)]);
     }
 }

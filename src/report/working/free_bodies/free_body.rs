@@ -2,29 +2,42 @@
 //! numbers.
 
 use super::forces::point_name;
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::expression::{Expression, Function};
-use crate::report::working::figures::WrittenSum;
+use crate::report::working::reactions::body::{BalanceKind, table};
 use crate::solver::LoadAction;
 use crate::wording::words;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
 
 /// A force on a link, or a couple.
-pub(in crate::report::working) struct BodyForce {
+pub(crate) struct BodyForce {
     pub name: String,
     pub force: Vec2,
     /// The point of application; `None` for a couple.
-    pub(in crate::report::working) at: Option<Vec2>,
+    pub(crate) at: Option<Vec2>,
     /// The couple in N m.
-    pub(in crate::report::working) couple: f64,
+    pub(crate) couple: f64,
     /// The joint that transmits it; `None` for a load.
-    pub(in crate::report::working) joint: Option<BodyJoint>,
+    pub(crate) joint: Option<BodyJoint>,
+}
+
+impl BodyForce {
+    /// Creates a load that acts at a point.
+    pub(crate) fn load(name: impl Into<String>, force: Vec2, at: Option<Vec2>) -> BodyForce {
+        BodyForce {
+            name: name.into(),
+            force,
+            at,
+            couple: 0.0,
+            joint: None,
+        }
+    }
 }
 
 /// The joint that transmits a force to a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::report::working) enum BodyJoint {
+pub(crate) enum BodyJoint {
     /// A pin.
     Pin(PointId),
     /// A guide; the force acts on its slider or on its carrier.
@@ -34,7 +47,7 @@ pub(in crate::report::working) enum BodyJoint {
 }
 
 /// Returns all forces on a link, without inertia; `None` if one is indeterminate.
-pub(in crate::report::working) fn on_link(
+pub(crate) fn on_link(
     context: &Context<'_>,
     id: LinkId,
     acted: &[LoadAction],
@@ -51,7 +64,7 @@ pub(in crate::report::working) fn on_link(
 
 /// Writes the forces on a link, and its three equations with numbers. Returns `false` if a force is
 /// indeterminate.
-pub(in crate::report::working) fn free_body(
+pub(crate) fn free_body(
     context: &Context<'_>,
     draft: &mut Draft,
     id: LinkId,
@@ -73,10 +86,19 @@ pub(in crate::report::working) fn free_body(
     let Some(rows) = body.rows() else {
         return false;
     };
-    draft.page.section(words().link_part(name));
-    body.table(draft, &rows);
+    draft.section(words().link_part(name));
+    let [_, reach] = body.sizes(&rows);
+    let moment = format!("{} [N m]", words().moment());
+    let contributions = (body.moments(), reach, moment.as_str());
+    table(
+        context,
+        draft,
+        words().on_it().into(),
+        rows.iter(),
+        contributions,
+    );
     let point = point_name(context, about);
-    draft.page.text(match body.acceleration() {
+    draft.text(match body.acceleration() {
         Some(_) => words().motion_about_accelerated(point),
         None => words().motion_about(point),
     });
@@ -104,53 +126,21 @@ struct FreeBody<'a> {
 }
 
 impl FreeBody<'_> {
-    /// Returns the arm from the reference point, in the scene's unit; `None` for a couple.
-    fn arm(&self, row: &BodyForce) -> Option<Vec2> {
-        let centre = self.context.state.position(self.about);
-        row.at.map(|at| at - centre)
-    }
-
-    /// Returns the moment in N m.
-    fn moment(&self, row: &BodyForce) -> f64 {
-        let arm = self.arm(row).unwrap_or(Vec2::ZERO) * self.mechanism().metres();
-        arm.cross(row.force) + row.couple
+    /// Returns the sum of moments about the reference point.
+    fn moments(&self) -> BalanceKind {
+        BalanceKind::About(self.context.state.position(self.about))
     }
 
     /// Returns the maximum force, and the maximum moment of a force at its arm, or of a couple.
     fn sizes(&self, rows: &[BodyForce]) -> [f64; 2] {
         let metres = self.mechanism().metres();
+        let centre = self.context.state.position(self.about);
         rows.iter().fold([0.0_f64; 2], |[force, moment], row| {
             let size = row.force.norm();
-            let reach = self.arm(row).map_or(0.0, Vec2::norm) * metres;
+            let reach = row.at.map_or(0.0, |at| (at - centre).norm()) * metres;
             let own = (reach * size).max(row.couple.abs());
             [force.max(size), moment.max(own)]
         })
-    }
-
-    /// Writes every force with its arm and its moment.
-    fn table(&self, draft: &mut Draft, rows: &[BodyForce]) {
-        let f = self.context.figures;
-        let [largest, reach] = self.sizes(rows);
-        let cells = rows.iter().map(|row| {
-            let arm = self.arm(row);
-            let along = |pick: fn(Vec2) -> f64| {
-                arm.map_or("-".into(), |arm| f.format_or_zero(pick(arm), arm.norm()))
-            };
-            [
-                row.name.clone(),
-                f.format_or_zero(row.force.x, largest),
-                f.format_or_zero(row.force.y, largest),
-                along(|arm| arm.x),
-                along(|arm| arm.y),
-                f.format_or_zero(self.moment(row), reach),
-            ]
-        });
-        let [x, y] = ["x", "y"].map(|axis| format!("{axis} [{}]", f.unit));
-        let moment = format!("{} [N m]", words().moment());
-        draft.table(
-            [words().on_it(), "fx [N]", "fy [N]", &x, &y, &moment],
-            cells.collect(),
-        );
     }
 
     /// Returns the acceleration of the centre of mass in m/s^2; `None` for a link without mass, or
@@ -174,32 +164,30 @@ impl FreeBody<'_> {
         };
         if let Some(a) = self.acceleration() {
             let (length, direction) = (a.norm(), crate::angle::degrees(a));
-            for (name, function) in [("ax", Function::Cos), ("ay", Function::Sin)] {
+            for (axis, function) in [("x", Function::Cos), ("y", Function::Sin)] {
                 let at = Expression::figure(f.direction(direction), direction);
                 let along =
                     Expression::figure(f.number(length), length) * Expression::of(function, [at]);
-                draft.write_numbers(name, &along, |v| {
-                    format!("{} {UNIT}m/s^2", f.format_or_zero(v, size_of_a))
+                draft.write_numbers(Symbol::indexed("a", axis), &along, |v| {
+                    Formula::measured(f.format_or_zero(v, size_of_a), "m/s^2")
                 });
             }
         }
         let force = |axis: &str, a_axis: f64, values: Vec<f64>| EquationOfMotion {
             values,
             size: largest,
-            motion: Expression::known("m", f.given(link.mass), link.mass)
-                * Expression::known(
-                    format!("a{axis}"),
-                    f.format_or_zero(a_axis, size_of_a),
-                    a_axis,
-                ),
+            motion: f.as_given("m", link.mass)
+                * f.rounded(Symbol::indexed("a", axis), a_axis, size_of_a),
             unit: "N",
         };
         let alpha = state.alpha(self.id);
         let turning = EquationOfMotion {
-            values: rows.iter().map(|row| self.moment(row)).collect(),
+            values: rows
+                .iter()
+                .map(|row| self.moments().of(self.context, row))
+                .collect(),
             size: reach,
-            motion: Expression::known("I", f.given(link.inertia), link.inertia)
-                * Expression::known("α", f.number(alpha), alpha),
+            motion: f.as_given("I", link.inertia) * f.computed("α", alpha),
             unit: "N m",
         };
         let x = force("x", a.x, rows.iter().map(|row| row.force.x).collect());
@@ -213,25 +201,19 @@ impl FreeBody<'_> {
     fn write(&self, draft: &mut Draft, balance: EquationOfMotion) {
         let f = self.context.figures;
         let (size, value) = (balance.size, balance.motion.value());
-        let mut sum = WrittenSum::default();
-        for &term in &balance.values {
-            let figure = f.format_or_zero(term, size);
-            if figure != "0" {
-                sum.push_figure(&figure);
-            }
-        }
+        let sum = f.sum(balance.values.iter().copied(), size).numbers();
         let name = self.context.scene.link_name(self.id);
         let symbols = balance.motion.symbols();
         let symbol = words().symbols_of(&symbols, name);
         let computed = balance.values.iter().sum();
         draft.agree(&symbol, computed, value, size.max(value.abs()));
-        let right = format!("{} {UNIT}{}", f.format_or_zero(value, size), balance.unit);
+        let right = Formula::measured(f.format_or_zero(value, size), balance.unit);
         let link = self.mechanism().link(self.id);
         if link.mass > 0.0 || link.inertia > 0.0 {
-            let sides = [sum.text(), symbols, balance.motion.numbers(), right];
-            draft.page.equation(sides);
+            let sides = [sum, symbols, balance.motion.numbers(), right];
+            draft.equation(sides);
         } else {
-            draft.page.equation([sum.text(), right]);
+            draft.equation([sum, right]);
         }
     }
 
@@ -261,11 +243,8 @@ impl FreeBody<'_> {
                 let force = state.joint_force(self.id, point)?;
                 let name = pin_name(context, self.id, point);
                 rows.push(BodyForce {
-                    name,
-                    force,
-                    at,
-                    couple: 0.0,
                     joint: Some(BodyJoint::Pin(point)),
+                    ..BodyForce::load(name, force, at)
                 });
                 continue;
             }
@@ -277,35 +256,19 @@ impl FreeBody<'_> {
                 .filter(|(p, _)| *p == point)
             {
                 let name = words().acts_at(words().column_load(), label);
-                rows.push(BodyForce {
-                    name,
-                    force: *force,
-                    at,
-                    couple: 0.0,
-                    joint: None,
-                });
+                rows.push(BodyForce::load(name, *force, at));
             }
         }
         for acted in self.acted.iter().filter(|a| a.on == Some(self.id)) {
             for &(point, force) in &acted.forces {
-                rows.push(BodyForce {
-                    name: words().kind_press().into(),
-                    force,
-                    at: Some(state.position(point)),
-                    couple: 0.0,
-                    joint: None,
-                });
+                let at = Some(state.position(point));
+                rows.push(BodyForce::load(words().kind_press(), force, at));
             }
         }
         let weight = mechanism.gravity() * link.mass;
         if let (Some(com), true) = (link.com, weight != Vec2::ZERO) {
-            rows.push(BodyForce {
-                name: words().weight().into(),
-                force: weight,
-                at: Some(state.position(com)),
-                couple: 0.0,
-                joint: None,
-            });
+            let at = Some(state.position(com));
+            rows.push(BodyForce::load(words().weight(), weight, at));
         }
         Some(())
     }
@@ -334,11 +297,9 @@ impl FreeBody<'_> {
         let own = couples.filter(|(link, _)| *link == self.id);
         let mut add = |name: &str, couple: f64, joint: Option<BodyJoint>| {
             rows.push(BodyForce {
-                name: name.into(),
-                force: Vec2::ZERO,
-                at: None,
                 couple,
                 joint,
+                ..BodyForce::load(name, Vec2::ZERO, None)
             });
         };
         own.for_each(|(_, couple)| add(words().torque(), *couple, None));
@@ -352,11 +313,7 @@ impl FreeBody<'_> {
 
 /// Returns the force of a guide on its slider for sign 1, or the reaction for -1; `None` if it is
 /// indeterminate.
-pub(in crate::report::working) fn guided(
-    context: &Context<'_>,
-    slide: SlideId,
-    sign: f64,
-) -> Option<BodyForce> {
+pub(crate) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option<BodyForce> {
     let (state, mechanism) = (context.state, &context.scene.mechanism);
     let given = mechanism.slide(slide);
     let t = state.travel(slide).guide;
@@ -369,25 +326,21 @@ pub(in crate::report::working) fn guided(
         Slider::Link { .. } => state.moment(slide)?,
     };
     let name = context.scene.slide_name(slide);
+    let name = match sign > 0.0 {
+        true => words().guide_of(name),
+        false => words().slider_of(name),
+    };
+    let at = Some(state.position(given.slider.point()));
     Some(BodyForce {
-        name: match sign > 0.0 {
-            true => words().guide_of(name),
-            false => words().slider_of(name),
-        },
-        force: force * sign,
-        at: Some(state.position(given.slider.point())),
         couple: couple * sign,
         joint: Some(BodyJoint::Guide(slide)),
+        ..BodyForce::load(name, force * sign, at)
     })
 }
 
 /// Returns the name of the force on a link at a pin. It includes the other body if there is only
 /// one and the pin has no load.
-pub(in crate::report::working) fn pin_name(
-    context: &Context<'_>,
-    link: LinkId,
-    point: PointId,
-) -> String {
+pub(crate) fn pin_name(context: &Context<'_>, link: LinkId, point: PointId) -> String {
     let by = context.scene.mechanism.partner(link, point);
     let (name, at) = (context.scene.link_name(link), point_name(context, point));
     match by {
@@ -398,7 +351,7 @@ pub(in crate::report::working) fn pin_name(
 }
 
 /// Returns `true` if the point joins the link to something else.
-pub(in crate::report::working) fn is_joint(mechanism: &Mechanism, id: PointId) -> bool {
+pub(crate) fn is_joint(mechanism: &Mechanism, id: PointId) -> bool {
     let point = mechanism.point(id);
     let slides = mechanism
         .slides()
@@ -410,7 +363,7 @@ pub(in crate::report::working) fn is_joint(mechanism: &Mechanism, id: PointId) -
 
 /// Returns the maximum moment (N m) of a force on any link, or for a driven slide the maximum force
 /// (N). The driver's effort may be a small difference of such values.
-pub(in crate::report::working) fn largest(context: &Context<'_>, acted: &[LoadAction]) -> f64 {
+pub(crate) fn largest(context: &Context<'_>, acted: &[LoadAction]) -> f64 {
     let mechanism = &context.scene.mechanism;
     let sizes = mechanism.link_ids().filter_map(|id| {
         let link = mechanism.link(id);

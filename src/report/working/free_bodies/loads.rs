@@ -3,7 +3,7 @@
 
 use super::forces::{kind, point_name};
 use super::knots::{line_at, on_line};
-use crate::page::UNIT;
+use crate::page::Formula;
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::expression::Expression;
 use crate::solver::{LoadAction, PressStroke};
@@ -11,11 +11,7 @@ use crate::wording::words;
 use crate::{Body, Input, Load, PointId, Profile, SlideId, StrokeEnd, Vec2};
 
 /// Writes the laws of loads that are not constant.
-pub(in crate::report::working) fn laws(
-    context: &Context<'_>,
-    draft: &mut Draft,
-    acted: &[LoadAction],
-) {
+pub(crate) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
     let mechanism = &context.scene.mechanism;
     for (load, acted) in mechanism.loads().iter().zip(acted) {
         match *load {
@@ -73,28 +69,26 @@ fn press(
     let name = context.scene.slide_name(slide);
     let position = context.state.travel(slide).position;
     let size = position.abs().max(stroke.bottom.abs());
-    draft.page.text(words().distance_of_press(name));
-    let here = Expression::known(name, f.number(position), position);
-    let bottom = Expression::known("r0", f.number(stroke.bottom), stroke.bottom);
+    draft.text(words().distance_of_press(name));
+    let here = f.computed(name, position);
+    let bottom = f.computed("r0", stroke.bottom);
     let distance = match end {
         StrokeEnd::Minimum => here - bottom,
         StrokeEnd::Maximum => bottom - here,
     };
-    let d = draft.worked("d", &distance, |d| {
-        format!("{} {UNIT}{}", f.format_or_zero(d, size), f.unit)
-    });
+    let d = draft.worked("d", &distance, |d| f.length_or_zero(d, size));
     draft.agree("d", d, stroke.distance, size);
     match (stroke.closes, line_at(curve, stroke.distance)) {
-        (false, _) => draft.page.text(words().press_opens()),
+        (false, _) => draft.text(words().press_opens()),
         (true, Some(line)) if force > 0.0 => {
-            draft.page.text(words().press_by_line());
+            draft.text(words().press_by_line());
             let (computed, reach) = on_line(context, draft, "d", (d, size), line);
             draft.agree("p", computed, force, reach);
         }
         (true, _) => {
             let first = curve.knots().last().map_or(0.0, |knot| knot[0]);
-            let reach = format!("{} {UNIT}{}", f.given(first), f.unit);
-            draft.page.text(words().press_has_not_begun(&reach));
+            let reach = format!("{} {}", f.given(first), f.unit);
+            draft.text(words().press_has_not_begun(&reach));
         }
     }
 }
@@ -108,21 +102,21 @@ fn scaled(
     unit: &str,
 ) {
     let f = context.figures;
-    let product = Expression::known(words().factor(), f.number(part), part)
+    let product = f.computed(Formula::words(words().factor()), part)
         * Expression::figure(f.given(complete), complete);
-    let computed = draft.worked(&name, &product, |now| {
-        format!("{} {UNIT}{unit}", f.number(now))
+    let computed = draft.worked(Formula::words(&name), &product, |now| {
+        Formula::measured(f.number(now), unit)
     });
     draft.agree(&name, computed, now, complete.abs());
 }
 
 /// Returns the names of the parts of the driver's effort in a formula.
-pub(in crate::report::working) fn share_names() -> [&'static str; 3] {
-    [words().column_load(), words().gravity(), words().inertia()]
+pub(crate) fn share_names() -> [Formula; 3] {
+    [words().column_load(), words().gravity(), words().inertia()].map(Formula::words)
 }
 
 /// Writes the power of every load, and the part of the driver's effort that balances it.
-pub(in crate::report::working) fn shares(
+pub(crate) fn shares(
     context: &Context<'_>,
     draft: &mut Draft,
     acted: &[LoadAction],
@@ -197,14 +191,12 @@ pub(in crate::report::working) fn shares(
     for (name, ((power, of_terms), part)) in names.into_iter().zip(shares) {
         let figure = f.format_or_zero(power, size * speed.abs());
         if figure == "0" {
-            draft
-                .page
-                .equation([name.to_owned(), format!("0 {UNIT}{unit}")]);
+            draft.equation([name, Formula::measured("0", unit)]);
             continue;
         }
         let share = Expression::figure(figure, power) / Expression::figure(f.given(speed), speed);
-        let computed = draft.write_numbers(name, &-share, |share| {
-            format!("{} {UNIT}{unit}", f.format_or_zero(share, size))
+        let computed = draft.write_numbers(name.clone(), &-share, |share| {
+            Formula::measured(f.format_or_zero(share, size), unit)
         });
         draft.agree(name, computed, part, size.max(of_terms / speed.abs()));
     }

@@ -2,18 +2,14 @@
 
 use super::forces::{components, kind, point_name};
 use super::free_body::{BodyForce, guided, is_joint, pin_name};
+use crate::page::Formula;
 use crate::report::working::context::{Context, Draft};
-use crate::report::working::figures::WrittenSum;
 use crate::solver::LoadAction;
 use crate::wording::words;
 use crate::{PointId, Slider, Vec2};
 
 /// Writes the equilibrium of every moving pin that joins several bodies and has a load or a spring.
-pub(in crate::report::working) fn pins(
-    context: &Context<'_>,
-    draft: &mut Draft,
-    acted: &[LoadAction],
-) {
+pub(crate) fn pins(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
     let mechanism = &context.scene.mechanism;
     // A load on a ground pin goes directly into the ground.
     let moving = mechanism
@@ -30,9 +26,7 @@ pub(in crate::report::working) fn pins(
         if !loads.is_empty()
             && let Some(rows) = rows(context, point, loads)
         {
-            draft
-                .page
-                .section(words().pin_part(point_name(context, point)));
+            draft.section(words().pin_part(point_name(context, point)));
             balance(context, draft, point, &rows);
         }
     }
@@ -65,21 +59,15 @@ fn balance(context: &Context<'_>, draft: &mut Draft, point: PointId, rows: &[(St
         [name.clone(), x, y]
     });
     draft.table([words().on_it(), "fx [N]", "fy [N]"], cells.collect());
-    draft.page.text(words().load_at_pin());
+    draft.text(words().load_at_pin());
     let size = rows
         .iter()
         .fold(0.0_f64, |maximum, row| maximum.max(row.1.norm()));
     for (axis, pick) in [("x", (|v| v.x) as fn(Vec2) -> f64), ("y", |v| v.y)] {
-        let mut sum = WrittenSum::default();
-        for (_, force) in rows {
-            let figure = f.format_or_zero(pick(*force), size);
-            if figure != "0" {
-                sum.push_figure(&figure);
-            }
-        }
+        let sum = f.sum(rows.iter().map(|(_, force)| pick(*force)), size);
         let left = rows.iter().map(|(_, force)| pick(*force)).sum();
         let name = words().forces_along(axis, point_name(context, point));
         draft.agree(&name, left, 0.0, size);
-        draft.page.equation([sum.text(), "0 N".to_owned()]);
+        draft.equation([sum.numbers(), Formula::measured("0", "N")]);
     }
 }

@@ -3,21 +3,16 @@
 use super::forces::point_name;
 use super::knots::{line_at, on_line};
 use crate::angle::{TURN, radians};
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::expression::Expression;
 use crate::report::working::symbols;
-use crate::solver::LoadAction;
+use crate::solver::{LoadAction, Order};
 use crate::wording::words;
 use crate::{Body, LinkId, Load, PointId, Profile};
 
 /// Writes the law of a spring; does nothing for other loads.
-pub(in crate::report::working) fn law(
-    context: &Context<'_>,
-    draft: &mut Draft,
-    load: &Load,
-    acted: &LoadAction,
-) {
+pub(crate) fn law(context: &Context<'_>, draft: &mut Draft, load: &Load, acted: &LoadAction) {
     match *load {
         Load::Spring {
             from,
@@ -60,22 +55,21 @@ fn pull(
     [stiffness, length, preload, damping]: [f64; 4],
 ) {
     let f = context.figures;
-    draft.page.text(words().pull_of_spring());
+    draft.text(words().pull_of_spring());
     let spring = SpringNow::written(context, draft, ends);
     let metres = context.scene.mechanism.metres();
     let [l, l0] = [spring.length, length].map(|v| v * metres);
-    let l = Expression::known("L", f.number(l), l);
-    let l0 = Expression::known("L0", f.given(l0), l0);
-    let k = Expression::known("k", f.given(stiffness), stiffness);
+    let l = f.computed("L", l);
+    let l0 = f.as_given("L0", l0);
+    let k = f.as_given("k", stiffness);
     let straight = k * (l - l0);
     let stiff = match preload {
         0.0 => straight,
-        _ => Expression::known("F0", f.given(preload), preload) + straight,
+        _ => f.as_given("F0", preload) + straight,
     };
     let pull = stiff + spring.damped(context, damping);
-    draft.worked(words().pull(), &pull, |pull| {
-        format!("{} {UNIT}N", f.number(pull))
-    });
+    let name = Formula::words(words().pull());
+    draft.worked(name, &pull, |pull| Formula::measured(f.number(pull), "N"));
 }
 
 /// Writes the law of [`Load::GasSpring`], with the push p from the line between two knots.
@@ -86,28 +80,27 @@ fn push(
     (force, damping): (&Profile, f64),
 ) {
     let f = context.figures;
-    draft.page.text(words().pull_of_gas_spring());
+    draft.text(words().pull_of_gas_spring());
     let spring = SpringNow::written(context, draft, ends);
     let push = match line_at(force, spring.length) {
         Some(line) => {
-            draft.page.text(words().push_by_line());
+            draft.text(words().push_by_line());
             on_line(context, draft, "L", (spring.length, spring.length), line).0
         }
         None => {
-            draft.page.text(words().push_beyond_knots());
+            draft.text(words().push_beyond_knots());
             let [first, last] = [force.knots().first(), force.knots().last()];
             let is_short = first.is_some_and(|knot| spring.length < knot[0]);
             let push = if is_short { first } else { last }.map_or(0.0, |knot| knot[1]);
-            let p = format!("{} {UNIT}N", f.given(push));
-            draft.page.equation(["p".to_owned(), p]);
+            let p = Formula::measured(f.given(push), "N");
+            draft.equation(["p".into(), p]);
             push
         }
     };
-    let p = Expression::known("p", f.number(push), push);
+    let p = f.computed("p", push);
     let pull = -p + spring.damped(context, damping);
-    draft.worked(words().pull(), &pull, |pull| {
-        format!("{} {UNIT}N", f.number(pull))
-    });
+    let name = Formula::words(words().pull());
+    draft.worked(name, &pull, |pull| Formula::measured(f.number(pull), "N"));
 }
 
 /// Writes the law of [`Load::TorsionSpring`]: the torque on its link, with θ measured from the free
@@ -119,38 +112,34 @@ fn turn_back(
     found: f64,
 ) {
     let (f, scene, state) = (context.figures, context.scene, context.state);
-    let angle = |name: &str, value: f64| Expression::known(name, f.direction(value), value);
+    let angle = |name: Symbol, value: f64| f.directed(name, value);
     let (name, own) = (scene.link_name(link), state.angle(link));
     let (other, turning) = match to {
         Body::Ground => (0.0, state.omega(link)),
         Body::Link(to) => (state.angle(to), state.omega(link) - state.omega(to)),
     };
-    draft.page.text(words().torque_of_torsion_spring(name));
+    draft.text(words().torque_of_torsion_spring(name));
     let plain = own - other - free;
     let turns = TURN * -(plain / TURN).round();
-    let mut phi = angle(&symbols::theta(name), own);
+    let mut phi = angle(symbols::theta(name), own);
     if let Body::Link(to) = to {
-        phi = phi - angle(&symbols::theta(scene.link_name(to)), other);
+        phi = phi - angle(symbols::theta(scene.link_name(to)), other);
     }
-    phi = phi - Expression::known("θ0", f.given(free), free);
+    phi = phi - f.as_given("θ0", free);
     if turns != 0.0 {
         phi = phi + Expression::figure(f.given(turns), turns);
     }
     let phi = draft.worked("θ", &phi, |phi| {
-        format!("{} deg", f.format_or_zero(phi, TURN))
+        Formula::measured(f.format_or_zero(phi, TURN), "deg")
     });
     let phi = radians(phi);
     let written = f.format_or_zero(phi, radians(TURN));
-    draft
-        .page
-        .equation(["θ".to_owned(), format!("{written} rad")]);
+    draft.equation(["θ".into(), Formula::measured(&written, "rad")]);
     let size = stiffness * radians(TURN) + preload.abs();
-    let turn = Expression::known("M0", f.given(preload), preload)
-        - Expression::known("k", f.given(stiffness), stiffness)
-            * Expression::known("θ", written, phi)
-        - Expression::known("c", f.given(damping), damping)
-            * Expression::known("ω", f.number(turning), turning);
-    let computed = draft.worked("M", &turn, |turn| format!("{} {UNIT}N m", f.number(turn)));
+    let turn = f.as_given("M0", preload)
+        - f.as_given("k", stiffness) * Expression::known("θ", written, phi)
+        - f.as_given("c", damping) * f.computed("ω", turning);
+    let computed = draft.worked("M", &turn, |turn| Formula::measured(f.number(turn), "N m"));
     draft.agree("M", computed, found, size.max(found.abs()));
 }
 
@@ -165,17 +154,13 @@ impl SpringNow {
     fn written(context: &Context<'_>, draft: &mut Draft, ends: [PointId; 2]) -> SpringNow {
         let f = context.figures;
         let spring = SpringNow::of(context, ends);
-        let [from, to] = ends.map(|point| point_name(context, point));
-        let name = words().spring_between(from, to);
-        let length = f.number(spring.length);
+        let [from, to] = ends.map(|point| Formula::from(point_name(context, point)));
+        let message = |[length, from, to]: [&str; 3]| words().spring_between(length, from, to);
+        let name = Formula::message(message, ["L".into(), from, to]);
         let rate = f.format_or_zero(spring.rate, context.fastest[0]);
-        draft
-            .page
-            .equation([name, format!("{length} {UNIT}{}", f.unit)]);
-        draft.page.equation([
-            "dL/dt".to_owned(),
-            format!("{rate} {UNIT}{}", f.length_unit(1)),
-        ]);
+        let rate = Formula::measured(rate, &f.length_unit(1));
+        draft.equation([name, f.length(spring.length)]);
+        draft.equation([symbols::length("L", Order::Velocity).into(), rate]);
         spring
     }
 
@@ -185,7 +170,8 @@ impl SpringNow {
         let metres = context.scene.mechanism.metres();
         let rate = self.rate * metres;
         let figure = f.format_or_zero(rate, context.fastest[0] * metres);
-        Expression::known("c", f.given(damping), damping) * Expression::known("dL/dt", figure, rate)
+        f.as_given("c", damping)
+            * Expression::known(symbols::length("L", Order::Velocity), figure, rate)
     }
 
     fn of(context: &Context<'_>, [from, to]: [PointId; 2]) -> SpringNow {

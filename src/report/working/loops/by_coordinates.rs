@@ -4,16 +4,14 @@
 use super::group_unknowns::{ProblemForm, Stage};
 use super::sides::{Side, SideReading, SideShape};
 use super::solution::angle_sum;
-use crate::page::UNIT;
 use crate::report::working::context::{Context, Draft};
-use crate::report::working::expression::{Expression, Function};
-use crate::report::working::symbols;
+use crate::report::working::expression::Expression;
 use crate::wording::words;
 use crate::{Body, LinkId, Member, Vec2};
 
 /// Writes length and angle of every vector for which neither the scene nor the coordinates show
 /// them.
-pub(in crate::report::working) fn vectors(context: &Context<'_>, draft: &mut Draft) {
+pub(crate) fn vectors(context: &Context<'_>, draft: &mut Draft) {
     let sides = context.polygon.sides.iter().zip(&context.readings);
     let mut is_shown = false;
     for (side, reading) in sides {
@@ -25,7 +23,7 @@ pub(in crate::report::working) fn vectors(context: &Context<'_>, draft: &mut Dra
             continue;
         }
         if !is_shown {
-            draft.page.text(words().vectors_by_coordinates());
+            draft.text(words().vectors_by_coordinates());
             is_shown = true;
         }
         vector(context, draft, (side, reading), body, local);
@@ -62,18 +60,15 @@ fn vector(
     let parts = || [local.x, local.y].map(|v| Expression::figure(f.given(v), v));
     let [x, y] = parts();
     let length = (x.squared() + y.squared()).sqrt();
-    let computed = draft.write_numbers(&side.name, &length, |r| {
-        format!("{} {UNIT}{}", f.number(r), f.unit)
-    });
+    let computed = draft.write_numbers(side.name.as_str(), &length, |r| f.length(r));
     draft.agree(&side.name, computed, reading.r, reading.r);
     let [x, y] = parts();
-    let own = Expression::of(Function::Atan2, [y, x]);
+    let own = Expression::atan2(y, x);
     let is_given = context.schedule.angle_group(side).is_none();
     match body {
         Body::Ground => {
-            let computed =
-                draft.write_numbers(&side.theta(), &own, |degrees| angle_sum(f, degrees));
-            draft.agree_angle(&side.theta(), computed, reading.theta, 1.0);
+            let computed = draft.write_numbers(side.theta(), &own, |degrees| angle_sum(f, degrees));
+            draft.agree_angle(side.theta(), computed, reading.theta, 1.0);
         }
         Body::Link(link) if is_given && context.has_positions() => {
             turned(context, draft, (side, reading), link, own);
@@ -81,12 +76,10 @@ fn vector(
         // The angle of its link is unknown, so its value must not appear yet.
         Body::Link(link) => {
             let ahead = Expression::figure(f.angle(own.value()), own.value());
-            let theta = symbols::theta(context.scene.link_name(link));
-            let theta = |ahead| Expression::known(theta.clone(), String::new(), 0.0) + ahead;
+            let theta = context.theta(link);
+            let theta = |ahead| Expression::symbol(theta.clone()) + ahead;
             let sides = [theta(own), theta(ahead)].map(|sum| sum.symbols());
-            draft
-                .page
-                .equation(std::iter::once(side.theta()).chain(sides));
+            draft.equation(std::iter::once(side.theta().into()).chain(sides));
         }
     }
 }
@@ -101,16 +94,16 @@ fn turned(
 ) {
     let f = context.figures;
     let degrees = context.state.angle(link);
-    let name = symbols::theta(context.scene.link_name(link));
-    let theta = Expression::known(name, f.direction(degrees), degrees) + ahead;
+    let name = context.theta(link);
+    let theta = f.directed(name, degrees) + ahead;
     let symbol = side.theta();
-    let computed = draft.worked(&symbol, &theta, |degrees| angle_sum(f, degrees));
+    let computed = draft.worked(symbol.clone(), &theta, |degrees| angle_sum(f, degrees));
     draft.agree_angle(&symbol, computed, reading.theta, 1.0);
 }
 
 /// Writes the angles of the vectors that rotate with links found by a group, except those in its
 /// own loops.
-pub(in crate::report::working) fn found(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
+pub(crate) fn found(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
     let is_own = |number: usize| {
         let loops = stage
             .loops

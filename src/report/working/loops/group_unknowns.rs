@@ -9,7 +9,7 @@ use crate::{Body, Input, LinkId, Mechanism, SlideId};
 
 /// An unknown of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::report::working) enum LoopUnknown {
+pub(crate) enum LoopUnknown {
     /// The angle of a link, and of everything that rotates with it.
     Angle(LinkId),
     /// The position along a slide.
@@ -22,7 +22,7 @@ pub(in crate::report::working) enum LoopUnknown {
 
 /// The form of a group's problem.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::report::working) enum ProblemForm {
+pub(crate) enum ProblemForm {
     /// No unknowns: the driver's group, or a loop that repeats others.
     Nothing,
     /// Two angles: a triangle of three known sides.
@@ -41,7 +41,7 @@ pub(in crate::report::working) enum ProblemForm {
 
 /// A group of the plan with its loops.
 #[derive(Clone, Debug)]
-pub(in crate::report::working) struct Stage {
+pub(crate) struct Stage {
     /// The index of the group in the plan; `None` for a vector that only closes a loop.
     pub group: Option<usize>,
     /// The indices of the group's loops.
@@ -52,7 +52,7 @@ pub(in crate::report::working) struct Stage {
 
 /// The groups that find the angles of links and the positions of slides.
 #[derive(Clone, Debug)]
-pub(in crate::report::working) struct Schedule {
+pub(crate) struct Schedule {
     /// The group that finds the angle of each link.
     links: Vec<usize>,
     /// The group that finds the position of each slide.
@@ -64,11 +64,7 @@ pub(in crate::report::working) struct Schedule {
 impl Stage {
     /// Returns the inputs between links of which one has an unknown angle here: each gives a
     /// further equation.
-    pub(in crate::report::working) fn elbows(
-        &self,
-        mechanism: &Mechanism,
-        polygon: &Polygon,
-    ) -> Vec<[LinkId; 2]> {
+    pub(crate) fn elbows(&self, mechanism: &Mechanism, polygon: &Polygon) -> Vec<[LinkId; 2]> {
         let root = |link: LinkId| match polygon.locks.turns(Body::Link(link), 0.0) {
             Turns::With(root, _) => root,
             Turns::Never | Turns::Freely => link,
@@ -81,11 +77,7 @@ impl Stage {
 }
 
 impl Schedule {
-    pub(in crate::report::working) fn of(
-        scene: &Scene,
-        plan: &Plan,
-        polygon: &Polygon,
-    ) -> Schedule {
+    pub(crate) fn of(scene: &Scene, plan: &Plan, polygon: &Polygon) -> Schedule {
         let mechanism = &scene.mechanism;
         let last = plan.groups.len();
         let (mut links, mut points) = (
@@ -131,7 +123,7 @@ impl Schedule {
     }
 
     /// Returns `true` if a side's direction is that of an input, or locked to it.
-    pub(in crate::report::working) fn is_driven(&self, side: &Side) -> bool {
+    pub(crate) fn is_driven(&self, side: &Side) -> bool {
         side.turns_with().is_some_and(|link| self.drives(link))
     }
 
@@ -141,7 +133,7 @@ impl Schedule {
     }
 
     /// Returns `true` if a side's length is that of an input.
-    pub(in crate::report::working) fn is_pushed(&self, side: &Side) -> bool {
+    pub(crate) fn is_pushed(&self, side: &Side) -> bool {
         matches!(side.shape, SideShape::Slide(slide) if self.pushes(slide))
     }
 
@@ -152,7 +144,7 @@ impl Schedule {
     }
 
     /// Returns the input that determines a side's length or direction, if any.
-    pub(in crate::report::working) fn input(&self, side: &Side) -> Option<Input> {
+    pub(crate) fn input(&self, side: &Side) -> Option<Input> {
         let link = side.turns_with();
         let gives = |(input, root): &&(Input, Option<LinkId>)| {
             let is_rotary = root.is_some() && *root == link;
@@ -163,7 +155,7 @@ impl Schedule {
     }
 
     /// Returns the group that finds a side's angle; `None` if it is given.
-    pub(in crate::report::working) fn angle_group(&self, side: &Side) -> Option<usize> {
+    pub(crate) fn angle_group(&self, side: &Side) -> Option<usize> {
         match side.turns {
             Turns::Never => None,
             Turns::With(link, _) if self.drives(link) => None,
@@ -173,7 +165,7 @@ impl Schedule {
     }
 
     /// Returns the group that finds a side's length; `None` if it is given.
-    pub(in crate::report::working) fn length_group(&self, side: &Side) -> Option<usize> {
+    pub(crate) fn length_group(&self, side: &Side) -> Option<usize> {
         match side.shape {
             SideShape::Link(_) | SideShape::Rigid(..) => None,
             SideShape::Slide(slide) if self.pushes(slide) => None,
@@ -184,11 +176,7 @@ impl Schedule {
 }
 
 /// Returns the groups in order, then the vectors that only close a loop.
-pub(in crate::report::working) fn stages(
-    plan: &Plan,
-    polygon: &Polygon,
-    schedule: &Schedule,
-) -> Vec<Stage> {
+pub(crate) fn stages(plan: &Plan, polygon: &Polygon, schedule: &Schedule) -> Vec<Stage> {
     let of_group = |number: usize| {
         let loops = polygon.loops.iter().enumerate();
         let own = loops.filter(|(_, l)| l.group == Some(number));

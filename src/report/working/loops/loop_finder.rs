@@ -47,7 +47,7 @@ struct LoopBuilder<'a> {
 
 impl Polygon {
     /// Finds the polygons of a scene.
-    pub(in crate::report::working) fn of(scene: &Scene, plan: &Plan) -> Polygon {
+    pub(crate) fn of(scene: &Scene, plan: &Plan) -> Polygon {
         let mut loop_builder = LoopBuilder::new(scene);
         let mut loops = Vec::new();
         for edge in loop_builder.ordered_edges(plan) {

@@ -5,14 +5,14 @@ use crate::scene::Scene;
 
 /// A side of a loop, and whether it is traversed backwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::report::working) struct Term {
+pub(crate) struct Term {
     pub side: usize,
     pub reversed: bool,
 }
 
 /// A closed loop.
 #[derive(Clone, Debug)]
-pub(in crate::report::working) struct Loop {
+pub(crate) struct Loop {
     pub terms: Vec<Term>,
     /// The group of the plan that closes it; `None` if the loop only yields a further vector.
     pub group: Option<usize>,
@@ -20,7 +20,7 @@ pub(in crate::report::working) struct Loop {
 
 /// All sides and loops of a scene.
 #[derive(Clone, Debug)]
-pub(in crate::report::working) struct Polygon {
+pub(crate) struct Polygon {
     pub sides: Vec<Side>,
     pub loops: Vec<Loop>,
     pub locks: Locks,
@@ -46,7 +46,7 @@ pub(super) fn diagonal(scene: &Scene, sides: &[Side]) -> &'static str {
 
 impl Polygon {
     /// Returns the sides of a loop with their directions.
-    pub(in crate::report::working) fn terms<'a>(
+    pub(crate) fn terms<'a>(
         &'a self,
         of: &'a Loop,
     ) -> impl Iterator<Item = (&'a Side, bool)> + Clone {
@@ -56,7 +56,7 @@ impl Polygon {
     }
 
     /// Returns the names of a term's start and end, as traversed by the loop.
-    pub(in crate::report::working) fn ends(&self, term: Term) -> (&str, &str) {
+    pub(crate) fn ends(&self, term: Term) -> (&str, &str) {
         let side = &self.sides[term.side];
         if term.reversed {
             (&side.head, &side.tail)
@@ -66,14 +66,14 @@ impl Polygon {
     }
 
     /// Returns the points of a loop in order, the first one repeated at the end.
-    pub(in crate::report::working) fn walk(&self, of: &Loop) -> String {
+    pub(crate) fn walk(&self, of: &Loop) -> String {
         let mut walk: Vec<&str> = of.terms.iter().map(|&term| self.ends(term).0).collect();
         walk.extend(of.terms.last().map(|&term| self.ends(term).1));
         walk.join(" → ")
     }
 
     /// Returns the sides that are not in any loop.
-    pub(in crate::report::working) fn riders(&self) -> impl Iterator<Item = &Side> {
+    pub(crate) fn riders(&self) -> impl Iterator<Item = &Side> {
         let mut is_in_loop = vec![false; self.sides.len()];
         for term in self.loops.iter().flat_map(|l| &l.terms) {
             is_in_loop[term.side] = true;

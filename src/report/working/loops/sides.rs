@@ -1,16 +1,17 @@
 //! The sides of the vector polygons: the scene's vectors, and unnamed ones between two joints of
 //! one body that a loop needs.
 
+use crate::page::Symbol;
 use crate::quantity::{Aspect, Subject, value};
 use crate::report::tables::shared_body;
 use crate::report::working::symbols;
 use crate::scene::{Scene, Vector, VectorKind};
-use crate::solver::Known;
+use crate::solver::{Known, Order};
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2, angle};
 
 /// The kind of side.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::report::working) enum SideShape {
+pub(crate) enum SideShape {
     /// A link, from end to end.
     Link(LinkId),
     /// A slide, from the sliding point back to `through`.
@@ -23,7 +24,7 @@ pub(in crate::report::working) enum SideShape {
 
 /// The dependence of a side's direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::report::working) enum Turns {
+pub(crate) enum Turns {
     /// Constant.
     Never,
     /// The direction of a link plus a constant angle in degrees.
@@ -34,7 +35,7 @@ pub(in crate::report::working) enum Turns {
 
 /// A vector of the loop equations.
 #[derive(Clone, Debug)]
-pub(in crate::report::working) struct Side {
+pub(crate) struct Side {
     pub name: String,
     pub tail: String,
     pub head: String,
@@ -47,7 +48,7 @@ pub(in crate::report::working) struct Side {
 /// The length and direction of a side in a state, with their rates; these are 0 if they do not
 /// exist.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in crate::report::working) struct SideReading {
+pub(crate) struct SideReading {
     pub r: f64,
     pub rate: f64,
     pub accel: f64,
@@ -61,21 +62,31 @@ pub(in crate::report::working) struct SideReading {
 
 impl SideReading {
     /// Returns the vector of the side, head minus tail.
-    pub(in crate::report::working) fn vector(&self) -> Vec2 {
+    pub(crate) fn vector(&self) -> Vec2 {
         self.u * self.r
+    }
+
+    /// Returns the length, or its rate of an order.
+    pub(crate) fn length(&self, order: Order) -> f64 {
+        [self.r, self.rate, self.accel][symbols::index(order)]
+    }
+
+    /// Returns the direction in degrees, or its rate of an order.
+    pub(crate) fn angle(&self, order: Order) -> f64 {
+        [self.theta, self.omega, self.alpha][symbols::index(order)]
     }
 }
 
 /// For every link, the link or ground to which slides lock its direction, and the angle between
 /// both.
 #[derive(Clone, Debug)]
-pub(in crate::report::working) struct Locks {
+pub(crate) struct Locks {
     root: Vec<Body>,
     offset: Vec<f64>,
 }
 
 impl Locks {
-    pub(in crate::report::working) fn of(mechanism: &Mechanism) -> Locks {
+    pub(crate) fn of(mechanism: &Mechanism) -> Locks {
         let links = mechanism.links().len();
         let mut locks = Locks {
             root: mechanism.link_ids().map(Body::Link).collect(),
@@ -128,7 +139,7 @@ impl Locks {
     }
 
     /// Returns the dependence of a direction at `angle` to a body.
-    pub(in crate::report::working) fn turns(&self, body: Body, angle: f64) -> Turns {
+    pub(crate) fn turns(&self, body: Body, angle: f64) -> Turns {
         let Body::Link(link) = body else {
             return Turns::Never;
         };
@@ -143,7 +154,7 @@ impl Locks {
 
 impl Side {
     /// Creates the side of a vector of the scene.
-    pub(in crate::report::working) fn of(
+    pub(crate) fn of(
         scene: &Scene,
         vector: &Vector,
         locks: &Locks,
@@ -178,7 +189,7 @@ impl Side {
 
     /// Returns the link with which it rotates, after which its angular velocity is named; `None` if
     /// it does not rotate, or with two bodies.
-    pub(in crate::report::working) fn turns_with(&self) -> Option<LinkId> {
+    pub(crate) fn turns_with(&self) -> Option<LinkId> {
         match self.turns {
             Turns::With(link, _) => Some(link),
             Turns::Never | Turns::Freely => None,
@@ -186,27 +197,23 @@ impl Side {
     }
 
     /// Returns `true` if its length changes.
-    pub(in crate::report::working) fn stretches(&self) -> bool {
+    pub(crate) fn stretches(&self) -> bool {
         matches!(self.shape, SideShape::Slide(_) | SideShape::Free(..))
     }
 
     /// Returns the symbol of its angle.
-    pub(in crate::report::working) fn theta(&self) -> String {
+    pub(crate) fn theta(&self) -> Symbol {
         symbols::theta(&self.name)
     }
 
     /// Returns the name used for its angular velocity: that of the link with which it rotates.
-    pub(in crate::report::working) fn turner<'a>(&'a self, scene: &'a Scene) -> &'a str {
+    pub(crate) fn turner<'a>(&'a self, scene: &'a Scene) -> &'a str {
         self.turns_with()
             .map_or(self.name.as_str(), |link| scene.link_name(link))
     }
 
     /// Evaluates the side in a state that has an assembly; rates are 0 if they do not exist.
-    pub(in crate::report::working) fn read(
-        &self,
-        mechanism: &Mechanism,
-        state: Known<'_>,
-    ) -> SideReading {
+    pub(crate) fn read(&self, mechanism: &Mechanism, state: Known<'_>) -> SideReading {
         let figure = |subject, aspect| value(subject, aspect, &state).unwrap_or(0.0);
         let turning = |subject, reading: SideReading| SideReading {
             omega: figure(subject, Aspect::Omega),
@@ -276,7 +283,7 @@ impl Side {
 }
 
 /// Returns the distance of a link's ends.
-pub(in crate::report::working) fn length(mechanism: &Mechanism, link: LinkId) -> f64 {
+pub(crate) fn length(mechanism: &Mechanism, link: LinkId) -> f64 {
     let link = mechanism.link(link);
     let to = link.ends.and_then(|(_, to)| link.local(to));
     to.map_or(0.0, Vec2::norm)

@@ -3,44 +3,39 @@
 use super::group_unknowns::{ProblemForm, Stage};
 use super::polygon::{Loop, Term};
 use super::sides::{Side, SideShape, Turns};
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::equations::{
-    EquationTerm, LoopSide, Multiplier, in_figures, in_symbols, known,
+    EquationTerm, LoopSide, Multiplier, in_figures, known, longest, pieces, sum,
 };
 use crate::report::working::expression::Expression;
-use crate::report::working::figures::{Figures, WrittenSum};
+use crate::report::working::figures::Figures;
 use crate::report::working::positions::single;
 use crate::report::working::symbols;
 use crate::solver::Order;
 use crate::{Vec2, angle};
 
 /// A loop prepared for solving, with its known sides summed.
-pub(in crate::report::working) struct Solution<'a> {
-    pub(in crate::report::working) context: &'a Context<'a>,
-    pub(in crate::report::working) stage: &'a Stage,
-    pub(in crate::report::working) of: &'a Loop,
-    pub(in crate::report::working) members: Vec<LoopSide<'a>>,
-    pub(in crate::report::working) figures: Figures,
+pub(crate) struct Solution<'a> {
+    pub(crate) context: &'a Context<'a>,
+    pub(crate) stage: &'a Stage,
+    pub(crate) of: &'a Loop,
+    pub(crate) members: Vec<LoopSide<'a>>,
+    pub(crate) figures: Figures,
     /// The sum of the known sides.
-    pub(in crate::report::working) known: Vec2,
+    pub(crate) known: Vec2,
 }
 
 impl<'a> Solution<'a> {
-    pub(in crate::report::working) fn new(
-        context: &'a Context<'a>,
-        stage: &'a Stage,
-    ) -> Option<Self> {
+    pub(crate) fn new(context: &'a Context<'a>, stage: &'a Stage) -> Option<Self> {
         let (&[number], false) = (&stage.loops[..], matches!(stage.form, ProblemForm::Nothing))
         else {
             return None;
         };
         let of = &context.polygon.loops[number];
         let members = context.members(of, stage);
-        let sum = |axis: &Multiplier| {
-            let of = |m: &LoopSide<'_>| m.pieces(Order::Position, axis, context.figures);
-            known(&members.iter().flat_map(of).collect::<Vec<_>>())
-        };
+        let sum =
+            |axis: &Multiplier| known(&pieces(&members, Order::Position, axis, context.figures));
         let known = Vec2::new(sum(&Multiplier::X), sum(&Multiplier::Y));
         Some(Solution {
             context,
@@ -54,7 +49,7 @@ impl<'a> Solution<'a> {
 
     /// Returns `true` if only the group's unknowns are missing, so that the solution can be tried
     /// without an assembly.
-    pub(in crate::report::working) fn is_known(&self) -> bool {
+    pub(crate) fn is_known(&self) -> bool {
         let own = |term: &Term| match &self.stage.form {
             ProblemForm::Triangle(a, b) => a.contains(term) || b.contains(term),
             ProblemForm::Quadratic(arm, slide) => arm.contains(term) || term == slide,
@@ -72,65 +67,62 @@ impl<'a> Solution<'a> {
         tries && pairs.all(|(term, member)| own(term) || member.sought == [false, false])
     }
 
-    pub(in crate::report::working) fn member(&self, term: Term) -> LoopSide<'_> {
+    pub(crate) fn member(&self, term: Term) -> LoopSide<'_> {
         self.context.member(term, self.stage)
     }
 
     /// Returns the known sides along an axis, in symbols and evaluated.
-    pub(in crate::report::working) fn known_text(&self, axis: &Multiplier) -> [String; 2] {
-        let of = |m: &LoopSide<'_>| m.pieces(Order::Position, axis, self.figures);
-        let pieces: Vec<EquationTerm> = self.members.iter().flat_map(of).collect();
-        let known: Vec<EquationTerm> = pieces.into_iter().filter(|p| p.unknown.is_none()).collect();
-        [in_symbols(&known), in_figures(&known, self.figures)]
+    pub(crate) fn known_text(&self, axis: &Multiplier) -> [Formula; 2] {
+        let pieces = pieces(&self.members, Order::Position, axis, self.figures).into_iter();
+        let known: Vec<EquationTerm> = pieces.filter(|p| p.unknown.is_none()).collect();
+        [sum(&known).symbols(), in_figures(&known, self.figures)]
     }
 
     /// Returns the letter of the vector that the unknown sides add up to: the lecture's m, or
     /// another one if the scene uses m as the name of a vector or a link.
-    pub(in crate::report::working) fn diagonal(&self) -> &'static str {
+    pub(crate) fn diagonal(&self) -> &'static str {
         self.context.polygon.diagonal
     }
 
     /// Writes the components of the required sum of the unknown sides, m = -(known sides).
-    pub(in crate::report::working) fn write_m(&self, draft: &mut Draft) -> [Expression; 2] {
+    pub(crate) fn write_m(&self, draft: &mut Draft) -> [Expression; 2] {
         let f = self.figures;
         let m = -self.known;
-        let sizes = self.members.iter().map(|m| m.reading.r.abs());
-        let size = sizes.fold(0.0_f64, f64::max);
+        let size = longest(&self.members);
         let letter = self.diagonal();
-        let [x, y] = ["x", "y"].map(|axis| format!("{letter}{axis}"));
+        let [x, y] = ["x", "y"].map(|axis| Symbol::indexed(letter, axis));
         [(Multiplier::X, x, m.x), (Multiplier::Y, y, m.y)].map(|(axis, name, value)| {
             let [symbols, figures] = self.known_text(&axis);
-            let found = f.format_or_zero(value, size);
-            draft.page.equation([
-                name.clone(),
-                format!("-({symbols})"),
-                format!("-({figures})"),
-                format!("{found} {UNIT}{}", f.unit),
+            draft.equation([
+                name.clone().into(),
+                Formula::sign('-').then(symbols.in_brackets()),
+                Formula::sign('-').then(figures.in_brackets()),
+                f.length_or_zero(value, size),
             ]);
-            Expression::known(name, found, value)
+            f.rounded(name, value, size)
         })
     }
 
     /// Writes the length of a vector from its components, under a name, and returns it.
-    pub(in crate::report::working) fn write_length(
+    pub(crate) fn write_length(
         &self,
         draft: &mut Draft,
         name: &str,
         [x, y]: [&Expression; 2],
     ) -> f64 {
         let square = x.clone().squared() + y.clone().squared();
-        draft.found(name, &square.sqrt(), |size| length(self.figures, size))
+        draft.found(name, &square.sqrt(), |size| self.figures.length(size))
     }
 
     /// Returns an arm: its length, and the angle by which its direction leads the angle named after
     /// it.
-    pub(in crate::report::working) fn arm(&self, arm: &[Term]) -> DyadArm<'a> {
+    pub(crate) fn arm(&self, arm: &[Term]) -> DyadArm<'a> {
         match single(arm) {
             Some(term) => {
                 let member = self.member(term);
                 DyadArm {
                     side: self.context.polygon.sides.get(term.side),
-                    length: member.side.name.clone(),
+                    length: member.side.name.as_str().into(),
                     value: member.reading.r,
                     given: !member.side.stretches(),
                     theta: member.side.theta(),
@@ -149,20 +141,15 @@ impl<'a> Solution<'a> {
     /// Combines several sides that rotate together into one arm.
     fn composed(&self, arm: &[Term]) -> DyadArm<'a> {
         let members: Vec<LoopSide<'_>> = arm.iter().map(|&term| self.member(term)).collect();
-        let sum = members.iter().fold(Vec2::ZERO, |sum, m| {
-            let r = m.reading.vector();
-            sum + if m.reversed { -r } else { r }
-        });
+        let sum = members.iter().fold(Vec2::ZERO, |sum, m| sum + m.vector());
         let link = members.iter().find_map(|m| m.side.turns_with());
         let own = link.map_or(0.0, |link| self.context.state.angle(link));
-        let mut text = WrittenSum::default();
-        members
-            .iter()
-            .for_each(|m| text.push(m.reversed, &m.side.name));
+        let sides = members.iter();
+        let sides = sides.map(|m| Expression::symbol(m.side.name.as_str()).minus_if(m.reversed));
         let name = link.map_or("", |link| self.context.scene.link_name(link));
         DyadArm {
             side: None,
-            length: format!("|{}|", text.text()),
+            length: Expression::sum(sides).symbols().between(['|', '|']),
             value: sum.norm(),
             given: false,
             theta: symbols::theta(name),
@@ -172,7 +159,7 @@ impl<'a> Solution<'a> {
     }
 
     /// Returns the names of the start, the common joint and the end of a dyad's arms.
-    pub(in crate::report::working) fn joints(&self, first: &[Term], second: &[Term]) -> [&str; 3] {
+    pub(crate) fn joints(&self, first: &[Term], second: &[Term]) -> [&str; 3] {
         let ends = |term: &Term| self.context.polygon.ends(*term);
         let name = |end: Option<&'a str>| end.unwrap_or("");
         let p = first.first().map(|t| self.context.polygon.ends(*t).0);
@@ -182,11 +169,7 @@ impl<'a> Solution<'a> {
     }
 
     /// Returns the arms in the order in which the loop traverses them.
-    pub(in crate::report::working) fn in_order<'t>(
-        &self,
-        a: &'t [Term],
-        b: &'t [Term],
-    ) -> [Vec<Term>; 2] {
+    pub(crate) fn in_order<'t>(&self, a: &'t [Term], b: &'t [Term]) -> [Vec<Term>; 2] {
         let count = self.of.terms.len();
         let is_arm = |term: &Term| a.contains(term) || b.contains(term);
         let starts = (0..count).find(|&i| {
@@ -212,93 +195,84 @@ impl<'a> Solution<'a> {
     }
 
     /// Writes the angle of the link with which a side rotates, if that is not the side's own.
-    pub(in crate::report::working) fn write_link_angle(
-        &self,
-        draft: &mut Draft,
-        side: &Side,
-        theta: f64,
-        loss: f64,
-    ) {
+    pub(crate) fn write_link_angle(&self, draft: &mut Draft, side: &Side, theta: f64, loss: f64) {
         let (Turns::With(link, ahead), f) = (side.turns, self.figures) else {
             return;
         };
         if side.shape == SideShape::Link(link) {
             return;
         }
-        let symbol = symbols::theta(self.context.scene.link_name(link));
+        let symbol = self.context.theta(link);
         let computed = theta - ahead;
         draft.agree_angle(&symbol, computed, self.context.state.angle(link), loss);
-        draft.page.equation([
-            symbol,
-            format!("{} - {}", side.theta(), f.direction(ahead)),
-            turn(f, computed),
-        ]);
-    }
-
-    pub(in crate::report::working) fn longest(&self) -> f64 {
-        self.members
-            .iter()
-            .fold(0.0, |maximum, m| maximum.max(m.reading.r.abs()))
+        let difference =
+            Expression::symbol(side.theta()) - Expression::figure(f.direction(ahead), ahead);
+        draft.equation([symbol.into(), difference.symbols(), turn(f, computed)]);
     }
 }
 
 /// One arm of a dyad.
-pub(in crate::report::working) struct DyadArm<'a> {
+pub(crate) struct DyadArm<'a> {
     /// The side, if it is a single one.
-    pub(in crate::report::working) side: Option<&'a Side>,
+    pub(crate) side: Option<&'a Side>,
     /// The symbol of its length.
-    pub(in crate::report::working) length: String,
-    pub(in crate::report::working) value: f64,
-    pub(in crate::report::working) given: bool,
+    pub(crate) length: Formula,
+    pub(crate) value: f64,
+    pub(crate) given: bool,
     /// The symbol of the unknown angle.
-    pub(in crate::report::working) theta: String,
+    pub(crate) theta: Symbol,
     /// The angle, in degrees, by which the arm's direction along the loop leads the unknown angle.
-    pub(in crate::report::working) ahead: f64,
+    pub(crate) ahead: f64,
     /// The solver's angle.
-    pub(in crate::report::working) solved: f64,
+    pub(crate) solved: f64,
 }
 
 impl DyadArm<'_> {
-    pub(in crate::report::working) fn figure(&self, figures: Figures) -> String {
-        if self.given {
-            figures.given(self.value)
-        } else {
-            figures.number(self.value)
+    /// Returns the length.
+    pub(crate) fn expression(&self, figures: Figures) -> Expression {
+        let figure = match self.given {
+            true => figures.given(self.value),
+            false => figures.number(self.value),
+        };
+        Expression::known(self.length.clone(), figure, self.value)
+    }
+
+    /// Returns the unknown angle from the direction along the loop.
+    pub(crate) fn angle_of(&self, direction: Expression, figures: Figures) -> Expression {
+        match self.ahead {
+            0.0 => direction,
+            ahead => direction - Expression::figure(figures.angle(ahead), ahead),
         }
     }
 
     /// Returns the direction along the loop, in the solver's state.
-    pub(in crate::report::working) fn direction(&self) -> Vec2 {
+    pub(crate) fn direction(&self) -> Vec2 {
         angle::unit(self.solved + self.ahead)
     }
 }
 
-fn length(figures: Figures, value: f64) -> String {
-    format!("{} {UNIT}{}", figures.number(value), figures.unit)
-}
-
-pub(in crate::report::working) fn degrees(figures: Figures, value: f64) -> String {
-    format!("{} deg", figures.number(value))
+pub(crate) fn degrees(figures: Figures, value: f64) -> Formula {
+    Formula::measured(figures.number(value), "deg")
 }
 
 /// Formats a sum of angles as calculated, and from 0 to below 360 if that differs.
-pub(in crate::report::working) fn angle_sum(figures: Figures, value: f64) -> String {
-    let direction = figures.direction(value);
-    if (0.0..angle::TURN).contains(&value) {
-        format!("{direction} deg")
-    } else {
-        format!("{} deg = {direction} deg", figures.angle(value))
-    }
+pub(crate) fn angle_sum(figures: Figures, value: f64) -> Formula {
+    let is_direction = (0.0..angle::TURN).contains(&value);
+    both_angles(figures, value, (!is_direction).then_some(value))
 }
 
 /// Formats an angle as calculated, and from 0 to below 360 if that differs.
-pub(in crate::report::working) fn turn(figures: Figures, value: f64) -> String {
+pub(crate) fn turn(figures: Figures, value: f64) -> Formula {
     let half = angle::TURN / 2.0;
     let signed = angle::wrapped(value + half) - half;
-    let direction = figures.direction(value);
-    if signed < 0.0 {
-        format!("{} deg = {direction} deg", figures.angle(signed))
-    } else {
-        format!("{direction} deg")
+    both_angles(figures, value, (signed < 0.0).then_some(signed))
+}
+
+/// Formats an angle from 0 to below 360, after the one calculated if that differs.
+fn both_angles(figures: Figures, value: f64, calculated: Option<f64>) -> Formula {
+    let direction = Formula::measured(figures.direction(value), "deg");
+    match calculated {
+        None => direction,
+        Some(value) => Formula::measured(figures.angle(value), "deg").equals(direction),
     }
 }

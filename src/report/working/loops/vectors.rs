@@ -3,6 +3,7 @@
 
 use super::polygon::{Loop, Term};
 use super::sides::{Side, SideReading, SideShape};
+use crate::page::{Cell, Formula, Symbol};
 use crate::report::working::Working;
 use crate::report::working::context::Context;
 use crate::report::working::introduction::sum_text;
@@ -61,7 +62,7 @@ pub struct RelativeMotion {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VectorFigure {
     /// The symbol of the value.
-    pub symbol: String,
+    pub symbol: Symbol,
     /// The column of the value; for a vector without one, that of the link with which it rotates.
     pub column: String,
     /// The formatted value; `None` if it does not exist here.
@@ -74,31 +75,35 @@ pub struct VectorFigure {
 }
 
 impl VectorFigure {
-    /// Returns the text before the solution: a given value, `θ3 = ?`, or `from loop 1` for an
+    /// Returns the cell before the solution: a given value, `θ3 = ?`, or `from loop 1` for an
     /// unknown of another loop.
     #[must_use]
-    pub fn text_before(&self) -> String {
+    pub fn before(&self) -> Cell {
         match (&self.value, self.is_sought, self.found_by) {
-            (Some(value), false, _) => value.clone(),
-            (_, true, Some(number)) => words().found_by_loop(number),
+            (Some(value), false, _) => Cell::proved(value),
+            (_, true, Some(number)) => Cell::proved(words().found_by_loop(number)),
             _ => self.unknown(),
         }
     }
 
-    /// Returns the text of an unknown: `θ3 = ?`.
+    /// Returns the cell of an unknown: `θ3 = ?`.
     #[must_use]
-    pub fn unknown(&self) -> String {
-        format!("{} = ?", self.symbol)
+    pub fn unknown(&self) -> Cell {
+        self.equal_to(Formula::sign('?'))
     }
 
-    /// Returns the text after the solution: a given value, or `θ3 = 29.3794`.
+    /// Returns the cell after the solution: a given value, or `θ3 = 29.3794`.
     #[must_use]
-    pub fn text_after(&self) -> String {
+    pub fn after(&self) -> Cell {
         match (&self.value, self.is_sought) {
-            (Some(value), true) => format!("{} = {value}", self.symbol),
-            (None, true) => format!("{} = ?", self.symbol),
-            (_, false) => self.text_before(),
+            (Some(value), true) => self.equal_to(Formula::number(value)),
+            (None, true) => self.unknown(),
+            (_, false) => self.before(),
         }
+    }
+
+    fn equal_to(&self, value: Formula) -> Cell {
+        Cell::equation(Formula::from(&self.symbol).equals(value))
     }
 }
 
@@ -124,7 +129,7 @@ impl Working {
         let context = self.context(scene, solver, state, digits);
         let loops = self.polygon.loops.iter();
         let of = loops.map(|of| LoopVectors {
-            sum: sum_text(&context, of),
+            sum: sum_text(&context, of).to_string(),
             vectors: of
                 .terms
                 .iter()
@@ -143,7 +148,7 @@ fn vector(context: &Context<'_>, of: &Loop, term: Term) -> LoopVector {
         vector: context.has_positions().then(|| reading.vector()),
         is_reversed: term.reversed,
         is_driven: context.schedule.is_driven(side) || context.schedule.is_pushed(side),
-        theta: (reading.theta, side.theta()),
+        theta: (reading.theta, side.theta().to_string()),
         figures: [Order::Position, Order::Velocity, Order::Acceleration]
             .map(|order| figures(context, of, (side, reading), order)),
         motion: relative_motion(context, side, reading),
@@ -235,29 +240,20 @@ fn figures(
     ];
     let unknowns = groups.map(|group| group.is_some());
     let turner = side.turner(context.scene);
-    let (symbols, values, exists) = match order {
-        Order::Position => (
-            [side.name.clone(), side.theta()],
-            [reading.r, reading.theta],
-            context.has_positions(),
-        ),
-        Order::Velocity => (
-            [symbols::rate(&side.name), symbols::omega(turner)],
-            [reading.rate, reading.omega],
-            context.has_rates(),
-        ),
-        // Forces need no further values of a vector.
-        Order::Acceleration | Order::Force => (
-            [symbols::accel(&side.name), symbols::alpha(turner)],
-            [reading.accel, reading.alpha],
-            context.has_rates(),
-        ),
+    let (owner, exists) = match order {
+        Order::Position => (side.name.as_str(), context.has_positions()),
+        _ => (turner, context.has_rates()),
     };
+    let symbols = [
+        symbols::length(&side.name, order),
+        symbols::angle(owner, order),
+    ];
+    let values = [reading.length(order), reading.angle(order)];
     let f = context.figures;
     let is_direction = [false, order == Order::Position];
     let [length, angle] = symbols;
     let columns = columns(side, turner, order);
-    let figure = |k: usize, symbol: String| {
+    let figure = |k: usize, symbol: Symbol| {
         let value = match (is_direction[k], unknowns[k]) {
             (true, _) => f.direction(values[k]),
             (false, true) => f.number(values[k]),

@@ -4,8 +4,8 @@ use super::super::context::{Context, Draft};
 use super::super::loops::group_unknowns::{ProblemForm, Stage};
 use super::super::loops::solution::Solution;
 use super::initial_values::Guesses;
-use super::reduced::{ReducedLoop, figure};
-use crate::page::UNIT;
+use super::reduced::{ReducedLoop, figure, function_of};
+use crate::page::Formula;
 use crate::report::error_text;
 use crate::study::{Bisection, UnknownKind};
 use crate::wording::words;
@@ -20,11 +20,11 @@ pub(super) fn halve(
 ) -> Option<Vec<f64>> {
     let solution = Solution::new(context, stage).filter(|_| has_form(stage));
     let Some(solution) = solution else {
-        draft.page.text(reason_against(stage));
+        draft.text(reason_against(stage));
         return None;
     };
     if !context.has_positions() && !solution.is_known() {
-        draft.page.text(words().not_without_groups_before());
+        draft.text(words().not_without_groups_before());
         return None;
     }
     let reduced = solution.reduced(draft, stage)?;
@@ -32,7 +32,7 @@ pub(super) fn halve(
     let others = stage.unknowns.iter();
     let mut others = others.filter(|unknown| **unknown != reduced.unknown);
     if others.any(|unknown| guesses.given_values(*unknown).is_some()) {
-        draft.page.text(words().guess_of_removed(&reduced.symbol));
+        draft.text(words().guess_of_removed(&reduced.symbol));
     }
     let [a, b] = start_interval(&reduced, guesses);
     let size = match reduced.kind {
@@ -42,24 +42,17 @@ pub(super) fn halve(
     let places = i32::try_from(f.digits).unwrap_or(i32::MAX);
     let finest = size * 10.0_f64.powi(-places);
     let halved = Bisection::of(a, b, finest, |x| reduced.value(x));
-    let unit = match reduced.kind {
-        UnknownKind::Angle => "deg",
-        UnknownKind::Length => f.unit,
-    };
-    let [from, to] = [a, b].map(|v| format!("{} {UNIT}{unit}", f.angle(v)));
+    let unit = f.unit_of(reduced.kind);
+    let [from, to] = [a, b].map(|v| Formula::measured(f.angle(v), unit));
     let largest = context.longest.powi(2);
-    let [low, high] = halved
-        .ends
-        .map(|v| format!("{} {UNIT}{}^2", f.format_or_zero(v, largest), f.unit));
+    let [low, high] = halved.ends.map(|v| f.area_or_zero(v, largest));
     let is_said = guesses.given_values(reduced.unknown).is_some();
     if !is_said {
-        draft.page.text(describe_minimum(context, &reduced));
+        draft.text(describe_minimum(context, &reduced));
     }
-    draft
-        .page
-        .text(words().between_ends(&reduced.symbol, &from, &to));
-    draft.page.equation([format!("f({from})"), low]);
-    draft.page.equation([format!("f({to})"), high]);
+    draft.text(words().between_ends(&reduced.symbol, &from, &to));
+    draft.equation([function_of(from), low]);
+    draft.equation([function_of(to), high]);
     if let (Some(right), false) = (reduced.right, is_said)
         && reduced.are_one(right)
     {
@@ -67,7 +60,7 @@ pub(super) fn halve(
         return None;
     }
     if halved.root().is_none() {
-        draft.page.text(words().no_change_of_sign());
+        draft.text(words().no_change_of_sign());
         return None;
     }
     let finest = f.angle(finest);
@@ -76,8 +69,8 @@ pub(super) fn halve(
         true => finest.as_str(),
         false => finest.trim_end_matches('0'),
     };
-    let finest = format!("{finest} {UNIT}{unit}");
-    draft.page.text(words().halved_until(&finest));
+    let finest = format!("{finest} {unit}");
+    draft.text(words().halved_until(&finest));
     table(draft, context, &reduced, &halved, unit);
     conclude(context, draft, &reduced, &halved);
     let longest = context.longest;
@@ -89,7 +82,7 @@ pub(super) fn halve(
 }
 
 /// Describes the minimum of f, with a root on either side.
-fn describe_minimum(context: &Context<'_>, reduced: &ReducedLoop<'_>) -> String {
+fn describe_minimum(context: &Context<'_>, reduced: &ReducedLoop) -> String {
     let [middle, _] = reduced.interval(None);
     let (f, symbol) = (context.figures, &reduced.symbol);
     match reduced.along {
@@ -102,29 +95,24 @@ fn describe_minimum(context: &Context<'_>, reduced: &ReducedLoop<'_>) -> String 
 fn write_end_root(
     context: &Context<'_>,
     draft: &mut Draft,
-    reduced: &ReducedLoop<'_>,
+    reduced: &ReducedLoop,
     [a, b]: [f64; 2],
 ) {
     let (root, name) = match reduced.value(a).abs() <= reduced.value(b).abs() {
         true => (a, "a"),
         false => (b, "b"),
     };
-    draft.page.text(words().root_at_an_end(name));
+    draft.text(words().root_at_an_end(name));
     write_root(context, draft, reduced, root);
-    draft.page.text(words().assemblies_are_one());
+    draft.text(words().assemblies_are_one());
 }
 
-fn write_root(context: &Context<'_>, draft: &mut Draft, reduced: &ReducedLoop<'_>, root: f64) {
+fn write_root(context: &Context<'_>, draft: &mut Draft, reduced: &ReducedLoop, root: f64) {
     let f = context.figures;
-    let (symbol, follows) = reduced.follows(root);
-    draft
-        .page
-        .equation([reduced.symbol.clone(), figure(f, reduced.kind, root)]);
-    draft.page.equation([
-        symbol.to_owned(),
-        reduced.formula.clone(),
-        figure(f, UnknownKind::Angle, follows),
-    ]);
+    draft.equation([reduced.symbol.clone().into(), figure(f, reduced.kind, root)]);
+    let (symbol, formula) = &reduced.other;
+    let follows = figure(f, UnknownKind::Angle, reduced.follows(root));
+    draft.equation([symbol.into(), formula.symbols(), follows]);
 }
 
 fn has_form(stage: &Stage) -> bool {
@@ -142,7 +130,7 @@ fn reason_against(stage: &Stage) -> String {
 }
 
 /// Returns the given interval, the one around a given value, or the one that contains the assembly.
-fn start_interval(reduced: &ReducedLoop<'_>, guesses: &Guesses) -> [f64; 2] {
+fn start_interval(reduced: &ReducedLoop, guesses: &Guesses) -> [f64; 2] {
     match guesses.given_values(reduced.unknown) {
         None => reduced.interval(reduced.right),
         Some([from, to]) if from == to => {
@@ -156,7 +144,7 @@ fn start_interval(reduced: &ReducedLoop<'_>, guesses: &Guesses) -> [f64; 2] {
 fn table(
     draft: &mut Draft,
     context: &Context<'_>,
-    reduced: &ReducedLoop<'_>,
+    reduced: &ReducedLoop,
     halved: &Bisection,
     unit: &str,
 ) {
@@ -176,30 +164,23 @@ fn table(
 }
 
 /// Writes the root, the other unknown that follows from it, and the assembly.
-fn conclude(
-    context: &Context<'_>,
-    draft: &mut Draft,
-    reduced: &ReducedLoop<'_>,
-    halved: &Bisection,
-) {
+fn conclude(context: &Context<'_>, draft: &mut Draft, reduced: &ReducedLoop, halved: &Bisection) {
     let (f, Some(root)) = (context.figures, halved.root()) else {
         return;
     };
-    draft
-        .page
-        .text(words().halved(halved.halvings.len().saturating_sub(1)));
+    draft.text(words().halved(halved.halvings.len().saturating_sub(1)));
     write_root(context, draft, reduced, root);
     let Some(right) = reduced.right else {
         return;
     };
     if reduced.are_one(right) {
-        draft.page.text(words().assemblies_are_one());
+        draft.text(words().assemblies_are_one());
         return;
     }
     let is_right = reduced.is_same_side(root, right);
     let [from, to] = reduced.interval(Some(2.0 * reduced.middle - root));
     let [from, to] = [from, to].map(|v| figure(f, reduced.kind, v));
-    draft.page.text(match is_right {
+    draft.text(match is_right {
         true => words().holds_the_assembly(&from, &to),
         false => words().holds_the_other(&from, &to),
     });

@@ -1,31 +1,31 @@
 //! Writes the construction with compass and ruler, step by step, and the values read from it.
 
 use super::super::context::{Context, Draft};
+use super::super::equations::LoopSide;
 use super::super::loops::group_unknowns::{ProblemForm, Stage};
 use super::super::loops::polygon::{Loop, Term};
 use super::super::loops::solution::Solution;
 use super::drawing_scale::{DrawingSheet, read_off};
 use super::{groups_with_unknowns, heading};
+use crate::page::Symbol;
 use crate::wording::words;
 use crate::{Vec2, angle};
 
 /// Writes the steps of a drawing on one sheet.
 pub(super) fn construct(context: &Context<'_>, draft: &mut Draft) {
     if !context.has_positions() {
-        draft.page.text(words().no_assembly_to_draw());
+        draft.text(words().no_assembly_to_draw());
         return;
     }
     let sheet = DrawingSheet::of(context);
-    draft.page.text(words().scale_of_sheet(&sheet.scale()));
+    draft.text(words().scale_of_sheet(&sheet.scale()));
     let drawing = Construction { context, sheet };
     drawing.given(draft);
     for stage in groups_with_unknowns(context) {
-        draft.page.section(heading(context, stage));
+        draft.section(heading(context, stage));
         match Solution::new(context, stage) {
             Some(solution) => drawing.group(draft, stage, &solution),
-            None => draft
-                .page
-                .text(words().not_by_compass(stage.unknowns.len())),
+            None => draft.text(words().not_by_compass(stage.unknowns.len())),
         }
     }
 }
@@ -48,7 +48,7 @@ struct TwoIntersections<'a> {
 }
 
 /// A value read from the drawing: symbol, value, unit and uncertainty.
-type Reading<'a> = (&'a str, f64, &'a str, f64);
+type Reading<'a> = (Symbol, f64, &'a str, f64);
 
 impl Construction<'_> {
     /// Writes the points known at the start: those of the ground, and those placed by the driver.
@@ -70,7 +70,7 @@ impl Construction<'_> {
             Some(self.place(name, self.context.state.position(point), String::new()))
         });
         let rows: Vec<[String; 6]> = rows.collect();
-        draft.page.text(words().points_to_begin_with());
+        draft.text(words().points_to_begin_with());
         self.places(draft, rows);
     }
 
@@ -104,9 +104,7 @@ impl Construction<'_> {
             ProblemForm::Swing(arm, slide) => self.along_a_pin(draft, solution, arm, *slide),
             ProblemForm::Guides(a, b) => self.two_lines(draft, solution, *a, *b),
             ProblemForm::Nothing | ProblemForm::Sum(_) | ProblemForm::System => {
-                draft
-                    .page
-                    .text(words().not_by_compass(stage.unknowns.len()));
+                draft.text(words().not_by_compass(stage.unknowns.len()));
             }
         }
     }
@@ -128,9 +126,7 @@ impl Construction<'_> {
         let m = -solution.known;
         for (centre, arm) in [(p, &one), (q, &two)] {
             let radius = self.both(arm.value);
-            draft
-                .page
-                .text(words().draw_a_circle(centre, &arm.length, &radius));
+            draft.text(words().draw_a_circle(centre, &arm.length, &radius));
         }
         let (along, across) = (
             (at - from).dot(m) / m.norm2(),
@@ -145,10 +141,10 @@ impl Construction<'_> {
         };
         let blur = self.cross(draft, &crossing);
         let turned = |arm: f64| (blur / arm).to_degrees();
-        let (theta, other) = (one.theta.as_str(), two.theta.as_str());
+        let [theta, other] = [&one, &two].map(|arm| arm.theta.clone());
         self.read(
             draft,
-            &[
+            [
                 (theta, angle::wrapped(one.solved), "deg", turned(one.value)),
                 (other, angle::wrapped(two.solved), "deg", turned(two.value)),
             ],
@@ -177,13 +173,9 @@ impl Construction<'_> {
         let centre = if is_arm_first { from } else { at + rod };
         let theta = member.side.theta();
         let direction = self.context.figures.direction(member.reading.theta);
-        draft
-            .page
-            .text(words().draw_a_line(through, &theta, &direction));
+        draft.text(words().draw_a_line(through, &theta, &direction));
         let radius = self.both(own.value);
-        draft
-            .page
-            .text(words().draw_a_circle(pivot, &own.length, &radius));
+        draft.text(words().draw_a_circle(pivot, &own.length, &radius));
         let u = member.reading.u;
         let foot = at + u * u.dot(centre - at);
         let crossing = TwoIntersections {
@@ -193,13 +185,13 @@ impl Construction<'_> {
             sine: u.dot(own.direction()),
         };
         let blur = self.cross(draft, &crossing);
-        let (name, unit) = (member.side.name.as_str(), self.context.figures.unit);
+        let (name, unit) = (member.side.name.as_str().into(), self.context.figures.unit);
         let turned = (blur / own.value).to_degrees();
         self.read(
             draft,
-            &[
+            [
                 (name, member.reading.r, unit, blur),
-                (&own.theta, angle::wrapped(own.solved), "deg", turned),
+                (own.theta, angle::wrapped(own.solved), "deg", turned),
             ],
         );
     }
@@ -218,26 +210,22 @@ impl Construction<'_> {
         let m = solution.known.norm();
         let [t, e] = solution.side_components(arm, slide, m);
         if e == 0.0 {
-            draft.page.text(words().draw_through(p, q));
+            draft.text(words().draw_through(p, q));
         } else {
-            draft
-                .page
-                .text(words().draw_a_tangent(p, q, &self.both(e.abs())));
+            draft.text(words().draw_a_tangent(p, q, &self.both(e.abs())));
         }
         if t != 0.0 {
             let name = &member.side.name;
-            draft
-                .page
-                .text(words().leave_out_beyond(name, &self.both(t.abs())));
+            draft.text(words().leave_out_beyond(name, &self.both(t.abs())));
         }
         let blur = self.sheet.blur(1.0);
-        let (name, unit) = (member.side.name.as_str(), self.context.figures.unit);
+        let (name, unit) = (member.side.name.as_str().into(), self.context.figures.unit);
         let theta = member.side.theta();
         self.read(
             draft,
-            &[
+            [
                 (name, member.reading.r, unit, blur),
-                (&theta, member.reading.theta, "deg", (blur / m).to_degrees()),
+                (theta, member.reading.theta, "deg", (blur / m).to_degrees()),
             ],
         );
     }
@@ -251,20 +239,19 @@ impl Construction<'_> {
         let ends = if is_a_first { [p, q] } else { [q, p] };
         for (through, side) in ends.into_iter().zip(&sides) {
             let direction = self.context.figures.direction(side.reading.theta);
-            draft
-                .page
-                .text(words().draw_a_line(through, &side.side.theta(), &direction));
+            draft.text(words().draw_a_line(through, &side.side.theta(), &direction));
         }
         let sine = sides[0].reading.u.cross(sides[1].reading.u);
         let blur = self.sheet.blur(sine);
-        draft.page.text(words().lines_meet_in(x));
+        draft.text(words().lines_meet_in(x));
         let unit = self.context.figures.unit;
-        let reading = |side: &super::super::equations::LoopSide<'_>| side.reading.r;
+        let reading = |side: &LoopSide<'_>| side.reading.r;
+        let name = |side: &LoopSide<'_>| Symbol::named(&side.side.name);
         self.read(
             draft,
-            &[
-                (&sides[0].side.name, reading(&sides[0]), unit, blur),
-                (&sides[1].side.name, reading(&sides[1]), unit, blur),
+            [
+                (name(&sides[0]), reading(&sides[0]), unit, blur),
+                (name(&sides[1]), reading(&sides[1]), unit, blur),
             ],
         );
     }
@@ -273,11 +260,11 @@ impl Construction<'_> {
     fn cross(&self, draft: &mut Draft, of: &TwoIntersections<'_>) -> f64 {
         let blur = self.sheet.blur(of.sine);
         if of.sine.abs() <= TANGENT_TOLERANCE {
-            draft.page.text(words().they_touch_in(of.name));
+            draft.text(words().they_touch_in(of.name));
             self.places(draft, vec![self.place(of.name, of.assembly, String::new())]);
             return f64::INFINITY;
         }
-        draft.page.text(words().they_meet_in_two());
+        draft.text(words().they_meet_in_two());
         let rows = vec![
             self.place(of.name, of.assembly, words().the_assembly().into()),
             self.place(
@@ -291,23 +278,21 @@ impl Construction<'_> {
         let [degrees, _] = read_off(degrees, 0.5);
         let [_, off] = read_off(0.0, blur);
         let (name, unit) = (of.name, self.context.figures.unit);
-        draft
-            .page
-            .text(words().they_cross_at(&degrees, name, &off, unit));
+        draft.text(words().they_cross_at(&degrees, name, &off, unit));
         blur
     }
 
     /// Writes the unknowns, exact and as read from the drawing.
-    fn read(&self, draft: &mut Draft, readings: &[Reading<'_>]) {
-        draft.page.text(words().read_off_sheet());
+    fn read(&self, draft: &mut Draft, readings: [Reading<'_>; 2]) {
+        draft.text(words().read_off_sheet());
         let f = self.context.figures;
-        let rows = readings.iter().map(|&(symbol, value, unit, blur)| {
+        let rows = readings.into_iter().map(|(symbol, value, unit, blur)| {
             let exact = match unit {
                 "deg" => f.direction(value),
                 _ => f.number(value),
             };
             let [read, off] = read_off(value, blur);
-            [symbol.to_owned(), unit.to_owned(), read, off, exact]
+            [symbol.to_string(), unit.to_owned(), read, off, exact]
         });
         let head = [
             words().sought_here(),

@@ -5,10 +5,9 @@ use super::super::context::Context;
 use super::super::loops::group_unknowns::LoopUnknown;
 use super::super::loops::sides::{Side, SideShape, Turns};
 use super::PositionMethod;
-use super::problem::{kind, name};
+use super::problem::kind;
 use crate::expression::plain_unit;
 use crate::nearest::did_you_mean;
-use crate::page::UNIT;
 use crate::scene::{Unit, with_point};
 use crate::solver::{Order, Workspace};
 use crate::study::UnknownKind;
@@ -282,13 +281,10 @@ fn unknown_names(context: &Context<'_>) -> String {
 pub(super) fn format_unknowns(context: &Context<'_>, values: &[(LoopUnknown, f64)]) -> String {
     let f = context.figures;
     let one = |&(unknown, value): &(LoopUnknown, f64)| {
-        let unit = match kind(unknown) {
-            UnknownKind::Angle => "deg",
-            UnknownKind::Length => f.unit,
-        };
+        let unit = f.unit_of(kind(unknown));
         format!(
-            "{} = {} {UNIT}{unit}",
-            name(context, unknown),
+            "{} = {} {unit}",
+            context.symbol(unknown, Order::Position),
             f.angle(value)
         )
     };

@@ -66,8 +66,8 @@ impl Working {
         let mut draft = Draft::default();
         introduction::heading(&context, &mut draft);
         introduction::polygons(&context, &mut draft);
-        draft.page.part(method.title());
-        draft.page.text(method.how());
+        draft.part(method.title());
+        draft.text(method.how());
         Ok(method.work(&context, draft, &guesses))
     }
 
@@ -85,7 +85,7 @@ impl Working {
         let context = self.context(scene, solver, state, digits);
         let guesses = Guesses::new(&context, method, guesses)?;
         let mut draft = Draft::default();
-        draft.page.part(method.title());
+        draft.part(method.title());
         Ok(method.work(&context, draft, &guesses))
     }
 }
@@ -139,7 +139,7 @@ impl PositionMethod {
         }
         let mut curves = Vec::new();
         for stage in groups_with_unknowns(context) {
-            draft.page.section(heading(context, stage));
+            draft.section(heading(context, stage));
             let errors = match self {
                 PositionMethod::Bisection => bisection::halve(context, &mut draft, stage, guesses),
                 _ => newton::iterate(context, &mut draft, stage, guesses),
@@ -148,7 +148,7 @@ impl PositionMethod {
             curves.extend(errors.map(|errors| ErrorCurve { mark, errors }));
         }
         if groups_with_unknowns(context).next().is_none() {
-            draft.page.text(words().nothing_sought());
+            draft.text(words().nothing_sought());
         }
         let page = draft.page;
         WorkedMethod { page, curves }

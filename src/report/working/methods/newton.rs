@@ -1,14 +1,13 @@
 //! Writes the table of Newton-Raphson iterations.
 
 use super::super::context::{Context, Draft};
-use super::super::equations::{Multiplier, in_figures, in_symbols};
+use super::super::equations::{Multiplier, in_figures, pieces, sum};
 use super::super::loops::group_unknowns::Stage;
-use super::super::positions::pieces;
 use super::initial_values::{Guesses, format_unknowns};
 use super::problem::{LoopProblem, kind};
-use crate::page::Head;
+use crate::page::{Head, Symbol};
 use crate::report::error_text;
-use crate::solver::Condition;
+use crate::solver::{Condition, Order};
 use crate::study::{NewtonIteration, NewtonOutcome, NewtonTrace, UnknownKind};
 use crate::wording::words;
 
@@ -29,12 +28,12 @@ pub(super) fn iterate(
     guesses: &Guesses,
 ) -> Option<Vec<f64>> {
     let Some(problem) = LoopProblem::of(context, stage) else {
-        draft.page.text(words().not_without_groups_before());
+        draft.text(words().not_without_groups_before());
         return None;
     };
     if !problem.system.is_square() {
         let (equations, unknowns) = (2 * problem.system.loops.len(), problem.names.len());
-        draft.page.text(words().not_square(equations, unknowns));
+        draft.text(words().not_square(equations, unknowns));
         return None;
     }
     let start = stage.unknowns.iter().map(|&u| (u, guesses.one(context, u)));
@@ -45,7 +44,7 @@ pub(super) fn iterate(
         .unknowns
         .iter()
         .any(|&u| guesses.given_values(u).is_some());
-    draft.page.text(match is_said {
+    draft.text(match is_said {
         true => words().begins_at_guess(&format_unknowns(context, &start)),
         false => words().begins_at_start(&format_unknowns(context, &start)),
     });
@@ -62,7 +61,7 @@ pub(super) fn iterate(
         table.sizes(draft);
         table.first_matrix(draft);
     }
-    draft.page.text(table.ends());
+    draft.text(table.ends());
     let errors = trace.iterations.iter().filter_map(|i| i.error);
     let errors: Vec<f64> = errors.collect();
     (!errors.is_empty()).then_some(errors)
@@ -92,15 +91,14 @@ struct IterationTable<'a> {
 
 impl IterationTable<'_> {
     fn unit(&self, index: usize) -> &'static str {
-        match self.problem.system.kinds[index] {
-            UnknownKind::Angle => "deg",
-            UnknownKind::Length => self.context.figures.unit,
-        }
+        self.context
+            .figures
+            .unit_of(self.problem.system.kinds[index])
     }
 
     /// Returns the names of the functions: `fx` and `fy`, or `f1x`, `f1y`, `f2x` with several
     /// loops.
-    fn functions(&self) -> Vec<String> {
+    fn functions(&self) -> Vec<Symbol> {
         let loops = self.problem.system.loops.len();
         let of = |number: usize| {
             let number = if loops == 1 {
@@ -108,7 +106,7 @@ impl IterationTable<'_> {
             } else {
                 (number + 1).to_string()
             };
-            ["x", "y"].map(|axis| format!("f{number}{axis}"))
+            ["x", "y"].map(|axis| Symbol::indexed("f", format!("{number}{axis}")))
         };
         (0..loops).flat_map(of).collect()
     }
@@ -120,12 +118,14 @@ impl IterationTable<'_> {
                 .context
                 .members(&self.context.polygon.loops[number], stage);
             for axis in [Multiplier::X, Multiplier::Y] {
-                let pieces = pieces(&members, &axis, self.context.figures);
-                let symbols = in_symbols(&pieces);
+                let pieces = pieces(&members, Order::Position, &axis, self.context.figures);
+                let symbols = sum(&pieces).symbols();
                 let figures = in_figures(&pieces, self.context.figures);
-                draft
-                    .page
-                    .equation([functions.next().unwrap_or_default(), symbols, figures]);
+                draft.equation([
+                    functions.next().unwrap_or_default().into(),
+                    symbols,
+                    figures,
+                ]);
             }
         }
     }
@@ -160,9 +160,13 @@ impl IterationTable<'_> {
         };
         let names = || self.problem.names.iter().enumerate();
         let unit = self.context.figures.unit;
-        let values = names().map(|(i, name)| head(name.clone(), self.unit(i)));
+        let values = names().map(|(i, name)| head(name.to_string(), self.unit(i)));
         let mut headers: Vec<Head> = values.collect();
-        headers.extend(self.functions().into_iter().map(|f| head(f, unit)));
+        headers.extend(
+            self.functions()
+                .into_iter()
+                .map(|f| head(f.to_string(), unit)),
+        );
         headers.extend(names().map(|(i, name)| head(format!("d{name}"), self.unit(i))));
         headers.push(head(words().error_of_iteration().into(), ""));
         let row = |(k, i): (usize, &NewtonIteration)| {
@@ -179,9 +183,7 @@ impl IterationTable<'_> {
 
     /// Writes the matrix of every iteration in one line, in the scene's unit and per rad.
     fn matrices(&self, draft: &mut Draft) {
-        draft
-            .page
-            .text(words().jacobians(self.context.figures.unit));
+        draft.text(words().jacobians(self.context.figures.unit));
         let mut head = vec!["k".to_owned()];
         for function in self.functions() {
             let names = self.problem.names.iter();
@@ -232,14 +234,15 @@ impl IterationTable<'_> {
     fn first_matrix(&self, draft: &mut Draft) {
         let (n, f) = (self.problem.names.len(), self.context.figures);
         if n > MAX_COLUMNS {
-            draft.page.text(words().jacobian_too_large(n));
+            draft.text(words().jacobian_too_large(n));
             return;
         }
         let Some(first) = self.trace.iterations.first() else {
             return;
         };
-        draft.page.text(words().first_jacobian(f.unit));
-        let head = std::iter::once("J".to_owned()).chain(self.problem.names.iter().cloned());
+        draft.text(words().first_jacobian(f.unit));
+        let head =
+            std::iter::once("J".to_owned()).chain(self.problem.names.iter().map(Symbol::to_string));
         let rows = first
             .jacobian
             .chunks(n)
@@ -247,7 +250,7 @@ impl IterationTable<'_> {
             .map(|(row, name)| {
                 let size = row.iter().fold(0.0_f64, |maximum, v| maximum.max(v.abs()));
                 let cells = row.iter().map(|&v| f.format_or_zero(v, size));
-                std::iter::once(name).chain(cells).collect()
+                std::iter::once(name.to_string()).chain(cells).collect()
             });
         draft.wide_table(head.collect(), rows.collect());
     }

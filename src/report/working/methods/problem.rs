@@ -3,15 +3,16 @@
 use super::super::context::Context;
 use super::super::loops::group_unknowns::{LoopUnknown, Stage};
 use super::super::loops::sides::{Side, SideShape, Turns};
-use super::super::symbols;
 use crate::angle;
+use crate::page::Symbol;
+use crate::solver::Order;
 use crate::study::{LoopSum, LoopSystem, UnknownKind, UnknownVector, VectorPart};
 
 /// The equations of a group's loops.
 pub(super) struct LoopProblem {
     pub(super) system: LoopSystem,
     /// The symbols of the unknowns.
-    pub(super) names: Vec<String>,
+    pub(super) names: Vec<Symbol>,
     /// The solver's values, if there is an assembly.
     pub(super) right: Option<Vec<f64>>,
 }
@@ -30,7 +31,10 @@ impl LoopProblem {
             kinds: kinds.collect(),
             longest: context.longest,
         };
-        let names = stage.unknowns.iter().map(|&u| name(context, u));
+        let names = stage
+            .unknowns
+            .iter()
+            .map(|&u| context.symbol(u, Order::Position));
         let right = stage.unknowns.iter().map(|&u| right(context, u));
         Some(LoopProblem {
             system,
@@ -42,21 +46,10 @@ impl LoopProblem {
     }
 }
 
-pub(in crate::report::working) fn kind(unknown: LoopUnknown) -> UnknownKind {
+pub(crate) fn kind(unknown: LoopUnknown) -> UnknownKind {
     match unknown {
         LoopUnknown::Angle(_) | LoopUnknown::Direction(_) => UnknownKind::Angle,
         LoopUnknown::Travel(_) | LoopUnknown::Length(_) => UnknownKind::Length,
-    }
-}
-
-/// Returns the symbol of an unknown.
-pub(super) fn name(context: &Context<'_>, unknown: LoopUnknown) -> String {
-    let side = |side: usize| context.polygon.sides.get(side);
-    match unknown {
-        LoopUnknown::Angle(link) => symbols::theta(context.scene.link_name(link)),
-        LoopUnknown::Travel(slide) => context.scene.slide_name(slide).to_owned(),
-        LoopUnknown::Length(of) => side(of).map_or_else(String::new, |side| side.name.clone()),
-        LoopUnknown::Direction(of) => side(of).map_or_else(String::new, Side::theta),
     }
 }
 
@@ -94,7 +87,7 @@ fn sum(context: &Context<'_>, stage: &Stage, number: usize) -> Option<LoopSum> {
             (true, _) => return None,
         };
         if member.sought == [false, false] {
-            sum.known += member.reading.vector() * sign;
+            sum.known += member.vector();
         } else {
             sum.sought.push(UnknownVector {
                 sign,

@@ -8,10 +8,10 @@ use super::super::loops::group_unknowns::{LoopUnknown, ProblemForm, Stage};
 use super::super::loops::polygon::Term;
 use super::super::loops::sides::{SideShape, Turns};
 use super::super::loops::solution::{DyadArm, Solution};
-use crate::page::UNIT;
+use crate::angle;
+use crate::page::{Formula, Symbol};
 use crate::study::{UnknownKind, half_turn};
 use crate::wording::words;
-use crate::{Vec2, angle};
 
 /// Maximum distance of two roots, relative to half a turn or to the reach, that counts as one
 /// double root split by rounding errors.
@@ -19,8 +19,8 @@ const IN_LINE: f64 = 1e-6;
 
 /// An equation f(x) = 0 with a root on either side of x = `middle`, at most `reach` away; x is in
 /// degrees, or in the scene's unit.
-pub(super) struct ReducedLoop<'a> {
-    pub(super) symbol: String,
+pub(super) struct ReducedLoop {
+    pub(super) symbol: Symbol,
     pub(super) unknown: LoopUnknown,
     pub(super) kind: UnknownKind,
     /// The value of x at which the unknown is 0.
@@ -32,79 +32,25 @@ pub(super) struct ReducedLoop<'a> {
     pub(super) right: Option<f64>,
     /// The vector along which the arm lies at the middle, if x is an angle.
     pub(super) along: Option<&'static str>,
-    /// The formula of the other unknown, in terms of x.
-    pub(super) formula: String,
-    reduction: ReductionKind<'a>,
+    /// The other unknown, an angle, and its formula in terms of x.
+    pub(super) other: (Symbol, Expression),
+    /// f in terms of x.
+    function: Expression,
 }
 
 /// Factor of the interval's width. An arm along the guide itself has its root at its full length,
 /// so the interval must extend farther.
 const INTERVAL_FACTOR: f64 = 1.5;
 
-enum ReductionKind<'a> {
-    /// |m - a u(x)|^2 - b^2, with the angle of b.
-    Turn {
-        m: Vec2,
-        a: DyadArm<'a>,
-        b: DyadArm<'a>,
-    },
-    /// |K + x u|^2 - a^2 along a guide of known direction, with the angle of a.
-    Along {
-        known: Vec2,
-        u: Vec2,
-        arm: DyadArm<'a>,
-    },
-    /// (x + t)^2 + e^2 - m^2 along a guide that rotates with x, with its angle.
-    Reach {
-        m: Vec2,
-        sign: f64,
-        t: f64,
-        e: f64,
-        theta: String,
-    },
-}
-
-impl ReducedLoop<'_> {
+impl ReducedLoop {
     /// Returns f(x).
     pub(super) fn value(&self, x: f64) -> f64 {
-        match &self.reduction {
-            ReductionKind::Turn { m, a, b } => {
-                (*m - angle::unit(x + a.ahead) * a.value).norm2() - b.value * b.value
-            }
-            ReductionKind::Along { known, u, arm } => {
-                (*known + *u * x).norm2() - arm.value * arm.value
-            }
-            ReductionKind::Reach { m, sign, t, e, .. } => {
-                (sign * x + t) * (sign * x + t) + e * e - m.norm2()
-            }
-        }
+        self.function.at(x)
     }
 
-    /// Returns the other unknown for a given x: the symbol of an angle, and its value in degrees.
-    pub(super) fn follows(&self, x: f64) -> (&str, f64) {
-        match &self.reduction {
-            ReductionKind::Turn { m, a, b } => {
-                let rest = *m - angle::unit(x + a.ahead) * a.value;
-                (&b.theta, angle::wrapped(angle::degrees(rest) - b.ahead))
-            }
-            ReductionKind::Along { known, u, arm } => {
-                let rest = -(*known + *u * x);
-                (&arm.theta, angle::wrapped(angle::degrees(rest) - arm.ahead))
-            }
-            ReductionKind::Reach {
-                m,
-                sign,
-                t,
-                e,
-                theta,
-            } => {
-                let own = Vec2::new(sign * x + t, *e);
-                (
-                    theta,
-                    angle::wrapped(angle::degrees(*m) - angle::degrees(own)),
-                )
-            }
-        }
+    /// Returns the other unknown for a given x, in degrees.
+    pub(super) fn follows(&self, x: f64) -> f64 {
+        angle::wrapped(self.other.1.at(x))
     }
 
     /// Returns `true` if x and `other` are on the same side of the middle.
@@ -155,9 +101,9 @@ impl ReducedLoop<'_> {
     }
 }
 
-impl<'a> Solution<'a> {
+impl Solution<'_> {
     /// Writes the loop as one equation and returns it; `None` if it has no such form.
-    pub(super) fn reduced(&self, draft: &mut Draft, stage: &Stage) -> Option<ReducedLoop<'a>> {
+    pub(super) fn reduced(&self, draft: &mut Draft, stage: &Stage) -> Option<ReducedLoop> {
         match &stage.form {
             ProblemForm::Triangle(a, b) => self.reduced_turn(draft, a, b),
             ProblemForm::Quadratic(arm, slide) => self.reduced_along(draft, arm, *slide),
@@ -169,38 +115,28 @@ impl<'a> Solution<'a> {
         }
     }
 
-    fn reduced_turn(&self, draft: &mut Draft, a: &[Term], b: &[Term]) -> Option<ReducedLoop<'a>> {
+    fn reduced_turn(&self, draft: &mut Draft, a: &[Term], b: &[Term]) -> Option<ReducedLoop> {
         let f = self.figures;
         let [first, second] = self.in_order(a, b);
         let [p, x, q] = self.joints(&first, &second);
         let (link, ahead) = turning(self.context, &first)?;
         let (one, two) = (self.arm(&first), self.arm(&second));
-        draft
-            .page
-            .text(words().with_m_between(self.diagonal(), p, q, x));
-        let _ = self.write_m(draft);
+        draft.text(words().with_m_between(self.diagonal(), p, q, x));
+        let [mx, my] = self.write_m(draft);
+        let theta = || Expression::symbol(one.theta.clone());
         let at = match one.ahead {
-            0.0 => one.theta.clone(),
-            more => format!("{} + {}", one.theta, f.angle(more)),
+            0.0 => theta(),
+            more => theta() + Expression::figure(f.angle(more), more),
         };
-        let m = self.diagonal();
-        let part =
-            |axis: &str, function: &str| format!("({m}{axis} - {} {function}({at}))^2", one.length);
-        let symbols = format!(
-            "{} + {} - {}^2",
-            part("x", "cos"),
-            part("y", "sin"),
-            two.length
-        );
-        draft.page.equation([format!("f({})", one.theta), symbols]);
-        let rest =
-            |axis: &str, function: &str| format!("{m}{axis} - {} {function}({at})", one.length);
-        let formula = format!("atan2({}, {})", rest("y", "sin"), rest("x", "cos"));
-        let along = Some(m);
+        let arm = Expression::unknown(one.length.clone(), one.value);
+        let [cos, sin] = at.cos_and_sin();
+        let (x, y) = (mx - arm.clone() * cos, my - arm * sin);
+        let function = write_function(draft, theta(), [&x, &y], &two);
         let m = -self.known;
         Some(ReducedLoop {
-            along,
-            formula: less(f, formula, two.ahead),
+            along: Some(self.diagonal()),
+            other: (two.theta.clone(), two.angle_of(Expression::atan2(y, x), f)),
+            function,
             symbol: one.theta.clone(),
             unknown: LoopUnknown::Angle(link),
             kind: UnknownKind::Angle,
@@ -208,62 +144,45 @@ impl<'a> Solution<'a> {
             middle: angle::wrapped(angle::degrees(m) - one.ahead),
             reach: angle::TURN / 2.0,
             right: self.context.has_positions().then_some(one.solved),
-            reduction: ReductionKind::Turn { m, a: one, b: two },
         })
     }
 
-    fn reduced_along(
-        &self,
-        draft: &mut Draft,
-        arm: &[Term],
-        slide: Term,
-    ) -> Option<ReducedLoop<'a>> {
+    fn reduced_along(&self, draft: &mut Draft, arm: &[Term], slide: Term) -> Option<ReducedLoop> {
         let member = self.member(slide);
         let SideShape::Slide(id) = member.side.shape else {
             return None;
         };
         let arm = self.arm(arm);
         let name = &member.side.name;
-        let theta = member.side.theta();
-        let plus = if slide.reversed { "-" } else { "+" };
+        let theta = Expression::symbol(member.side.theta());
         let size = self.known.norm().max(arm.value);
-        draft.page.text(words().known_sides_are_k());
+        draft.text(words().known_sides_are_k());
         self.write_known(draft, size);
-        let part = |k: &str, function: &str| format!("({k} {plus} {name} {function}({theta}))^2");
-        let symbols = format!(
-            "{} + {} - {}^2",
-            part("Kx", "cos"),
-            part("Ky", "sin"),
-            arm.length
-        );
-        draft.page.equation([format!("f({name})"), symbols]);
-        let u = member.reading.u * if slide.reversed { -1.0 } else { 1.0 };
-        let rest = |k: &str, function: &str| format!("-({k} {plus} {name} {function}({theta}))");
-        let formula = format!("atan2({}, {})", rest("Ky", "sin"), rest("Kx", "cos"));
+        let r = || Expression::symbol(name.as_str());
+        let [cos, sin] = theta.cos_and_sin();
+        let (k, u) = (self.known, member.reading.u);
+        let parts = [("x", k.x, cos, u.x), ("y", k.y, sin, u.y)];
+        let [x, y] = parts.map(|(axis, k, part, value)| {
+            let along = r() * Expression::unknown(part.symbols(), value);
+            Expression::unknown(Symbol::indexed("K", axis), k) + along.minus_if(slide.reversed)
+        });
+        let function = write_function(draft, r(), [&x, &y], &arm);
+        let formula = Expression::atan2(-y, -x);
         Some(ReducedLoop {
             along: None,
-            formula: less(self.figures, formula, arm.ahead),
-            symbol: name.clone(),
+            other: (arm.theta.clone(), arm.angle_of(formula, self.figures)),
+            function,
+            symbol: name.as_str().into(),
             unknown: LoopUnknown::Travel(id),
             kind: UnknownKind::Length,
             ahead: 0.0,
-            middle: -self.known.dot(u),
+            middle: if slide.reversed { k.dot(u) } else { -k.dot(u) },
             reach: INTERVAL_FACTOR * arm.value,
             right: self.context.has_positions().then_some(member.reading.r),
-            reduction: ReductionKind::Along {
-                known: self.known,
-                u,
-                arm,
-            },
         })
     }
 
-    fn reduced_reach(
-        &self,
-        draft: &mut Draft,
-        arm: &[Term],
-        slide: Term,
-    ) -> Option<ReducedLoop<'a>> {
+    fn reduced_reach(&self, draft: &mut Draft, arm: &[Term], slide: Term) -> Option<ReducedLoop> {
         let (f, member) = (self.figures, self.member(slide));
         let SideShape::Slide(id) = member.side.shape else {
             return None;
@@ -273,57 +192,60 @@ impl<'a> Solution<'a> {
         let [t, e] = self.side_components(arm, slide, size);
         let sign = if slide.reversed { -1.0 } else { 1.0 };
         let name = &member.side.name;
-        let written = |symbol, v: f64| Expression::known(symbol, f.format_or_zero(v, size), v);
-        let mut along =
-            Expression::known(name.as_str(), name.clone(), f64::NAN).minus_if(slide.reversed);
+        let t_of = Expression::unknown("t", t);
+        let e_of = Expression::unknown("e", e);
+        let mut along = Expression::symbol(name.as_str()).minus_if(slide.reversed);
         if t != 0.0 || e != 0.0 {
             let [t, e] = [t, e].map(|v| f.format_or_zero(v, size));
-            draft.page.text(words().others_turn_with(name, &t, &e));
-            along = along + written("t", 0.0);
+            draft.text(words().others_turn_with(name, &t, &e));
+            along = along + t_of.clone();
         }
         let square = along.squared();
         let square = match e {
             0.0 => square,
-            e => square + written("e", e).squared(),
+            _ => square + e_of.clone().squared(),
         };
-        let complete = square - written(self.diagonal(), size).squared();
-        draft
-            .page
-            .equation([format!("f({name})"), complete.symbols()]);
-        let m = self.diagonal();
+        let m = Formula::from(self.diagonal()).power("2");
+        let function = square - Expression::unknown(m, self.known.norm2());
+        draft.equation([function_of(name.as_str()), function.symbols()]);
+        let r = Expression::symbol(name.as_str());
         let [left, ahead] = match (t == 0.0 && e == 0.0, slide.reversed) {
-            (true, false) => ["0".to_owned(), name.clone()],
-            (true, true) => ["0".to_owned(), format!("-{name}")],
-            (false, false) => ["e".to_owned(), format!("{name} + t")],
-            (false, true) => ["e".to_owned(), format!("t - {name}")],
+            (true, is_reversed) => [Expression::Number(0.0), r.minus_if(is_reversed)],
+            (false, false) => [e_of, r + t_of],
+            (false, true) => [e_of, t_of - r],
         };
+        let formula = Expression::atan2(my, mx) - Expression::atan2(left, ahead);
         Some(ReducedLoop {
             along: None,
-            formula: format!("atan2({m}y, {m}x) - atan2({left}, {ahead})"),
-            symbol: name.clone(),
+            other: (member.side.theta(), formula),
+            function,
+            symbol: name.as_str().into(),
             unknown: LoopUnknown::Travel(id),
             kind: UnknownKind::Length,
             ahead: 0.0,
             middle: -sign * t,
             reach: INTERVAL_FACTOR * size,
             right: self.context.has_positions().then_some(member.reading.r),
-            reduction: ReductionKind::Reach {
-                m: -self.known,
-                sign,
-                t,
-                e,
-                theta: member.side.theta(),
-            },
         })
     }
 }
 
-/// Formats a direction minus the angle by which the arm leads the angle named after it.
-fn less(figures: Figures, direction: String, ahead: f64) -> String {
-    match ahead {
-        0.0 => direction,
-        ahead => format!("{direction} - {}", figures.angle(ahead)),
-    }
+/// Writes f, the difference of the squared distance of these components and an arm.
+fn write_function(
+    draft: &mut Draft,
+    of: Expression,
+    [x, y]: [&Expression; 2],
+    arm: &DyadArm<'_>,
+) -> Expression {
+    let length = Expression::unknown(arm.length.clone(), arm.value);
+    let function = x.clone().squared() + y.clone().squared() - length.squared();
+    draft.equation([function_of(of.symbols()), function.symbols()]);
+    function
+}
+
+/// Returns the function f of a formula.
+pub(super) fn function_of(of: impl Into<Formula>) -> Formula {
+    Formula::from("f").then(of.into().in_brackets())
 }
 
 /// Returns the link with which the sides of an arm rotate, and the angle by which the first side
@@ -336,9 +258,9 @@ fn turning(context: &Context<'_>, arm: &[Term]) -> Option<(crate::LinkId, f64)> 
 }
 
 /// Formats a value: an angle within a turn, or a length.
-pub(super) fn figure(figures: Figures, kind: UnknownKind, value: f64) -> String {
+pub(super) fn figure(figures: Figures, kind: UnknownKind, value: f64) -> Formula {
     match kind {
-        UnknownKind::Angle => format!("{} deg", figures.direction(value)),
-        UnknownKind::Length => format!("{} {UNIT}{}", figures.number(value), figures.unit),
+        UnknownKind::Angle => Formula::measured(figures.direction(value), "deg"),
+        UnknownKind::Length => figures.length(value),
     }
 }

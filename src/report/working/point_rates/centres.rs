@@ -1,6 +1,7 @@
 //! Finds the instant centre of every moving link: a pivot, the intersection of two lines by
 //! Kennedy's theorem, or from the velocity of a point.
 
+use crate::page::Symbol;
 use crate::report::working::Working;
 use crate::report::working::context::Context;
 use crate::report::working::loops::sides::Turns;
@@ -31,7 +32,7 @@ pub struct InstantCentre {
 
 /// The position of an instant centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::report::working) enum CentrePlace {
+pub(crate) enum CentrePlace {
     At(Vec2),
     /// At infinity in this direction and the opposite one.
     Far(Vec2),
@@ -41,7 +42,7 @@ pub(in crate::report::working) enum CentrePlace {
 
 /// The construction of an instant centre.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::report::working) enum CentreBasis {
+pub(crate) enum CentreBasis {
     /// A pivot on the ground.
     Pivot(PointId),
     /// The link cannot rotate.
@@ -54,7 +55,7 @@ pub(in crate::report::working) enum CentreBasis {
 
 /// A line through a joint, perpendicular to its velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::report::working) struct CentreLine {
+pub(crate) struct CentreLine {
     pub joint: PointId,
     /// The other link of the joint, and its centre. `None` if the joint slides along a guide of the
     /// ground, or if the other centre is at infinity.
@@ -65,7 +66,7 @@ pub(in crate::report::working) struct CentreLine {
 
 /// The instant centre of a link.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::report::working) struct LinkCentre {
+pub(crate) struct LinkCentre {
     pub link: LinkId,
     pub place: CentrePlace,
     pub basis: CentreBasis,
@@ -85,7 +86,7 @@ impl Working {
     ) -> Vec<InstantCentre> {
         let context = self.context(scene, solver, state, 1);
         let drawn = |centre: LinkCentre| InstantCentre {
-            symbol: symbol(&context, centre.link),
+            symbol: symbol(&context, centre.link).to_string(),
             at: match centre.place {
                 CentrePlace::At(at) => Some(at),
                 CentrePlace::Far(_) | CentrePlace::Rest => None,
@@ -108,27 +109,17 @@ impl Working {
 }
 
 /// Returns the symbol of a link's instant centre, such as `I_r3`.
-pub(in crate::report::working) fn symbol(context: &Context<'_>, link: LinkId) -> String {
-    format!("I_{}", context.scene.link_name(link))
+pub(crate) fn symbol(context: &Context<'_>, link: LinkId) -> Symbol {
+    Symbol::separate("I", context.scene.link_name(link))
 }
 
 /// Returns the symbol of a point's coordinate, such as `xB`.
-pub(in crate::report::working) fn coordinate(
-    context: &Context<'_>,
-    axis: &str,
-    point: PointId,
-) -> String {
+pub(crate) fn coordinate(context: &Context<'_>, axis: &str, point: PointId) -> Symbol {
     of_point(axis, context.scene.point_name(point).unwrap_or_default())
 }
 
-/// Returns the length of the longest vector, which determines the rounding errors of positions.
-pub(in crate::report::working) fn longest(context: &Context<'_>) -> f64 {
-    let lengths = context.readings.iter().map(|reading| reading.r.abs());
-    lengths.fold(0.0, f64::max)
-}
-
 /// Returns the centres of all links, in solution order.
-pub(in crate::report::working) fn centres(context: &Context<'_>) -> Vec<LinkCentre> {
+pub(crate) fn centres(context: &Context<'_>) -> Vec<LinkCentre> {
     if !context.has_rates() || !(context.fastest[0] > 0.0) {
         return Vec::new();
     }
@@ -142,7 +133,6 @@ pub(in crate::report::working) fn centres(context: &Context<'_>) -> Vec<LinkCent
 /// The state of the search for instant centres.
 struct CentreFinder<'a> {
     context: &'a Context<'a>,
-    longest: f64,
     /// The position of every point in the solution order.
     places: Vec<usize>,
     /// The guides of the ground along which every point slides.
@@ -164,7 +154,6 @@ impl<'a> CentreFinder<'a> {
         }
         CentreFinder {
             context,
-            longest: longest(context),
             places: super::points::places(context),
             guides,
             found: Vec::new(),
@@ -201,7 +190,7 @@ impl<'a> CentreFinder<'a> {
     fn centre(&self, link: LinkId) -> LinkCentre {
         let (context, state) = (self.context, self.context.state);
         let omega = state.omega(link);
-        let turning = omega.abs() * self.longest / context.fastest[0];
+        let turning = omega.abs() * self.context.longest / context.fastest[0];
         let of = |place, basis| LinkCentre {
             link,
             place,
@@ -260,7 +249,7 @@ impl<'a> CentreFinder<'a> {
                     CentrePlace::Rest => continue,
                 };
                 let distance = u.norm();
-                if distance > LOSS * self.longest {
+                if distance > LOSS * self.context.longest {
                     lines.push(CentreLine {
                         through,
                         ..along(u / distance)
@@ -280,7 +269,7 @@ fn pivot(context: &Context<'_>, link: LinkId) -> Option<PointId> {
 }
 
 /// Returns the named points of a link.
-pub(in crate::report::working) fn named<'c>(
+pub(crate) fn named<'c>(
     context: &'c Context<'_>,
     link: LinkId,
 ) -> impl Iterator<Item = PointId> + 'c {
@@ -318,7 +307,7 @@ fn crossing<'l>(context: &Context<'_>, lines: &'l [CentreLine]) -> Option<(Vec2,
 
 impl CentreLine {
     /// Returns the direction in degrees.
-    pub(in crate::report::working) fn degrees(&self) -> f64 {
+    pub(crate) fn degrees(&self) -> f64 {
         angle::degrees(self.u)
     }
 }

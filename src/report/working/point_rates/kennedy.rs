@@ -2,29 +2,28 @@
 //! them.
 
 use super::centres::{
-    CentreBasis, CentreLine, CentrePlace, LinkCentre, centres, coordinate, longest, named, symbol,
+    CentreBasis, CentreLine, CentrePlace, LinkCentre, centres, coordinate, named, symbol,
 };
-use crate::page::UNIT;
+use crate::page::Formula;
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::expression::{Expression, Function};
 use crate::report::working::figures::Figures;
-use crate::report::working::symbols::{self, of_point};
+use crate::report::working::symbols::{self, of_point, part_of_point};
 use crate::wording::words;
 use crate::{LinkId, PointId, Vec2, angle};
 
 /// Writes the centre of every link: the construction of those that need one, then a table.
-pub(in crate::report::working) fn instant_centres(context: &Context<'_>, draft: &mut Draft) {
+pub(crate) fn instant_centres(context: &Context<'_>, draft: &mut Draft) {
     let centres = centres(context);
     if centres.is_empty() {
         return;
     }
-    draft.page.part(words().instant_centres());
-    draft.page.text(words().instant_centre_is());
+    draft.part(words().instant_centres());
+    draft.text(words().instant_centre_is());
     let joints = joints(context);
     if !joints.is_empty() {
-        draft.page.text(words().common_centres(&joints.join("; ")));
+        draft.text(words().common_centres(&joints.join("; ")));
     }
-    let size = longest(context);
     let mechanism = &context.scene.mechanism;
     let mut pivots = vec![None; mechanism.links().len()];
     for centre in &centres {
@@ -38,11 +37,10 @@ pub(in crate::report::working) fn instant_centres(context: &Context<'_>, draft: 
             centre,
             figures: figures(context, centre),
             pivots: &pivots,
-            size,
         };
         text.write(draft);
     }
-    table(context, draft, &centres, size);
+    table(context, draft, &centres);
 }
 
 /// Lists every joint of two moving links, as in `r2, r3: B`.
@@ -69,7 +67,8 @@ fn figures(context: &Context<'_>, centre: &LinkCentre) -> Figures {
 }
 
 /// Writes the table of all centres.
-fn table(context: &Context<'_>, draft: &mut Draft, centres: &[LinkCentre], size: f64) {
+fn table(context: &Context<'_>, draft: &mut Draft, centres: &[LinkCentre]) {
+    let size = context.longest;
     let rows = centres.iter().map(|centre| {
         let f = figures(context, centre);
         let [x, y] = match centre.place {
@@ -80,11 +79,16 @@ fn table(context: &Context<'_>, draft: &mut Draft, centres: &[LinkCentre], size:
             }
             CentrePlace::Rest => ["-".to_owned(), "-".to_owned()],
         };
-        [symbol(context, centre.link), x, y]
+        [symbol(context, centre.link).to_string(), x, y]
     });
     let unit = context.figures.unit;
     let (x, y) = (format!("x [{unit}]"), format!("y [{unit}]"));
     draft.table([words().instant_centre(), &x, &y], rows.collect());
+}
+
+/// Returns the magnitude of a formula, between bars.
+fn size_of(of: Formula) -> Formula {
+    of.between(['|', '|'])
 }
 
 struct CentreDescription<'a> {
@@ -93,8 +97,6 @@ struct CentreDescription<'a> {
     figures: Figures,
     /// The pivot on the ground of every link that has one.
     pivots: &'a [Option<PointId>],
-    /// The length of the longest vector.
-    size: f64,
 }
 
 impl CentreDescription<'_> {
@@ -111,12 +113,10 @@ impl CentreDescription<'_> {
         if matches!(self.centre.basis, CentreBasis::Pivot(_)) {
             return;
         }
-        let name = symbol(self.context, self.centre.link);
-        draft
-            .page
-            .section(words().centre_of_link(&name, self.link_name()));
+        let name = symbol(self.context, self.centre.link).to_string();
+        draft.section(words().centre_of_link(&name, self.link_name()));
         match (self.centre.place, &self.centre.basis) {
-            (CentrePlace::Rest, _) => draft.page.text(words().link_is_at_rest(self.link_name())),
+            (CentrePlace::Rest, _) => draft.text(words().link_is_at_rest(self.link_name())),
             (CentrePlace::Far(u), basis) => self.far(draft, u, basis),
             (CentrePlace::At(at), CentreBasis::Lines(lines)) => self.crossing(draft, at, lines),
             (CentrePlace::At(at), CentreBasis::Velocity(base)) => self.moved(draft, at, *base),
@@ -129,7 +129,7 @@ impl CentreDescription<'_> {
         let name = self.link_name();
         let direction = self.context.figures.direction(angle::degrees(u));
         let is_guided = *basis == CentreBasis::Guided;
-        draft.page.text(match is_guided {
+        draft.text(match is_guided {
             true => words().centre_of_guided(name, &direction),
             false => words().centre_far(name, &direction),
         });
@@ -144,7 +144,7 @@ impl CentreDescription<'_> {
         for point in points {
             let other = state.velocity(point);
             let symbol = of_point("v", self.point_name(point));
-            draft.agree(&symbol, (v - other).norm(), 0.0, self.context.fastest[0]);
+            draft.agree(symbol, (v - other).norm(), 0.0, self.context.fastest[0]);
         }
     }
 
@@ -161,7 +161,7 @@ impl CentreDescription<'_> {
     fn centre_name(&self, link: LinkId) -> String {
         match self.pivots[link.index()] {
             Some(pivot) => self.point_name(pivot).to_owned(),
-            None => symbol(self.context, link),
+            None => symbol(self.context, link).to_string(),
         }
     }
 
@@ -169,23 +169,25 @@ impl CentreDescription<'_> {
     fn coordinate(&self, axis: &str, point: PointId) -> Expression {
         let at = self.context.state.position(point);
         let value = if axis == "x" { at.x } else { at.y };
-        let figure = self.context.figures.format_or_zero(value, self.size);
+        let figure = self
+            .context
+            .figures
+            .format_or_zero(value, self.context.longest);
         Expression::known(coordinate(self.context, axis, point), figure, value)
     }
 
     /// Writes the intersection of two lines, and the angular velocity that follows.
     fn crossing(&self, draft: &mut Draft, solved: Vec2, lines: &[CentreLine; 2]) {
         let (f, context) = (self.figures, self.context);
-        let name = symbol(context, self.centre.link);
+        let name = symbol(context, self.centre.link).to_string();
         let [one, other] = lines.each_ref().map(|line| self.line(line));
-        draft.page.text(words().on_two_lines(&name, &one, &other));
+        draft.text(words().on_two_lines(&name, &one, &other));
         self.write_uncertainty(draft);
         let [p, q] = lines.map(|line| line.joint);
         let [beta, gamma] = [("β", &lines[0]), ("γ", &lines[1])].map(|(symbol, line)| {
             let figure = context.figures.direction(line.degrees());
-            draft
-                .page
-                .equation([symbol.to_owned(), format!("{figure} deg")]);
+            let degrees = Formula::measured(&figure, "deg");
+            draft.equation([symbol.into(), degrees]);
             Expression::known(symbol, figure, line.degrees())
         });
         let of = |function, angle: &Expression| Expression::of(function, [angle.clone()]);
@@ -193,16 +195,12 @@ impl CentreDescription<'_> {
         let above =
             distance("x") * of(Function::Sin, &gamma) - distance("y") * of(Function::Cos, &gamma);
         let t = above / of(Function::Sin, &(gamma.clone() - beta.clone()));
-        let size = self.size;
-        let t = draft.worked("t", &t, |t| {
-            format!("{} {UNIT}{}", f.format_or_zero(t, size), f.unit)
-        });
-        let known = || Expression::known("t", f.format_or_zero(t, size), t);
+        let size = self.context.longest;
+        let t = draft.worked("t", &t, |t| f.length_or_zero(t, size));
+        let known = || f.rounded("t", t, size);
         let at = [("x", Function::Cos), ("y", Function::Sin)].map(|(axis, function)| {
             let sum = self.coordinate(axis, p) + known() * of(function, &beta);
-            draft.worked(axis, &sum, |v| {
-                format!("{} {UNIT}{}", f.format_or_zero(v, size), f.unit)
-            })
+            draft.worked(axis, &sum, |v| f.length_or_zero(v, size))
         });
         let sine = lines[0].u.cross(lines[1].u).abs();
         let loss = 1.0 / sine + self.centre.loss / f64::EPSILON;
@@ -225,14 +223,13 @@ impl CentreDescription<'_> {
             .context
             .figures
             .format_or_zero(v, self.context.fastest[0]);
-        let quotient = Expression::known(speed, figure, v)
-            / Expression::known("|t|", f.number(t.abs()), t.abs());
-        let symbol = format!("|{}|", symbols::omega(self.link_name()));
-        let computed = draft.worked(&symbol, &quotient, |w| {
-            format!("{} {UNIT}rad/s", f.number(w))
-        });
+        let quotient =
+            Expression::known(speed, figure, v) / f.computed(size_of("t".into()), t.abs());
+        let symbol = size_of(symbols::omega(self.link_name()).into());
+        let rate = |w| Formula::measured(f.number(w), "rad/s");
+        let computed = draft.worked(symbol.clone(), &quotient, rate);
         let size = w.abs() * loss / t.abs() + self.context.fastest[0] / t.abs();
-        draft.agree(&symbol, computed, w.abs(), size);
+        draft.agree(symbol, computed, w.abs(), size);
     }
 
     /// Writes the centre from the velocity of one point, if no two lines are known.
@@ -240,28 +237,22 @@ impl CentreDescription<'_> {
         let (f, context) = (self.figures, self.context);
         let (name, point) = (symbol(context, self.centre.link), self.point_name(base));
         let omega = symbols::omega(self.link_name());
-        draft
-            .page
-            .text(words().centre_by_velocity(&name, point, &omega));
+        draft.text(words().centre_by_velocity(&name, point, &omega));
         self.write_uncertainty(draft);
         let (v, w) = (
             context.state.velocity(base),
             context.state.omega(self.centre.link),
         );
-        let w = Expression::known(omega, context.figures.number(w), w);
+        let w = context.figures.computed(omega, w);
         let part = |axis: &str, value: f64| {
-            let symbol = of_point("v", point);
-            let between = if point.len() <= 2 { "" } else { "_" };
             let figure = context.figures.format_or_zero(value, context.fastest[0]);
-            Expression::known(format!("{symbol}{between}{axis}"), figure, value)
+            Expression::known(part_of_point("v", point, axis), figure, value)
         };
         let x = self.coordinate("x", base) - part("y", v.y) / w.clone();
         let y = self.coordinate("y", base) + part("x", v.x) / w;
-        let size = self.size;
+        let size = self.context.longest;
         for (symbol, sum) in [("x", x), ("y", y)] {
-            draft.worked(symbol, &sum, |v| {
-                format!("{} {UNIT}{}", f.format_or_zero(v, size), f.unit)
-            });
+            draft.worked(symbol, &sum, |v| f.length_or_zero(v, size));
         }
         let far = size + (at - context.state.position(base)).norm();
         let loss = 1.0 + self.centre.loss / f64::EPSILON;
@@ -271,9 +262,7 @@ impl CentreDescription<'_> {
     fn write_uncertainty(&self, draft: &mut Draft) {
         if self.figures.digits < self.context.figures.digits {
             let digits = self.figures.digits;
-            draft
-                .page
-                .text(words().centre_is_blurred(self.link_name(), digits));
+            draft.text(words().centre_is_blurred(self.link_name(), digits));
         }
     }
 
@@ -283,24 +272,20 @@ impl CentreDescription<'_> {
         let w = state.omega(self.centre.link);
         let name = symbol(self.context, self.centre.link);
         let unit = f.length_unit(1);
-        let size = self.size;
+        let size = self.context.longest;
         for point in named(self.context, self.centre.link).filter(|&point| point != text) {
             let point_name = self.point_name(point);
             let distance = (state.position(point) - at).norm();
-            let omega = symbols::omega(self.link_name());
-            let arm = Expression::known(
-                format!("|{point_name} - {name}|"),
-                f.format_or_zero(distance, size),
-                distance,
-            );
-            let turning = Expression::known(format!("|{omega}|"), f.number(w.abs()), w.abs());
+            let omega = size_of(symbols::omega(self.link_name()).into());
+            let between = Expression::symbol(point_name) - Expression::symbol(name.clone());
+            let arm = f.rounded(size_of(between.symbols()), distance, size);
+            let turning = f.computed(omega, w.abs());
             let v = state.velocity(point);
             let fast = self.context.fastest[0];
             let symbol = of_point("v", point_name);
-            let computed = draft.worked(&symbol, &(turning * arm), |v| {
-                format!("{} {UNIT}{unit}", f.format_or_zero(v, fast))
-            });
-            draft.agree(&symbol, computed, v.norm(), w.abs() * loss + fast);
+            let speed = |v| Formula::measured(f.format_or_zero(v, fast), &unit);
+            let computed = draft.worked(symbol.clone(), &(turning * arm), speed);
+            draft.agree(symbol, computed, v.norm(), w.abs() * loss + fast);
         }
     }
 }

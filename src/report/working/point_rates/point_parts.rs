@@ -1,6 +1,6 @@
 //! Velocities and accelerations of points with their components, for vector diagrams.
 
-use super::points::{PointBasis, earliest, places, seat};
+use super::points::{PointBasis, arm, earliest, places, seat};
 use crate::report::working::Working;
 use crate::report::working::context::Context;
 use crate::report::working::symbols::of_point;
@@ -57,7 +57,7 @@ impl Working {
                 .then_some((point, name))
         });
         let motion = |(point, name): (PointId, &str)| PointMotion {
-            symbols: ["v", "a"].map(|figure| of_point(figure, name)),
+            symbols: ["v", "a"].map(|figure| of_point(figure, name).to_string()),
             is_centre: mechanism.links().iter().any(|link| link.com == Some(point)),
             velocity: context.state.velocity(point),
             acceleration: context.state.acceleration(point),
@@ -86,12 +86,16 @@ fn parts(context: &Context<'_>, places: &[usize], point: PointId) -> Vec<PointPa
         .collect()
 }
 
-fn about(context: &Context<'_>, link: LinkId, base: PointId, point: PointId) -> Option<PointParts> {
+/// Returns the motion of a point of a link relative to another one.
+pub(super) fn about(
+    context: &Context<'_>,
+    link: LinkId,
+    base: PointId,
+    point: PointId,
+) -> Option<PointParts> {
     let mechanism = &context.scene.mechanism;
-    let of = mechanism.link(link);
-    let arm = of.local(point)? - of.local(base)?;
     let state = context.state;
-    let e = arm.turned(state.direction(link));
+    let e = arm(mechanism, link, base, point)?.turned(state.direction(link));
     let (w, alpha) = (state.omega(link), state.alpha(link));
     let is_fixed = mechanism.point(base).ground.is_some();
     let name = context.scene.point_name(base).filter(|_| !is_fixed);

@@ -1,9 +1,9 @@
 //! A link of a group with its forces, known and unknown.
 
 use super::super::context::{Context, Draft};
-use super::super::figures::WrittenSum;
+use super::super::expression::Expression;
 use super::super::free_bodies::free_body::BodyForce;
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
 use crate::wording::words;
 use crate::{LinkId, Vec2};
 
@@ -25,7 +25,7 @@ pub(super) struct KnownSum {
 
 /// The kind of sum over the forces on a link.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum BalanceKind {
+pub(crate) enum BalanceKind {
     /// Moments about a point, in N m.
     About(Vec2),
     /// Forces along a unit vector, in N.
@@ -34,7 +34,7 @@ pub(super) enum BalanceKind {
 
 impl BalanceKind {
     /// Returns the contribution of a force.
-    pub(super) fn of(self, context: &Context<'_>, row: &BodyForce) -> f64 {
+    pub(crate) fn of(self, context: &Context<'_>, row: &BodyForce) -> f64 {
         match self {
             BalanceKind::About(position) => {
                 let metres = context.scene.mechanism.metres();
@@ -87,53 +87,45 @@ pub(super) fn write_known(
     context: &Context<'_>,
     draft: &mut Draft,
     (link, given): (LinkId, &[&BodyForce]),
-    (symbol, reckoning): (&str, BalanceKind),
+    (symbol, reckoning): (&Symbol, BalanceKind),
     about: &str,
 ) -> KnownSum {
     let f = context.figures;
     let sum = known(context, given.iter().copied(), reckoning);
-    table(context, draft, (link, given), (reckoning, sum.size), about);
-    let mut written = WrittenSum::default();
-    let mut terms = 0;
-    for row in given {
-        let figure = f.format_or_zero(reckoning.of(context, row), sum.size);
-        if figure != "0" {
-            written.push_figure(&figure);
-            terms += 1;
-        }
+    if !given.is_empty() {
+        let title = words().known_on(context.scene.link_name(link));
+        let contributions = (reckoning, sum.size, about);
+        table(context, draft, title, given.iter().copied(), contributions);
     }
-    let value = format!(
-        "{} {UNIT}{}",
-        f.format_or_zero(sum.value, sum.size),
-        reckoning.unit()
-    );
-    match terms {
-        0 | 1 => draft.page.equation([symbol.to_owned(), value]),
-        _ => draft
-            .page
-            .equation([symbol.to_owned(), written.text(), value]),
+    let terms = given.iter().map(|row| reckoning.of(context, row));
+    let terms = f.sum(terms, sum.size);
+    let value = f.format_or_zero(sum.value, sum.size);
+    let mut sides = vec![symbol.clone().into()];
+    // A single term equals its value.
+    if let Expression::Sum(_) = terms {
+        sides.push(terms.numbers());
     }
+    sides.push(Formula::measured(value, reckoning.unit()));
+    draft.equation(sides);
     sum
 }
 
-/// Writes the table of forces on a link, with their contributions to a sum.
-fn table(
+/// Writes a table of forces, with their contributions to a sum, whose terms have this magnitude.
+pub(crate) fn table<'a>(
     context: &Context<'_>,
     draft: &mut Draft,
-    (link, given): (LinkId, &[&BodyForce]),
-    (reckoning, size): (BalanceKind, f64),
-    about: &str,
+    title: String,
+    forces: impl Iterator<Item = &'a BodyForce> + Clone,
+    (reckoning, size, about): (BalanceKind, f64, &str),
 ) {
-    if given.is_empty() {
-        return;
-    }
     let f = context.figures;
-    let largest = given.iter().map(|row| row.force.norm()).fold(0.0, f64::max);
+    let largest = forces.clone().map(|row| row.force.norm());
+    let largest = largest.fold(0.0, f64::max);
     let place = match reckoning {
         BalanceKind::About(place) => Some(place),
         BalanceKind::Along(_) => None,
     };
-    let row = |row: &&BodyForce| {
+    let row = |row: &BodyForce| {
         let mut cells = vec![
             row.name.clone(),
             f.format_or_zero(row.force.x, largest),
@@ -149,11 +141,10 @@ fn table(
         cells.push(f.format_or_zero(reckoning.of(context, row), size));
         cells
     };
-    let name = context.scene.link_name(link);
-    let mut head = vec![words().known_on(name), "fx [N]".into(), "fy [N]".into()];
+    let mut head = vec![title, "fx [N]".into(), "fy [N]".into()];
     if place.is_some() {
         head.extend(["x", "y"].map(|axis| format!("{axis} [{}]", f.unit)));
     }
     head.push(about.to_owned());
-    draft.wide_table(head, given.iter().map(row).collect());
+    draft.wide_table(head, forces.map(row).collect());
 }

@@ -3,7 +3,7 @@
 //!
 //! Inertia is treated as a load, -m a at the centre of mass and -I α, so that every sum is 0.
 
-mod body;
+pub(super) mod body;
 mod reduced;
 mod system;
 
@@ -20,13 +20,13 @@ use body::GroupBody;
 pub(super) fn reactions(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
     let count = context.solver.plan().groups.len();
     let groups: Vec<String> = (0..count).rev().map(|k| context.group_text(k)).collect();
-    draft.page.text(words().order_of_groups(&groups.join("; ")));
+    draft.text(words().order_of_groups(&groups.join("; ")));
     for number in (0..count).rev() {
         let ranks = Ranks { context, number };
         let Some(bodies) = ranks.bodies(acted).filter(|bodies| !bodies.is_empty()) else {
             continue;
         };
-        draft.page.section(context.group_text(number));
+        draft.section(context.group_text(number));
         if !reduced::write(context, draft, &bodies) {
             system::write(context, draft, &bodies);
         }
@@ -172,11 +172,9 @@ pub(super) fn inertia(context: &Context<'_>, id: LinkId) -> Option<BodyForce> {
     });
     let couple = -link.inertia * state.alpha(id);
     let is_any = force != Vec2::ZERO || couple != 0.0;
+    let at = link.com.map(|com| state.position(com));
     is_any.then(|| BodyForce {
-        name: words().inertia().into(),
-        force,
-        at: link.com.map(|com| state.position(com)),
         couple,
-        joint: None,
+        ..BodyForce::load(words().inertia(), force, at)
     })
 }

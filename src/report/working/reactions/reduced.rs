@@ -3,17 +3,13 @@
 
 use super::super::context::{Context, Draft};
 use super::super::expression::Expression;
-use super::super::figures::{Figures, WrittenSum};
+use super::super::figures::Figures;
 use super::super::free_bodies::forces::point_name;
 use super::super::free_bodies::free_body::{BodyForce, BodyJoint};
 use super::body::{BalanceKind, GroupBody, KnownSum, write_known};
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
 use crate::wording::words;
 use crate::{Body, PointId, Slider, Vec2};
-
-/// Metres after a number, marked as a unit.
-const METRE: &str = " \u{e000}m";
-const METRE_SQUARED: &str = " \u{e000}m^2";
 
 /// Writes the solution; returns `false` if the group has none of these forms.
 pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBody]) -> bool {
@@ -28,7 +24,7 @@ pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBod
 struct OuterFree {
     reckoning: BalanceKind,
     /// The name of the sum of known terms: `M1`, or `S1` along a guide.
-    sum: String,
+    sum: Symbol,
     /// The header of the column of its terms.
     about: String,
     /// The description: moments about B, forces along the guide of r6.
@@ -44,7 +40,7 @@ fn free_of(context: &Context<'_>, outer: &BodyForce, number: usize, at: &str) ->
             let name = point_name(context, point);
             Some(OuterFree {
                 reckoning: BalanceKind::About(context.state.position(point)),
-                sum: format!("M{number}"),
+                sum: Symbol::indexed("M", number.to_string()),
                 about: format!("{} [N m]", words().moment_about(name)),
                 description: words().moments_about(name),
                 vector: words().arm_from_to(name, at),
@@ -61,7 +57,7 @@ fn free_of(context: &Context<'_>, outer: &BodyForce, number: usize, at: &str) ->
             let at = context.figures.direction(crate::angle::degrees(guide));
             Some(OuterFree {
                 reckoning: BalanceKind::Along(guide),
-                sum: format!("S{number}"),
+                sum: Symbol::indexed("S", number.to_string()),
                 about: format!("{} [N]", words().force_along()),
                 description: words().forces_along_guide(name, &at),
                 vector: words().unit_vector_along(&at),
@@ -77,20 +73,24 @@ fn shares(
     f: Figures,
     reckoning: BalanceKind,
     at: Vec2,
-    letter: char,
+    letter: &str,
     metres: f64,
 ) -> ([Expression; 2], Vec2) {
-    let named = |axis: char, value: f64, size: f64| {
-        Expression::known(format!("{letter}{axis}"), component(f, value, size), value)
+    let named = |axis: &str, value: f64, size: f64| {
+        Expression::known(
+            Symbol::indexed(letter, axis),
+            component(f, value, size),
+            value,
+        )
     };
     match reckoning {
         BalanceKind::About(position) => {
             let e = (at - position) * metres;
             let size = e.norm();
             // e x F = ex Fy - ey Fx.
-            ([-named('y', e.y, size), named('x', e.x, size)], e)
+            ([-named("y", e.y, size), named("x", e.x, size)], e)
         }
-        BalanceKind::Along(t) => ([named('x', t.x, 1.0), named('y', t.y, 1.0)], t),
+        BalanceKind::Along(t) => ([named("x", t.x, 1.0), named("y", t.y, 1.0)], t),
     }
 }
 
@@ -103,11 +103,11 @@ fn component(f: Figures, value: f64, size: f64) -> String {
 }
 
 /// Writes the components of a vector: `e = B -> C: ex = 0.26, ey = 0.15 m`.
-fn write_vector(context: &Context<'_>, draft: &mut Draft, letter: char, v: Vec2, unit: &str) {
-    for (axis, value) in [('x', v.x), ('y', v.y)] {
+fn write_vector(context: &Context<'_>, draft: &mut Draft, letter: &str, v: Vec2, unit: &str) {
+    for (axis, value) in [("x", v.x), ("y", v.y)] {
         let figure = component(context.figures, value, v.norm());
-        let figure = format!("{figure}{unit}");
-        draft.page.equation([format!("{letter}{axis}"), figure]);
+        let symbol = Symbol::indexed(letter, axis);
+        draft.equation([symbol.into(), Formula::measured(figure, unit)]);
     }
 }
 
@@ -132,7 +132,7 @@ fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) 
     let at = context.state.position(inner);
     let link = context.scene.link_name(bodies[0].link);
     let lines = [first, second].map(|equation| equation.description.as_str());
-    draft.page.text(words().dyad_by_two_sums(
+    draft.text(words().dyad_by_two_sums(
         point,
         link,
         lines,
@@ -144,23 +144,21 @@ fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) 
     }; 2];
     let mut rows = Vec::new();
     let letters = match (first.reckoning, second.reckoning) {
-        (BalanceKind::Along(_), BalanceKind::Along(_)) => ['t', 's'],
-        (BalanceKind::Along(_), BalanceKind::About(_)) => ['t', 'e'],
-        (BalanceKind::About(_), BalanceKind::Along(_)) => ['e', 't'],
-        (BalanceKind::About(_), BalanceKind::About(_)) => ['e', 'g'],
+        (BalanceKind::Along(_), BalanceKind::Along(_)) => ["t", "s"],
+        (BalanceKind::Along(_), BalanceKind::About(_)) => ["t", "e"],
+        (BalanceKind::About(_), BalanceKind::Along(_)) => ["e", "t"],
+        (BalanceKind::About(_), BalanceKind::About(_)) => ["e", "g"],
     };
     for (k, equation) in [first, second].into_iter().enumerate() {
-        let name = (equation.sum.as_str(), equation.reckoning);
+        let name = (&equation.sum, equation.reckoning);
         let pin_load = load.iter().filter(|_| k == 1);
         let given: Vec<&BodyForce> = bodies[k].given.iter().chain(pin_load).collect();
         let link = bodies[k].link;
-        draft
-            .page
-            .text(words().vector_is(letters[k], &equation.vector));
+        draft.text(words().vector_is(letters[k], &equation.vector));
         sums[k] = write_known(context, draft, (link, &given), name, &equation.about);
         let (share, v) = shares(f, equation.reckoning, at, letters[k], metres);
         let unit = match equation.reckoning {
-            BalanceKind::About(_) => METRE,
+            BalanceKind::About(_) => "m",
             BalanceKind::Along(_) => "",
         };
         write_vector(context, draft, letters[k], v, unit);
@@ -169,31 +167,22 @@ fn two_links(context: &Context<'_>, draft: &mut Draft, bodies: [&GroupBody; 2]) 
     // Loads on the pin belong to the second link, on which -F acts.
     let right = [(first, true), (second, false)].map(|(equation, negative)| {
         let sum = sums[usize::from(!negative)];
-        Expression::known(
-            &*equation.sum,
-            f.format_or_zero(sum.value, sum.size),
-            sum.value,
-        )
-        .minus_if(negative)
+        f.rounded(equation.sum.clone(), sum.value, sum.size)
+            .minus_if(negative)
     });
-    draft.page.text(words().so_that());
+    draft.text(words().so_that());
     for ((share, _), right) in rows.iter().zip(&right) {
-        let symbols = [share[0].symbols(), share[1].symbols()];
-        let numbers = [share[0].numbers(), share[1].numbers()];
-        for (of, right, between) in [
-            (symbols, right.symbols(), " "),
-            (numbers, right.numbers(), "·"),
+        let unknowns = ["x", "y"].map(|axis| Expression::symbol(Symbol::indexed("F", axis)));
+        let terms = || share.iter().zip(unknowns.clone());
+        let symbols = terms().map(|(coefficient, unknown)| product(coefficient, &unknown));
+        let numbers = terms().filter_map(|(coefficient, unknown)| {
+            Expression::term(coefficient.numbers().to_string(), Some(unknown))
+        });
+        for (left, right) in [
+            (Expression::sum(symbols).symbols(), right.symbols()),
+            (Expression::sum(numbers).numbers(), right.numbers()),
         ] {
-            let mut sum = WrittenSum::default();
-            for (coefficient, unknown) in of.iter().zip(["Fx", "Fy"]) {
-                match coefficient.as_str() {
-                    "0" => {}
-                    "1" => sum.push(false, unknown),
-                    "-1" => sum.push(true, unknown),
-                    figure => sum.push_figure(&format!("{figure}{between}{unknown}")),
-                }
-            }
-            draft.page.equation([sum.text(), right]);
+            draft.equation([left, right]);
         }
     }
     let reckonings = [first.reckoning, second.reckoning];
@@ -247,12 +236,9 @@ fn joined<'a>(context: &Context<'_>, bodies: [&'a GroupBody; 2]) -> Option<Inner
     // A pin has no mass: loads on it, and reactions of later links, are assigned to the second
     // link.
     let is_alone = mechanism.partner(bodies[0].link, point).is_some();
-    let load = (!is_alone).then(|| BodyForce {
-        name: words().acts_at(words().column_load(), point_name(context, point)),
-        force: inner.force + other.force,
-        at: inner.at,
-        couple: 0.0,
-        joint: None,
+    let load = (!is_alone).then(|| {
+        let name = words().acts_at(words().column_load(), point_name(context, point));
+        BodyForce::load(name, inner.force + other.force, inner.at)
     });
     Some(InnerPin {
         point,
@@ -267,7 +253,7 @@ const DETERMINANT: &str = "Δ";
 /// Returns the unit of the determinant: an arm has a length, a unit vector has none.
 fn unit_of_determinant(of: [BalanceKind; 2]) -> &'static str {
     let arms = of.iter().filter(|of| matches!(of, BalanceKind::About(_)));
-    ["", METRE, METRE_SQUARED][arms.count()]
+    ["", "m", "m^2"][arms.count()]
 }
 
 /// Two sums with the force at the inner pin as the only unknown.
@@ -302,22 +288,24 @@ fn cramer(
     let ([c, d], other) = (second.0.clone(), second.1);
     let [p, q] = right.clone();
     let determinant = product(&a, &d) - product(&c, &b);
-    let value = draft.worked(DETERMINANT, &determinant, |v| f.number(v) + unit);
+    let value = draft.worked(DETERMINANT, &determinant, |v| {
+        Formula::measured(f.number(v), unit)
+    });
     if value == 0.0 {
         return;
     }
-    let below = || Expression::known(DETERMINANT, f.number(value), value);
+    let below = || f.computed(DETERMINANT, value);
     let x = (product(&p, &d) - product(&q, &b)) / below();
     let y = (product(&a, &q) - product(&c, &p)) / below();
     // The relative error grows by the cancellation in the determinant.
     let lost = largest * other / value.abs();
     let sizes = (sums[0].size * other + sums[1].size * largest) / value.abs() * (1.0 + lost);
-    for (name, formula, solved) in [("Fx", x, solved.x), ("Fy", y, solved.y)] {
-        let computed = draft.worked(name, &formula, |v| {
-            format!("{} {UNIT}N", f.format_or_zero(v, sizes))
-        });
+    for (axis, formula, solved) in [("x", x, solved.x), ("y", y, solved.y)] {
+        let name = Symbol::indexed("F", axis);
+        let newtons = |v| Formula::measured(f.format_or_zero(v, sizes), "N");
+        let computed = draft.worked(name.clone(), &formula, newtons);
         let link = context.scene.link_name(body.link);
-        let symbol = words().part_at(name, link, point_name(context, inner));
+        let symbol = words().part_at(&name.to_string(), link, point_name(context, inner));
         draft.agree(&symbol, computed, solved, sizes);
     }
 }
@@ -394,27 +382,18 @@ fn balance<'a>(
     // Large forces across the guide contribute rounding errors even if their component along it is
     // small.
     let size = maximum.iter().sum::<f64>();
-    let mut sum = WrittenSum::default();
-    for term in &terms {
-        let figure = f.format_or_zero(*term, size);
-        if figure != "0" {
-            sum.push_figure(&figure);
-        }
-    }
+    let sum = f.sum(terms.iter().copied(), size);
     let computed = -terms.iter().sum::<f64>();
     draft.agree(name, computed, solved, size);
-    let value = format!(
-        "{} {UNIT}{}",
-        f.format_or_zero(computed, size),
-        reckoning.unit()
-    );
-    let sum = sum.text();
-    match sum.contains(' ') {
-        false => draft.page.equation([name.to_owned(), value]),
-        true => draft
-            .page
-            .equation([name.to_owned(), format!("-({sum})"), value]),
+    let mut sides = vec![Formula::words(name)];
+    if let Expression::Sum(_) = sum {
+        sides.push((-sum).numbers());
     }
+    sides.push(Formula::measured(
+        f.format_or_zero(computed, size),
+        reckoning.unit(),
+    ));
+    draft.equation(sides);
 }
 
 /// Returns the name of the pin in the slot, if its force is the unknown besides the outer reaction.
@@ -458,17 +437,11 @@ fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool 
         Some(BodyJoint::Pin(point)) => words().reaction_at(point_name(context, point)),
         Some(BodyJoint::Driver) | None => return false,
     };
-    draft
-        .page
-        .text(words().one_sum(&equation.description, &reaction));
-    let name = (equation.sum.as_str(), equation.reckoning);
+    draft.text(words().one_sum(&equation.description, &reaction));
+    let name = (&equation.sum, equation.reckoning);
     let given: Vec<&BodyForce> = body.given.iter().collect();
     let sum = write_known(context, draft, (body.link, &given), name, &equation.about);
-    let known = Expression::known(
-        &*equation.sum,
-        f.format_or_zero(sum.value, sum.size),
-        sum.value,
-    );
+    let known = f.rounded(equation.sum.clone(), sum.value, sum.size);
     match single.joint {
         Some(BodyJoint::Guide(slide)) => {
             let n = context.state.travel(slide).guide.perp();
@@ -484,40 +457,37 @@ fn one_link(context: &Context<'_>, draft: &mut Draft, body: &GroupBody) -> bool 
                 return false;
             };
             let across = context.figures.direction(crate::angle::degrees(n));
-            draft
-                .page
-                .text(words().vector_is('n', &words().unit_vector_along(&across)));
-            write_vector(context, draft, 'n', n, "");
-            let unit = |axis: char, v: f64| {
-                Expression::known(format!("n{axis}"), f.format_or_zero(v, 1.0), v)
-            };
+            draft.text(words().vector_is("n", &words().unit_vector_along(&across)));
+            write_vector(context, draft, "n", n, "");
+            let unit = |axis: &str, v: f64| f.rounded(Symbol::indexed("n", axis), v, 1.0);
             let metres = context.scene.mechanism.metres();
             let letter = match equation.reckoning {
-                BalanceKind::About(_) => 'e',
-                BalanceKind::Along(_) => 't',
+                BalanceKind::About(_) => "e",
+                BalanceKind::Along(_) => "t",
             };
             let (share, v) = shares(f, equation.reckoning, at, letter, metres);
-            let unit_of_v = if letter == 'e' { METRE } else { "" };
-            draft.page.text(words().vector_is(letter, &equation.vector));
+            let unit_of_v = if letter == "e" { "m" } else { "" };
+            draft.text(words().vector_is(letter, &equation.vector));
             write_vector(context, draft, letter, v, unit_of_v);
             let [x, y] = share;
-            let below = product(&y, &unit('y', n.y)) + product(&x, &unit('x', n.x));
-            let value = draft.worked(DETERMINANT, &below, |v| f.number(v) + unit_of_v);
+            let below = product(&y, &unit("y", n.y)) + product(&x, &unit("x", n.x));
+            let value = draft.worked(DETERMINANT, &below, |v| {
+                Formula::measured(f.number(v), unit_of_v)
+            });
             if value == 0.0 {
                 return true;
             }
-            let formula = -known / Expression::known(DETERMINANT, f.number(value), value);
+            let formula = -known / f.computed(DETERMINANT, value);
             let size = sum.size / value.abs() * (1.0 + v.norm() / value.abs());
-            let computed = draft.worked("N", &formula, |v| {
-                format!("{} {UNIT}N", f.format_or_zero(v, size))
-            });
+            let newtons = |v| Formula::measured(f.format_or_zero(v, size), "N");
+            let computed = draft.worked("N", &formula, newtons);
             let solved = n.dot(single.force);
-            draft.agree(&words().across(&single.name), computed, solved, size);
+            draft.agree(words().across(&single.name), computed, solved, size);
         }
         _ => {
             let formula = -known;
             let computed = draft.found("M", &formula, |v| {
-                format!("{} {UNIT}N m", f.format_or_zero(v, sum.size))
+                Formula::measured(f.format_or_zero(v, sum.size), "N m")
             });
             draft.agree("driver.torque", computed, single.couple, sum.size);
         }

@@ -1,11 +1,12 @@
 //! Writes a group with coupled reactions: the equations of all its links together, with numbers.
 
 use super::super::context::{Context, Draft};
-use super::super::figures::{WrittenSum, factor};
+use super::super::expression::Expression;
+use super::super::figures::Figures;
 use super::super::free_bodies::forces::point_name;
 use super::super::free_bodies::free_body::{BodyForce, BodyJoint};
 use super::body::{BalanceKind, GroupBody, known};
-use crate::page::UNIT;
+use crate::page::{Formula, Symbol};
 use crate::wording::words;
 use crate::{PointId, Slider, Vec2};
 
@@ -14,10 +15,11 @@ const MAX_LINKS: usize = 8;
 
 /// An unknown: its value times unit forces on the links.
 struct UnknownForce {
-    symbol: String,
+    symbol: Symbol,
     description: String,
     value: f64,
     unit: &'static str,
+    joint: BodyJoint,
     /// The unit force or couple on each link, by the link's index in the group.
     acts: Vec<(usize, BodyForce)>,
 }
@@ -25,15 +27,15 @@ struct UnknownForce {
 /// Writes the unknowns, and every equation.
 pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBody]) {
     if bodies.len() > MAX_LINKS {
-        draft.page.text(words().reactions_too_many(bodies.len()));
+        draft.text(words().reactions_too_many(bodies.len()));
         return;
     }
     let f = context.figures;
     let unknowns = unknown_forces(context, bodies);
-    draft.page.text(words().reactions_at_once(unknowns.len()));
+    draft.text(words().reactions_at_once(unknowns.len()));
     let rows = unknowns.iter().map(|one| {
-        let value = format!("{} {UNIT}{}", f.number(one.value), one.unit);
-        [one.symbol.clone(), one.description.clone(), value]
+        let value = format!("{} {}", f.number(one.value), one.unit);
+        [one.symbol.to_string(), one.description.clone(), value]
     });
     let rows: Vec<[String; 3]> = rows.collect();
     draft.table(
@@ -51,7 +53,7 @@ pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBod
         };
         let name = context.scene.link_name(body.link);
         let at = point_name(context, about);
-        draft.page.text(words().sums_of_link(name, at));
+        draft.text(words().sums_of_link(name, at));
         for (reckoning, what) in [
             (BalanceKind::Along(Vec2::new(1.0, 0.0)), "x"),
             (BalanceKind::Along(Vec2::new(0.0, 1.0)), "y"),
@@ -61,7 +63,7 @@ pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBod
             equation.write(context, draft, &unknowns);
             let link = context.scene.link_name(body.link);
             let left = equation.left(&unknowns);
-            draft.agree(&words().sum_on(what, link), left, 0.0, equation.size);
+            draft.agree(words().sum_on(what, link), left, 0.0, equation.size);
             equations.push(equation);
         }
     }
@@ -126,22 +128,13 @@ impl SumOfLink {
     /// Writes the equation: `0.5·F1x - 0.2·F1y + 3.1 = 0`.
     fn write(&self, context: &Context<'_>, draft: &mut Draft, unknowns: &[UnknownForce]) {
         let f = context.figures;
-        let mut written = WrittenSum::default();
-        for &(number, share) in &self.shares {
-            let symbol = &unknowns[number].symbol;
-            match share {
-                1.0 => written.push(false, symbol),
-                -1.0 => written.push(true, symbol),
-                _ => written.push_figure(&format!("{}·{symbol}", f.number(share))),
-            }
-        }
-        let rest = f.format_or_zero(self.known, self.size);
-        if rest != "0" {
-            written.push_figure(&rest);
-        }
-        let text = written.text();
-        if text != "0" {
-            draft.page.equation([text, "0".to_owned()]);
+        let terms = self.shares.iter().filter_map(|&(number, share)| {
+            let symbol = Expression::symbol(unknowns[number].symbol.clone());
+            Expression::term(share_text(f, share), Some(symbol))
+        });
+        let rest = Expression::term(f.format_or_zero(self.known, self.size), None);
+        if let Some(sum) = Expression::total(terms.chain(rest)) {
+            draft.write_zero(sum.numbers());
         }
     }
 }
@@ -167,16 +160,16 @@ fn one_by_one(
             break;
         };
         if !is_begun {
-            draft.page.text(words().solved_one_by_one());
+            draft.text(words().solved_one_by_one());
             is_begun = true;
         }
         found[number] = true;
         write_single_unknown(context, draft, unknowns, (equation, number, share));
     }
     let rest = unknowns.iter().zip(&found).filter(|(_, found)| !**found);
-    let rest: Vec<&str> = rest.map(|(one, _)| one.symbol.as_str()).collect();
+    let rest: Vec<String> = rest.map(|(one, _)| one.symbol.to_string()).collect();
     if !rest.is_empty() {
-        draft.page.text(words().others_at_once(&rest.join(", ")));
+        draft.text(words().others_at_once(&rest.join(", ")));
     }
 }
 
@@ -189,33 +182,39 @@ fn write_single_unknown(
 ) {
     let f = context.figures;
     let one = &unknowns[number];
-    let mut sum = WrittenSum::default();
+    let mut terms = Vec::new();
     let mut rest = equation.known;
     for &(k, share) in equation.shares.iter().filter(|(k, _)| *k != number) {
         let value = unknowns[k].value;
         rest += share * value;
         let figure = f.format_or_zero(value, equation.size);
-        match share {
-            _ if figure == "0" => {}
-            1.0 => sum.push_figure(&figure),
-            -1.0 => sum.push_figure(&f.format_or_zero(-value, equation.size)),
-            _ => sum.push_figure(&format!("{}·{}", f.number(share), factor(&figure))),
+        if figure != "0" {
+            let value = Expression::figure(figure, value);
+            terms.extend(Expression::term(share_text(f, share), Some(value)));
         }
     }
     let known = f.format_or_zero(equation.known, equation.size);
-    if known != "0" {
-        sum.push_figure(&known);
-    }
+    terms.extend(Expression::term(known, None));
+    let sum = Expression::sum(terms);
     let computed = -rest / share;
     let size = equation.size / share.abs();
     draft.agree(&one.symbol, computed, one.value, size);
     let formula = match share {
-        1.0 => format!("-({})", sum.text()),
-        -1.0 => sum.text(),
-        _ => format!("-({})/{}", sum.text(), factor(&f.number(share))),
+        1.0 => -sum.in_brackets(),
+        -1.0 => sum,
+        _ => -(sum.in_brackets() / Expression::figure(f.number(share), share)),
     };
-    let value = format!("{} {UNIT}{}", f.format_or_zero(computed, size), one.unit);
-    draft.page.equation([one.symbol.clone(), formula, value]);
+    let value = Formula::measured(f.format_or_zero(computed, size), one.unit);
+    let symbol = one.symbol.clone().into();
+    draft.equation([symbol, formula.numbers(), value]);
+}
+
+/// Formats a coefficient; that of a whole force is 1 without decimals.
+fn share_text(f: Figures, share: f64) -> String {
+    match share.abs() {
+        1.0 => f.given(share),
+        _ => f.number(share),
+    }
 }
 
 /// Returns all unknowns, each once: the reaction of a pin between two links of the group acts on
@@ -266,61 +265,67 @@ fn components(
     opposite: Option<usize>,
     all: &mut Vec<UnknownForce>,
 ) {
-    let number = all.iter().filter(|one| one.symbol.starts_with('F')).count() / 2 + 1;
+    let number = all
+        .iter()
+        .filter(|one| matches!(one.joint, BodyJoint::Pin(_)))
+        .count()
+        / 2
+        + 1;
     let unit = |force: Vec2, couple: f64| BodyForce {
-        name: String::new(),
-        force,
-        at: row.at,
         couple,
-        joint: None,
+        ..BodyForce::load("", force, row.at)
     };
-    let mut add = |symbol: String, text: String, value: f64, unit_force: (Vec2, f64)| {
+    let Some(joint) = row.joint else { return };
+    let mut add = |symbol: Symbol, description: String, value: f64, unit_force: (Vec2, f64)| {
         let (force, couple) = unit_force;
         let mut acts = vec![(index, unit(force, couple))];
         acts.extend(opposite.map(|j| (j, unit(-force, -couple))));
         all.push(UnknownForce {
             symbol,
-            description: text,
+            description,
             value,
             unit: if couple == 0.0 { "N" } else { "N m" },
+            joint,
             acts,
         });
     };
-    match row.joint {
-        Some(BodyJoint::Pin(_)) => {
+    match joint {
+        BodyJoint::Pin(_) => {
             for (axis, unit) in [("x", Vec2::new(1.0, 0.0)), ("y", Vec2::new(0.0, 1.0))] {
+                let symbol = Symbol::indexed("F", format!("{number}{axis}"));
                 let text = format!("{} {axis}", row.name);
-                add(
-                    format!("F{number}{axis}"),
-                    text,
-                    unit.dot(row.force),
-                    (unit, 0.0),
-                );
+                add(symbol, text, unit.dot(row.force), (unit, 0.0));
             }
         }
-        Some(BodyJoint::Guide(slide)) => {
+        BodyJoint::Guide(slide) => {
             let name = context.scene.slide_name(slide);
             let n = context.state.travel(slide).guide.perp();
             let text = words().across(&row.name);
-            add(format!("N_{name}"), text, n.dot(row.force), (n, 0.0));
+            let normal = Symbol::separate("N", name);
+            add(normal, text, n.dot(row.force), (n, 0.0));
             if context.scene.mechanism.is_pushed(slide) {
                 let t = context.state.travel(slide).guide;
                 let text = words().along(&row.name);
-                add(format!("D_{name}"), text, t.dot(row.force), (t, 0.0));
+                add(
+                    Symbol::separate("D", name),
+                    text,
+                    t.dot(row.force),
+                    (t, 0.0),
+                );
             }
             if let Slider::Link { .. } = context.scene.mechanism.slide(slide).slider {
                 let text = words().moment_of(&row.name);
-                add(format!("M_{name}"), text, row.couple, (Vec2::ZERO, 1.0));
+                add(
+                    Symbol::separate("M", name),
+                    text,
+                    row.couple,
+                    (Vec2::ZERO, 1.0),
+                );
             }
         }
-        Some(BodyJoint::Driver) => {
-            add(
-                "M".into(),
-                words().driver().into(),
-                row.couple,
-                (Vec2::ZERO, 1.0),
-            );
+        BodyJoint::Driver => {
+            let text = words().driver().into();
+            add("M".into(), text, row.couple, (Vec2::ZERO, 1.0));
         }
-        None => {}
     }
 }
