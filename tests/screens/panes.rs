@@ -184,10 +184,17 @@ fn pane_can_be_maximized_and_restored() {
         "{drawing}"
     );
     session.press("O");
-    let line = four_bar(80, 24).press("O").last_line();
-    assert!(line.contains("there is no other pane"), "{line}");
-    let line = four_bar(80, 24).press(";").last_line();
-    assert!(line.contains("there is no other pane"), "{line}");
+    let mut session = four_bar(80, 24);
+    let with_tables = session.painted_text();
+    let drawing = session.press("O").painted_text();
+    assert!(drawing.contains("=[Four-bar crank-rocker]=="), "{drawing}");
+    assert!(!drawing.contains("vector"), "{drawing}");
+    assert_eq!(session.press("O").painted_text(), with_tables);
+    assert_eq!(session.press("O Esc").painted_text(), with_tables);
+    for keys in ["2 O", ";"] {
+        let line = four_bar(80, 24).press(keys).last_line();
+        assert!(line.contains("there is no other pane"), "{keys}: {line}");
+    }
 }
 
 #[test]
