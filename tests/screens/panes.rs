@@ -30,7 +30,7 @@ fn tabs_name_views_and_mark_the_active_one() {
     assert!(tabs(&mut middle).starts_with(line));
     assert!(tabs(&mut middle).ends_with("? help  : commands"));
     let mut usual = four_bar(80, 24);
-    let line = " 1 Motion 2 Tables[3 Plots]4 Error 5 Forces 6 Scene 7 Working 8 Motor 9 Lengths";
+    let line = " 1 Motion 2 Tables[3 Plots]4 Accu. 5 Forces 6 Scene 7 Working 8 Motor 9 Lengths";
     assert_eq!(tabs(usual.press("3")), line);
     assert!(tabs(usual.press("0")).starts_with(" 1 2 3 4 5 6 7 8 9[0 Polygons]  "));
     let mut small = four_bar(40, 12);
