@@ -269,21 +269,25 @@ impl App {
 
     /// Returns the colour depth; the plain theme has no colours.
     pub(crate) fn colours(&self) -> Colours {
-        match self.shell.theme {
+        match self.theme() {
             Theme::Plain => Colours::None,
             Theme::Auto | Theme::Light | Theme::Dark => self.shell.capability.colours,
         }
     }
 
+    /// Returns the theme in force: the automatic one follows a known background.
+    fn theme(&self) -> Theme {
+        match self.shell.theme {
+            Theme::Auto => self.shell.ground.map_or(Theme::Auto, Ground::theme),
+            theme => theme,
+        }
+    }
+
     /// Returns the palette: the colour depth and the theme.
     pub(crate) fn palette(&self) -> Palette {
-        let ground = self
-            .shell
-            .ground
-            .filter(|_| self.shell.theme == Theme::Auto);
         Palette {
             colours: self.colours(),
-            theme: ground.map_or(self.shell.theme, Ground::theme),
+            theme: self.theme(),
         }
     }
 

@@ -39,6 +39,21 @@ fn masked(screen: &str) -> String {
     screen.lines().map(line).collect()
 }
 
+/// Regression: a number of two digits and a miss of nine characters were one word.
+#[test]
+fn numbers_and_misses_are_separate_words() {
+    let mut session = search_linkages("straight-line", Glyphs::Ascii, 100, 60);
+    let screen = session.press("End").painted_text();
+    let first = screen.lines().filter_map(|line| line.split('|').next());
+    let words = first.map(|line| line.trim_start_matches('>').split_whitespace());
+    let rows: Vec<Vec<&str>> = words.map(Iterator::collect).collect();
+    let rows = rows.iter().filter(|row| row.len() == 4 && row[0] != "miss");
+    let numbers: Vec<usize> = rows.map(|row| row[0].parse().unwrap()).collect();
+    assert!(numbers.len() > 30, "{screen}");
+    let follow = |pair: &[usize]| pair[0] + 1 == pair[1];
+    assert!(numbers.windows(2).all(follow), "{numbers:?}");
+}
+
 #[test]
 fn candidates_are_listed_with_their_results() {
     for (name, glyphs, cols, rows) in SCREENS {

@@ -30,7 +30,7 @@ fn tabs_name_views_and_mark_the_active_one() {
     assert!(tabs(&mut middle).starts_with(line));
     assert!(tabs(&mut middle).ends_with("? help  : commands"));
     let mut usual = four_bar(80, 24);
-    let line = " 1 Motion 2 Tables[3 Plots]4 Error 5 Forces 6 Scene 7 Working 8 Motor 9 Lengths";
+    let line = " 1 Motion 2 Tables[3 Plots]4 Accu. 5 Forces 6 Scene 7 Working 8 Motor 9 Lengths";
     assert_eq!(tabs(usual.press("3")), line);
     assert!(tabs(usual.press("0")).starts_with(" 1 2 3 4 5 6 7 8 9[0 Polygons]  "));
     let mut small = four_bar(40, 12);
@@ -184,10 +184,17 @@ fn pane_can_be_maximized_and_restored() {
         "{drawing}"
     );
     session.press("O");
-    let line = four_bar(80, 24).press("O").last_line();
-    assert!(line.contains("there is no other pane"), "{line}");
-    let line = four_bar(80, 24).press(";").last_line();
-    assert!(line.contains("there is no other pane"), "{line}");
+    let mut session = four_bar(80, 24);
+    let with_tables = session.painted_text();
+    let drawing = session.press("O").painted_text();
+    assert!(drawing.contains("=[Four-bar crank-rocker]=="), "{drawing}");
+    assert!(!drawing.contains("vector"), "{drawing}");
+    assert_eq!(session.press("O").painted_text(), with_tables);
+    assert_eq!(session.press("O Esc").painted_text(), with_tables);
+    for keys in ["2 O", ";"] {
+        let line = four_bar(80, 24).press(keys).last_line();
+        assert!(line.contains("there is no other pane"), "{keys}: {line}");
+    }
 }
 
 #[test]

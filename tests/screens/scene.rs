@@ -173,6 +173,8 @@ fn edit_keeps_driver_angle_unless_out_of_reach() {
     // Undo brings the driver back, unless it was moved since.
     let line = session.press("u").last_line();
     assert!(line.contains("180.00 deg"), "{line}");
+    // Regression: the limit that was left was called out of reach.
+    assert!(!line.contains("out of reach"), "{line}");
     let line = session.press("Ctrl-R , u").last_line();
     assert!(!line.contains("180.00 deg"), "{line}");
     // Editing the driver's own angle moves the linkage.

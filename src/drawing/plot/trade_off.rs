@@ -26,7 +26,7 @@ pub fn trade_off(findings: &Findings) -> Chart {
             label: time,
         },
         y: DecadeAxis {
-            title: words().short_accuracy().into(),
+            title: words().error_of_iteration().into(),
             label: |power| format!("1e{power}"),
         },
         data: findings.methods.iter().filter_map(datum).collect(),

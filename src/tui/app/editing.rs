@@ -215,10 +215,8 @@ impl App {
 
     /// Shows an edited scene at the driver's coordinate, as far as the scene can reach it.
     fn take_edit(&mut self, edited: EditedScene, now: Duration) {
-        let at = self.player.open_scene.at();
         self.exchange(edited.opened, now);
-        let reached = self.player.open_scene.at();
-        if reached != at {
+        if let Some(at) = self.player.out_of_reach() {
             let (decimals, unit) = (
                 self.player.open_scene.driver_range().decimals(),
                 self.player.open_scene.unit(),

@@ -79,7 +79,8 @@ impl App {
 
     /// Maximizes the current pane, or restores the others.
     pub(super) fn toggle_alone(&mut self) {
-        if !self.shell.composition.toggle_alone(self.shell.size) {
+        let (view, size) = (self.shell.view, self.shell.size);
+        if !self.shell.composition.toggle_alone(view, size) {
             self.shell.set_message(words().no_other_pane());
         }
         self.rearrange();

@@ -61,19 +61,22 @@ pub(super) const INK: Color = Color::White;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Ground {
     Light,
+    /// Grey, on which dim colours vanish.
+    Middle,
     Dark,
 }
 
 impl Ground {
     /// Returns the kind of a background by its colour. Black and white text have equal contrast on
-    /// a relative luminance of 0.18.
+    /// a relative luminance of 0.18, and dim text has about that of its own, 0.22. Its contrast is
+    /// below 1.7 on luminances from 0.1 to 0.4.
     pub(crate) fn of(colour: [u8; 3]) -> Ground {
         let linear = colour.map(|c| (f64::from(c) / 255.0).powf(2.2));
         let luminance = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
-        if luminance > 0.18 {
-            Ground::Light
-        } else {
-            Ground::Dark
+        match luminance {
+            ..0.1 => Ground::Dark,
+            0.1..0.4 => Ground::Middle,
+            _ => Ground::Light,
         }
     }
 
@@ -81,6 +84,7 @@ impl Ground {
     pub(crate) fn theme(self) -> Theme {
         match self {
             Ground::Light => Theme::Light,
+            Ground::Middle => Theme::Plain,
             Ground::Dark => Theme::Dark,
         }
     }
@@ -544,11 +548,26 @@ mod tests {
             ([0, 0, 0], Ground::Dark),
             ([0, 0x2b, 0x36], Ground::Dark),
             ([0x33, 0x33, 0x33], Ground::Dark),
+            ([0x55, 0x55, 0x55], Ground::Dark),
+            ([0x80, 0x80, 0x80], Ground::Middle),
+            ([0xa0, 0xa0, 0xa0], Ground::Middle),
             ([0xfd, 0xf6, 0xe3], Ground::Light),
             ([255, 255, 255], Ground::Light),
             ([0xc0, 0xc0, 0xc0], Ground::Light),
         ] {
             assert_eq!(Ground::of(colour), ground, "{colour:?}");
+        }
+    }
+
+    /// Regression: on a grey background, guides, headings and rules had the colour of the ground.
+    #[test]
+    fn dim_text_is_legible_on_every_known_background() {
+        for grey in 0..=255 {
+            let theme = Ground::of([grey; 3]).theme();
+            let dim = Hue::Grey.colour(theme, true);
+            // Without colours, the terminal's own text is faint.
+            let is_legible = || contrast(dim, Color::Rgb(grey, grey, grey)) >= 1.6;
+            assert!(theme == Theme::Plain || is_legible(), "{grey}");
         }
     }
 

@@ -104,6 +104,11 @@ impl Player {
         before
     }
 
+    /// Returns the coordinate that the last edit left out of reach.
+    pub(crate) fn out_of_reach(&self) -> Option<f64> {
+        self.out_of_reach.map(|(wanted, _)| wanted)
+    }
+
     /// Restores the initial step of the driver.
     pub(crate) fn reset_steps(&mut self) {
         self.steps = steps_of(&self.open_scene);

@@ -55,10 +55,13 @@ fn check_space(preset: &str, size: Size, panes: &[(View, usize, usize)]) {
 
 #[test]
 fn maximized_drawing_has_no_tables() {
-    let mut app = app("four-bar", Glyphs::Ascii, Size::new(120, 40));
-    app.update(Action::Alone, Duration::ZERO);
-    let panes = views::extents(&app);
-    assert_eq!(panes, [(View::Motion, 0, 0)]);
-    app.update(Action::Alone, Duration::ZERO);
-    assert_eq!(views::extents(&app).len(), 3);
+    for (size, count) in [(Size::new(120, 40), 3), (Size::new(80, 24), 1)] {
+        let mut app = app("four-bar", Glyphs::Ascii, size);
+        let before = views::extents(&app);
+        assert_eq!(before.len(), count);
+        app.update(Action::Alone, Duration::ZERO);
+        assert_eq!(views::extents(&app), [(View::Motion, 0, 0)]);
+        app.update(Action::Alone, Duration::ZERO);
+        assert_eq!(views::extents(&app), before);
+    }
 }

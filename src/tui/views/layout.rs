@@ -164,7 +164,7 @@ impl Composition {
         let views = self.visible_views(looked_at, screen);
         if let [view] = *views {
             // A maximized drawing has its title, and no tables next to it.
-            return vec![match self.is_alone(screen) && view == View::Motion {
+            return vec![match self.is_alone(view, screen) && view == View::Motion {
                 true => titled(view, body),
                 false => PlacedView {
                     view,
@@ -192,17 +192,22 @@ impl Composition {
         (views.len() > 1).then(|| views[(here + 1) % views.len()])
     }
 
-    /// Maximizes the current view or restores the panes; returns `false` if the layout has a single
-    /// pane.
-    pub(crate) fn toggle_alone(&mut self, screen: Size) -> bool {
-        let has_others = !self.layout.views(screen).is_empty();
+    /// Maximizes the current view or restores what was next to it; returns `false` if that is
+    /// nothing.
+    pub(crate) fn toggle_alone(&mut self, looked_at: View, screen: Size) -> bool {
+        let has_others = self.has_others(looked_at, screen);
         self.alone = has_others && !self.alone;
         has_others
     }
 
-    /// Returns `true` if the current view is maximized and hides other panes.
-    pub(crate) fn is_alone(&self, screen: Size) -> bool {
-        self.alone && !self.layout.views(screen).is_empty()
+    /// Returns `true` if the current view is maximized and hides other panes or tables.
+    pub(crate) fn is_alone(&self, looked_at: View, screen: Size) -> bool {
+        self.alone && self.has_others(looked_at, screen)
+    }
+
+    /// Returns `true` if the layout has other panes. A drawing that fills the screen has tables.
+    fn has_others(&self, looked_at: View, screen: Size) -> bool {
+        looked_at == View::Motion || !self.layout.views(screen).is_empty()
     }
 
     /// Restores the panes.
@@ -631,10 +636,28 @@ mod tests {
     fn maximized_pane_is_alone_and_has_its_title() {
         let size = Size::new(120, 40);
         let mut composition = Composition::default();
-        assert!(composition.toggle_alone(size));
+        assert!(composition.toggle_alone(View::Motion, size));
         let placed = composition.placed(View::Motion, size, body(size), &Unknown);
         assert_eq!(placed.len(), 1);
         assert!(placed[0].title.is_some() && placed[0].area.width == 120);
+    }
+
+    /// Regression: without panes, the drawing could not be maximized over its tables.
+    #[test]
+    fn drawing_that_fills_the_screen_is_maximized_over_its_tables() {
+        let size = Size::new(80, 24);
+        let mut composition = Composition::default();
+        let has_title = |composition: &Composition, view| {
+            let placed = composition.placed(view, size, body(size), &Unknown);
+            assert_eq!(placed.len(), 1);
+            placed[0].title.is_some()
+        };
+        assert!(!has_title(&composition, View::Motion));
+        assert!(composition.toggle_alone(View::Motion, size));
+        assert!(has_title(&composition, View::Motion));
+        // Views without tables look the same.
+        assert!(!has_title(&composition, View::Plots));
+        assert!(!composition.toggle_alone(View::Plots, size));
     }
 
     #[test]

@@ -178,8 +178,16 @@ fn draw(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
         status::render(app, area, buffer);
         return;
     }
-    if let (Mode::Candidates, Some(list)) = (app.mode(), app.candidates()) {
+    let help = match app.mode() {
+        Mode::Help(help) if help.returns_to_candidates => Some(help),
+        _ => None,
+    };
+    let is_list = help.is_some() || matches!(app.mode(), Mode::Candidates);
+    if let (true, Some(list)) = (is_list, app.candidates()) {
         candidates::render(app, list, area, buffer);
+        if let Some(help) = help {
+            help::render(app, help, body(area), buffer);
+        }
         status::render(app, area, buffer);
         return;
     }

@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! [1 Motion] 2 Tables  3 Plots  4 Accuracy  5 Forces  ..        ? help  : commands    where there is room
-//!  1 Motion [2 Tables] 3 Plots  4 Error  ..                                           80 columns
+//!  1 Motion [2 Tables] 3 Plots  4 Accu.  ..                                           80 columns
 //!  1 [2 Tables] 3 4 5 6 7 8 9                                                         40 columns
 //! ```
 

@@ -172,7 +172,7 @@ impl App {
             BackTarget::Method
         } else if view == View::Accuracy && self.is_working() {
             BackTarget::Study
-        } else if self.shell.composition.is_alone(self.shell.size) {
+        } else if self.shell.composition.is_alone(view, self.shell.size) {
             BackTarget::Pane
         } else if self.compared().is_some() {
             BackTarget::Comparison

@@ -33,9 +33,9 @@ use ratatui::layout::{Position, Rect, Size};
 /// Widths of the list, its margins included: with the values only, and with the unmet preferences
 /// behind them.
 const LIST: [u16; 2] = [34, 52];
-/// Widths of a mark, of the miss, and of the gap between two columns.
+/// Widths of a mark, of the miss at least, and of the gap between two columns.
 const INDENT: u16 = 2;
-const MISS: u16 = 8;
+const MIN_MISS: u16 = 8;
 const GAP: u16 = 1;
 /// Minimum height of the drawing, in lines.
 const MIN_DRAWING_HEIGHT: u16 = 6;
@@ -123,7 +123,7 @@ fn rows(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
         paragraph(app, list.nothing(), area, ScreenPart::Text, buffer);
         return;
     }
-    let places = CandidateColumns::of(list.rows().len());
+    let places = CandidateColumns::of(list.rows());
     let (head, area) = split(area, 1);
     heads(app, list, &places, head, buffer);
     let cursor = lines.iter().position(
@@ -153,9 +153,10 @@ struct CandidateColumns {
 }
 
 impl CandidateColumns {
-    fn of(count: usize) -> CandidateColumns {
-        let number = INDENT + columns(&count.to_string());
-        let miss = number + GAP + MISS;
+    fn of(rows: &[CandidateRow]) -> CandidateColumns {
+        let number = INDENT + columns(&rows.len().to_string());
+        let misses = rows.iter().map(|row| columns(&row.miss));
+        let miss = number + GAP + misses.fold(MIN_MISS, u16::max);
         let transmission = miss + GAP + columns(words().head_transmission());
         CandidateColumns {
             number,

@@ -101,7 +101,7 @@ impl CommandList {
         let topics = SearchWords::new(&typed).best_topics().into_iter();
         let mut listed = spelled(self.line.text());
         let found = commands(&costs[..loose]).into_iter();
-        let found = found.chain(files(typed.trim()));
+        let found = found.chain(named(typed.trim()));
         let found = found.chain(commands(&costs[loose..]));
         let found = found.chain(topics.map(ListEntry::Topic));
         let others: Vec<ListEntry> = found.filter(|other| !listed.contains(other)).collect();
@@ -175,9 +175,9 @@ fn counted(typed: &str) -> Option<ListEntry> {
     Some(ListEntry::Steps(sign * count))
 }
 
-/// Returns the presets and tasks in whose name a word begins with the typed text. The word for
-/// synthesis finds all tasks.
-fn files(typed: &str) -> impl Iterator<Item = ListEntry> {
+/// Returns the themes, presets and tasks in whose name a word begins with the typed text. The word
+/// for synthesis finds all tasks, and that for themes all themes.
+fn named(typed: &str) -> impl Iterator<Item = ListEntry> {
     let begins = move |name: &str| {
         let mut starts = std::iter::once(name).chain(name.split('-'));
         !typed.is_empty() && starts.any(|start| start.starts_with(typed))
@@ -188,7 +188,13 @@ fn files(typed: &str) -> impl Iterator<Item = ListEntry> {
     let tasks = ExampleTask::all().iter().enumerate();
     let tasks = tasks.filter(move |(_, task)| is_synthesis || begins(task.name));
     let presets = presets.map(|(at, _)| ListEntry::Preset(at));
-    presets.chain(tasks.map(|(at, _)| ListEntry::Task(at)))
+    let themes = Theme::ALL.into_iter().filter(move |theme| {
+        let names = [theme.name(), theme.shown_name(), "theme", "tema"];
+        !typed.is_empty() && names.iter().any(|name| plain(name).starts_with(typed))
+    });
+    let themes = themes.map(ListEntry::Theme);
+    let tasks = tasks.map(|(at, _)| ListEntry::Task(at));
+    themes.chain(presets).chain(tasks)
 }
 
 /// How a command's name or description matches the typed text, the best first.
@@ -433,6 +439,13 @@ mod tests {
         }
         assert_eq!(listed("odev 7")[0], ListEntry::Exercise(7));
         assert_eq!(listed("tema acik")[0], ListEntry::Theme(Theme::Light));
+        // The name of a theme is found alone, and the beginning of the word for themes.
+        for typed in ["dark", "koyu", "the", "tem"] {
+            assert!(
+                listed(typed).contains(&ListEntry::Theme(Theme::Dark)),
+                "{typed}"
+            );
+        }
         Language::English.speak();
     }
 

@@ -84,7 +84,7 @@ fn describe_entry(listed: ListEntry, palette: &CommandList) -> String {
             -1 => words().steps_back(count.unsigned_abs()),
             _ => words().steps_forward(count.unsigned_abs()),
         },
-        ListEntry::Theme(theme) => words().theme_is(theme.shown_name(), theme.name()),
+        ListEntry::Theme(theme) => words().switch_theme(theme.shown_name()),
         ListEntry::Exercise(seed) => words().make_exercise(seed),
         ListEntry::Preset(at) => words().open_named(presets::all()[at].name),
         ListEntry::Task(at) => words().search_for_task(ExampleTask::all()[at].name),

@@ -53,10 +53,10 @@ impl InputMoment {
 /// keep their assembly; a coupled group takes the solution that continues the last kept one.
 #[derive(Clone, Debug)]
 pub struct FreeInputs {
-    mechanism: Mechanism,
+    mechanism: Arc<Mechanism>,
     engine: Engine,
     plan: Arc<Plan>,
-    balance: Option<Balance>,
+    balance: Option<Arc<Balance>>,
     workspace: Workspace,
     /// The last kept position: its inputs, and its state, from which coupled groups are solved.
     kept: (Vec<f64>, State),
@@ -87,11 +87,11 @@ impl Solver {
         let inputs = mechanism.inputs();
         let inputs = inputs.map(|input| mechanism.input_coordinate(input, start));
         Some(FreeInputs {
-            mechanism: mechanism.clone(),
+            mechanism: Arc::new(mechanism.clone()),
             plan: Arc::clone(&self.plan),
             kept: (inputs.collect::<Option<Vec<f64>>>()?, state),
             engine,
-            balance,
+            balance: balance.map(Arc::new),
             workspace,
         })
     }

@@ -449,7 +449,6 @@ impl PointLeader {
             }
             let missed = &targets - self.lead.values(self.free.state())?;
             let miss = missed.amax();
-            let parts = slopes.clone().svd(true, true);
             // The rounding errors of the positions end the improvement.
             if miss <= MISS * self.size && (miss == 0.0 || miss >= 0.5 * best) {
                 let is_same = is_same_branch(&before, &slopes);
@@ -462,6 +461,7 @@ impl PointLeader {
                 });
             }
             best = best.min(miss);
+            let parts = slopes.svd(true, true);
             let largest = parts.singular_values.max();
             let change = parts.solve(&missed, f64::EPSILON * largest).ok()?;
             for (&index, change) in self.lead.inputs.iter().zip(change.iter()) {
