@@ -390,3 +390,15 @@ fn given_solution_beside_change_point_is_followed() {
         }
     }
 }
+
+/// A parallelogram on the follower of an antiparallelogram: both are in line at one coordinate. The
+/// extreme of the later one is lost in rounding beside the earlier one, and the motion ended there.
+/// The cylinder from O pushes the pin P of the crank, at a distance of 67.5 from A.
+#[test]
+fn two_groups_in_line_at_one_coordinate_pass() {
+    let (_, solver) = open(include_str!("scenes/two_groups_in_line.toml"));
+    let (arm, base) = (67.5, Vec2::new(789.15, 948.54));
+    let ends = [base.norm() - arm, base.norm() + arm];
+    let change = (base - Vec2::new(arm, 0.0)).norm();
+    assert_places(&solver, Some(ends), &[change]);
+}

@@ -139,7 +139,7 @@ impl Walker<'_> {
             self.ahead(*at) > 0.0 && !self.crossings.has(self.engine, place, EQUALITY_TOLERANCE)
         });
         found.sort_by(|x, y| self.ahead(x.1).total_cmp(&self.ahead(y.1)));
-        found.into_iter().find_map(|(stretch, at)| {
+        let first = found.iter().find_map(|&(stretch, at)| {
             if !is_known[stretch.step] || self.exactly_near(stretch.step, at).is_some() {
                 return self.limit_at(&stretch, at);
             }
@@ -152,7 +152,26 @@ impl Walker<'_> {
                 let is_new = self.ahead(at) > 0.0 && !is_passed;
                 is_new.then(|| self.limit_at(&stretch, at)).flatten()
             })
-        })
+        });
+        self.limit_of_earlier_step(&found).or(first)
+    }
+
+    /// Returns the limit of an earlier dyad close to that of a dyad whose extreme is lost in
+    /// rounding: directly before a change point of the earlier one, the later one has few digits.
+    fn limit_of_earlier_step(&mut self, found: &[(Stretch, f64)]) -> Option<f64> {
+        let lost = self.unresolved.take()?;
+        let (later, _, limit) = lost;
+        for &(stretch, at) in found {
+            let is_near = self.engine.difference(at, limit).abs() <= NEIGHBOURING;
+            if stretch.step < later && is_near {
+                let earlier = self.limit_at(&stretch, at);
+                if self.ahead.is_some() {
+                    return earlier;
+                }
+            }
+        }
+        self.unresolved = Some(lost);
+        None
     }
 
     /// Returns the coordinate close to `at` where a dyad's reach is extreme, in double-double.
