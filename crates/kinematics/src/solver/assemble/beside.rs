@@ -3,13 +3,14 @@
 //! followed from a coordinate close by, on the branch that leads to the solution. A given solution
 //! has all its digits and is taken as it is.
 
-use super::{Assembler, Placement, Request, TrackingStart, steps_of};
+use super::{Assembler, Placement, Request, TrackingStart, side_of, steps_of};
 use crate::mechanism::Body;
 use crate::solver::Order;
 use crate::solver::conditioning::condition;
 use crate::solver::coupled::{Coupled, Scratch, distance};
 use crate::solver::engine::Engine;
 use crate::solver::fault::Fault;
+use crate::solver::plan::AssemblyChoice;
 use crate::solver::state::{Condition, State};
 use crate::solver::workspace::Workspace;
 use crate::{LinkId, PointId, Vec2};
@@ -19,7 +20,7 @@ use crate::{LinkId, PointId, Vec2};
 const MAX_RESIDUAL: f64 = 1e-13;
 /// Condition of a group below which a solution is beside a change point or a limit. It is about the
 /// distance from a change point.
-const BESIDE: f64 = 1e-6;
+const MAX_CONDITION: f64 = 1e-6;
 /// Distance of the coordinate from which the motion is followed, in radians or scaled lengths. The
 /// solutions there have most of their digits, and a series of second order leads back.
 const OFFSET: f64 = 1e-4;
@@ -27,11 +28,18 @@ const OFFSET: f64 = 1e-4;
 /// solution found by Newton's method.
 const MAX_MISS: f64 = 1e-7;
 /// Maximum error of the intended branch relative to that of the next one.
-const CLEAR: f64 = 0.1;
-/// Minimum error of that next branch: below it, the errors of both series decide.
+const MAX_MISS_RATIO: f64 = 0.1;
+/// Minimum error of that next branch: below it, the errors of both series decide. Newton's method
+/// leaves the solution itself free within about 1e-8.
 const MIN_SEPARATION: f64 = 1e-9;
+const MIN_SEPARATION_BY_NEWTON: f64 = 1e-7;
+/// Minimum growth of the condition up to [`OFFSET`]. A group that is ill-conditioned everywhere is
+/// not beside a singularity.
+const MIN_CONDITION_RATIO: f64 = 10.0;
+/// Measure of a dyad below which it may change its side within [`OFFSET`].
+const IN_LINE: f64 = 1e-6;
 /// Maximum distance of a solution at [`OFFSET`] that meets the given one.
-const NEAR: f64 = 0.05;
+const MAX_ROOT_DISTANCE: f64 = 0.05;
 
 /// Maximum number of combinations of the directions of slots.
 const MAX_DIRECTIONS: usize = 64;
@@ -41,6 +49,14 @@ struct Branch {
     /// The error with which it leads to the given solution.
     miss: f64,
     z: Vec<f64>,
+}
+
+/// The other groups at the coordinate of a solution.
+struct GroupsAround {
+    /// The pick of every dyad.
+    picks: Vec<Option<AssemblyChoice>>,
+    /// Whether a dyad is almost in line.
+    is_any_in_line: bool,
 }
 
 impl Assembler<'_> {
@@ -81,7 +97,7 @@ impl Assembler<'_> {
     ) -> bool {
         let (q, _) = engine.coordinate::<f64>(self.request.at);
         group.open(scratch).z.copy_from_slice(z);
-        condition(group, q, state, scratch).is_none_or(|condition| condition < BESIDE)
+        condition(group, q, state, scratch).is_none_or(|condition| condition < MAX_CONDITION)
     }
 
     /// Returns the directions of a coupled group's links that its points imply. A slot between two
@@ -138,8 +154,9 @@ impl Assembler<'_> {
         }
     }
 
-    /// Starts at a coordinate close to that of a given solution of a coupled group, on its branch.
-    /// Returns `None` at a limit, where the motion exists on one side only.
+    /// Starts at a coordinate close to that of a solution of a coupled group, on its branch. Returns
+    /// `None` at a limit, where the motion exists on one side only, and for a group that is
+    /// ill-conditioned everywhere.
     ///
     /// # Errors
     /// Returns a fault if the branches cannot be distinguished.
@@ -157,48 +174,75 @@ impl Assembler<'_> {
         let Some(group) = self.coupled_of(number, engine) else {
             return Ok(None);
         };
+        let wanted = self.wanted(number, engine);
+        let given = self.solution_beside_singularity(number, &wanted, engine, state);
+        let min_separation = match given {
+            Some(_) => MIN_SEPARATION,
+            None => MIN_SEPARATION_BY_NEWTON,
+        };
         self.show_root(group, z, engine, state);
         let (q, _) = engine.coordinate::<f64>(self.request.at);
         let side = group.side_at(q, &state.state, &mut state.scratch);
-        let ours = &self.group(number).points;
-        let mut near = self.request.near.to_vec();
-        near.retain(|(point, _)| !ours.contains(point));
-        near.extend(ours.iter().map(|&point| (point, state.place(point))));
+        let here = condition(group, q, &state.state, &mut state.scratch).unwrap_or(0.0);
+        let around = self
+            .groups_around(number, engine, state)
+            .ok_or_else(fault)?;
+        let points = self.network.mechanism.point_ids();
+        let near: Vec<_> = points.map(|point| (point, state.place(point))).collect();
         let mut starts = Vec::new();
+        let mut is_limit = false;
         for by in [OFFSET, -OFFSET] {
             let at = engine.moved(self.request.at, by);
+            if engine.is_beyond_table(at) {
+                continue;
+            }
             let request = Request {
                 at,
                 near: &near,
-                picks: self.request.picks.clone(),
+                picks: around.picks.clone(),
             };
             let nearby = Assembler {
                 request: &request,
+                follows_branches: false,
                 ..*self
             };
             let (mut engine, mut state) = (engine.clone(), state.clone());
             let branches = nearby.branches(number, z, self.request.at, &mut engine, &mut state);
-            let [best, next, ..] = &branches[..] else {
-                return Ok(None);
+            let Some(branches) = branches else {
+                continue;
             };
-            let is_clear = best.miss <= CLEAR * next.miss && next.miss >= MIN_SEPARATION;
+            let [best, next, ..] = &branches[..] else {
+                is_limit = true;
+                continue;
+            };
+            let is_clear = best.miss <= MAX_MISS_RATIO * next.miss && next.miss >= min_separation;
             if best.miss > MAX_MISS || !is_clear {
                 continue;
             }
-            let way = Placement::Root(best.z.clone());
-            let placed = nearby.take(number, &way, &mut engine, &mut state)
+            let placement = Placement::Root(best.z.clone());
+            let is_placed = nearby.take(number, &placement, &mut engine, &mut state)
                 != Condition::NoAssembly
                 && nearby.place_groups_from(number + 1, &mut engine, &mut state)
                 && engine.run(at, self.order, &mut state) == Condition::Ok;
-            let reached = nearby.coupled_of(number, &engine).map(|group| group.side);
-            if placed {
-                starts.push((reached == Some(side), at, engine, state));
+            let Some(group) = nearby.coupled_of(number, &engine).filter(|_| is_placed) else {
+                continue;
+            };
+            let is_same_side = group.side == side;
+            // Other groups that are in line here change their sides, too.
+            if !is_same_side && around.is_any_in_line {
+                continue;
             }
+            let (q, _) = engine.coordinate::<f64>(at);
+            let there = condition(group, q, &state.state, &mut state.scratch).unwrap_or(0.0);
+            if there < MIN_CONDITION_RATIO * here {
+                return Ok(None);
+            }
+            starts.push((is_same_side, at, engine, state));
         }
         // Without a change point in between, if there is such a side.
         starts.sort_by_key(|(is_same_side, ..)| !is_same_side);
         let Some((_, at, there, found)) = starts.into_iter().next() else {
-            return Err(fault());
+            return if is_limit { Ok(None) } else { Err(fault()) };
         };
         (*engine, *state) = (there, found);
         Ok(Some(TrackingStart {
@@ -207,8 +251,50 @@ impl Assembler<'_> {
         }))
     }
 
+    /// Places the groups after one at the requested coordinate, and returns the picks of all dyads
+    /// there: the approximate positions belong to it. Returns `None` if one cannot be placed, or if
+    /// another coupled group is almost singular.
+    fn groups_around(
+        &self,
+        number: usize,
+        engine: &Engine,
+        state: &mut Workspace,
+    ) -> Option<GroupsAround> {
+        let here = Assembler {
+            order: Order::Position,
+            follows_branches: false,
+            ..*self
+        };
+        let mut engine = engine.clone();
+        for later in number + 1..self.plan.groups.len() {
+            here.place_group(later, &mut engine, state).ok()?;
+        }
+        let mut around = GroupsAround {
+            picks: self.request.picks.clone(),
+            is_any_in_line: false,
+        };
+        for (other, pick) in around.picks.iter_mut().enumerate() {
+            if let Some(key) = here.key(other, &engine) {
+                let plus = side_of(self.network.mechanism, &engine, key, AssemblyChoice::Plus)?;
+                *pick = Some(match plus * engine.signs[other] > 0.0 {
+                    true => AssemblyChoice::Plus,
+                    false => AssemblyChoice::Minus,
+                });
+                around.is_any_in_line |= state.measures[other].abs() < IN_LINE;
+            } else if let Some(group) = here.coupled_of(other, &engine).filter(|_| other != number)
+            {
+                let Workspace { state, scratch, .. } = &mut *state;
+                let z = group.open(scratch).z.to_vec();
+                if here.is_beside(group, &z, &engine, state, scratch) {
+                    return None;
+                }
+            }
+        }
+        Some(around)
+    }
+
     /// Returns the solutions near a given one at another coordinate, in the order of the errors with
-    /// which they lead to it at `given_at`.
+    /// which they lead to it at `given_at`. Returns `None` if an earlier group cannot be placed.
     fn branches(
         &self,
         number: usize,
@@ -216,15 +302,15 @@ impl Assembler<'_> {
         given_at: f64,
         engine: &mut Engine,
         state: &mut Workspace,
-    ) -> Vec<Branch> {
+    ) -> Option<Vec<Branch>> {
         if !(0..number).all(|n| self.place_group(n, engine, state).is_ok()) {
-            return Vec::new();
+            return None;
         }
         self.run_before_placements(number, engine, state);
         let (at, steps) = (self.request.at, steps_of(engine, number));
         let mut found = Vec::new();
         for z in self.all_roots(number, engine, state) {
-            if distance(&z, given) > NEAR {
+            if distance(&z, given) > MAX_ROOT_DISTANCE {
                 continue;
             }
             self.take_root(number, &z, engine, state);
@@ -241,6 +327,6 @@ impl Assembler<'_> {
             found.push(Branch { miss, z });
         }
         found.sort_by(|a, b| a.miss.total_cmp(&b.miss));
-        found
+        Some(found)
     }
 }

@@ -171,7 +171,9 @@ impl Assembler<'_> {
             if wanted.is_empty() {
                 continue;
             }
-            for root in self.roots_near(number, &wanted, SearchEffort::Newton, engine, workspace) {
+            let given = self.solution_beside_singularity(number, &wanted, engine, workspace);
+            let near = self.roots_near(number, &wanted, SearchEffort::Newton, engine, workspace);
+            for root in given.into_iter().chain(near) {
                 self.keep(number, root, &mut roots, engine, workspace);
             }
         }

@@ -262,8 +262,8 @@ impl Coupled {
         }
     }
 
-    /// Passes the length of each row of the matrix to `size` that it would have if every spot moved in
-    /// the direction that its equation measures. The row itself may be zero at a singularity.
+    /// Passes to `size` the length that each row of the matrix would have if every spot moved in the
+    /// direction that its equation measures. The row itself may be zero at a singularity.
     pub(super) fn size_rows(
         &self,
         q: f64,
@@ -272,23 +272,25 @@ impl Coupled {
         mut size: impl FnMut(f64),
     ) {
         let place = |spot: &Spot| self.moving(spot, q, state, buffers).p;
-        let mobility = |a: &Spot, b: &Spot| self.mobility(a, q) + self.mobility(b, q);
+        let arm = |spot: &Spot| arm_of(spot, q);
+        let free =
+            |a: &Spot, b: &Spot| [a, b].into_iter().filter(|s| s.has_free_base()).count() as f64;
         for equation in &self.equations {
             match equation {
                 GroupEquation::Distance { a, b, .. } => {
-                    size((place(a) - place(b)).norm() * mobility(a, b).sqrt());
+                    let moves = free(a, b) + squares([arm(a), arm(b)]);
+                    size((place(a) - place(b)).norm() * moves.sqrt());
                 }
                 GroupEquation::Meeting { a, b, .. } => {
-                    [mobility(a, b).sqrt(); 2].into_iter().for_each(&mut size);
+                    let moves = free(a, b) + squares([arm(a), arm(b)]);
+                    [moves.sqrt(); 2].into_iter().for_each(&mut size);
                 }
                 GroupEquation::Slot {
                     x, q: on, turning, ..
                 } => {
-                    let turned = match turning {
-                        Turning::Known(_) => 0.0,
-                        Turning::Unknown(_) => (place(x) - place(on)).norm2(),
-                    };
-                    size((mobility(x, on) + turned).sqrt());
+                    let gap = (place(x) - place(on)).norm();
+                    let slot = turning.unknown().map(|index| (index, gap));
+                    size((free(x, on) + squares([arm(x), arm(on), slot])).sqrt());
                 }
                 GroupEquation::Elbow {
                     link,
@@ -296,25 +298,12 @@ impl Coupled {
                     following,
                 } => {
                     let ways = [link, from];
-                    let unknown = ways.iter().filter(|way| way.turning.known().is_none());
+                    let turns = ways.map(|way| way.turning.unknown().map(|index| (index, 1.0)));
                     let (_, along) =
                         self.input_lead_sin_cos(ways, following.as_ref(), q, state, buffers);
-                    size(steepness(along) * (unknown.count() as f64).sqrt());
+                    size(steepness(along) * squares(turns).sqrt());
                 }
             }
-        }
-    }
-
-    /// Returns the sum of the squares of a spot's derivatives by the unknowns; a free joint counts
-    /// once.
-    fn mobility(&self, spot: &Spot, q: f64) -> f64 {
-        let free = match spot.base {
-            Base::Known(_) => 0.0,
-            Base::Free(_) => 1.0,
-        };
-        match spot.arm {
-            Some((Turning::Unknown(_), arm)) => free + spot.reach(arm, q).norm2(),
-            Some((Turning::Known(_), _)) | None => free,
         }
     }
 
@@ -358,6 +347,29 @@ impl Coupled {
             buffers.matrix[row + 2 * self.free + i] += weight.dot(r.perp());
         }
     }
+}
+
+/// Returns the length of a spot's arm, with the number of the class that turns it.
+fn arm_of(spot: &Spot, q: f64) -> Option<(usize, f64)> {
+    let (turning, arm) = spot.arm?;
+    Some((turning.unknown()?, spot.reach(arm, q).norm()))
+}
+
+/// Returns the sum of the squares of lengths; those of one class are added first.
+fn squares<const N: usize>(lengths: [Option<(usize, f64)>; N]) -> f64 {
+    let of_class = |class: usize| {
+        let same = lengths
+            .iter()
+            .flatten()
+            .filter(|(other, _)| *other == class);
+        same.map(|(_, length)| length).sum::<f64>()
+    };
+    let classes = lengths.iter().enumerate().filter_map(|(i, one)| {
+        let (class, _) = (*one)?;
+        let is_first = lengths[..i].iter().flatten().all(|(c, _)| *c != class);
+        is_first.then_some(class)
+    });
+    classes.map(|class| of_class(class).powi(2)).sum()
 }
 
 /// Returns the derivative of 2 tan(delta / 2) by delta, from cos(delta). Unlike a sine, this

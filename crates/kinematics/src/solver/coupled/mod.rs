@@ -72,6 +72,13 @@ impl Turning {
             Turning::Unknown(_) => None,
         }
     }
+
+    fn unknown(self) -> Option<usize> {
+        match self {
+            Turning::Known(_) => None,
+            Turning::Unknown(class) => Some(class),
+        }
+    }
 }
 
 /// The position of a joint: `base + R (arm + along p)`, with p the coordinate of the input that
@@ -88,6 +95,10 @@ struct Spot {
 }
 
 impl Spot {
+    fn has_free_base(&self) -> bool {
+        matches!(self.base, Base::Free(_))
+    }
+
     /// Returns the vector from the base to the joint, in the frame that turns the arm, with the
     /// driver's coordinate at `q`.
     #[inline(always)]

@@ -104,8 +104,7 @@ impl Coupled {
     }
 
     /// Returns the determinant of the matrix, relative to the largest possible lengths of its rows, at
-    /// the z in the scratch; 0 if the matrix is singular. The lengths themselves may be zero at a
-    /// singularity, together with the determinant.
+    /// the z in the scratch; 0 if the matrix is singular. A row itself may be zero at a singularity.
     pub(in crate::solver) fn determinant(
         &self,
         q: f64,

@@ -135,6 +135,28 @@ impl Anchors {
         self.numbers.truncate(kept * Anchors::stride(engine));
     }
 
+    /// Removes the anchors behind a start in the direction of motion, from an index on.
+    pub(super) fn remove_behind(
+        &mut self,
+        engine: &Engine,
+        first: usize,
+        (start, sense): (f64, f64),
+    ) {
+        let stride = Anchors::stride(engine);
+        let kept = first..self.at.len();
+        let kept = kept.filter(|&i| (self.at[i] - start) * sense >= 0.0);
+        let kept: Vec<usize> = kept.collect();
+        let numbers = kept.iter();
+        let numbers = numbers.flat_map(|&i| &self.numbers[i * stride..(i + 1) * stride]);
+        let (numbers, at): (Vec<f64>, Vec<f64>) = (
+            numbers.copied().collect(),
+            kept.iter().map(|&i| self.at[i]).collect(),
+        );
+        self.truncate(engine, first);
+        self.at.extend(at);
+        self.numbers.extend(numbers);
+    }
+
     /// Reverses the order of the anchors from an index on.
     pub(super) fn reverse_from(&mut self, engine: &Engine, first: usize) {
         let stride = Anchors::stride(engine);

@@ -42,9 +42,9 @@ const CORNER: f64 = 1e-6;
 const SHARP: f64 = 0.3;
 /// Condition of a coupled group, times its speed, below which the group is singular within rounding:
 /// at a distance of about 1e-7 from a change point.
-const SINGULAR: f64 = 1e-7;
-/// Measure of a coupled group, relative to its maximum, below which its condition is computed.
-const SMALL: f64 = 1e-9;
+const MAX_SINGULAR_CONDITION: f64 = 1e-7;
+/// Measure of a coupled group, relative to its maximum so far, below which its condition is computed.
+const MAX_CHECKED_MEASURE: f64 = 1e-6;
 /// Step of a linear driver, in the solver's unit length. The step of a turning driver is one
 /// degree.
 const PUSH_STEP: f64 = 1.0 / 128.0;
@@ -160,6 +160,16 @@ impl Walker<'_> {
     /// # Errors
     /// [`Fault::OverConstrained`] if a watched constraint stops holding.
     pub(super) fn walk(&mut self) -> Result<WalkEnd, Fault> {
+        let kept = self.anchors.len();
+        let end = self.walk_on();
+        // The motion behind the start is tracked by the other walk, or at the end of the turn.
+        self.anchors
+            .remove_behind(self.engine, kept, (self.start, self.sense));
+        end
+    }
+
+    /// Tracks the motion as [`Walker::walk`] does, and keeps anchors behind the start.
+    fn walk_on(&mut self) -> Result<WalkEnd, Fault> {
         let (start, sense) = (self.start, self.sense);
         let step = if self.engine.is_rotary {
             1.0
@@ -484,7 +494,7 @@ impl Walker<'_> {
             if next == good {
                 break;
             }
-            if self.try_step(good, next, saved) {
+            if self.try_step(good, next, saved) && !self.is_singular(next) {
                 self.note(next);
                 if let Some(limit) = self.limit_passed() {
                     return Err(Stop::Limit(limit));
@@ -520,10 +530,10 @@ impl Walker<'_> {
     }
 
     /// Tries one step and returns `true` if it is safe: it can be assembled, and the predicted
-    /// moves, corrections and rotations are small enough, and it does not end at a singularity. The
-    /// state may change even if the step fails.
+    /// moves, corrections and rotations are small enough. The state may change even if the step
+    /// fails.
     pub(super) fn try_step(&mut self, from: f64, to: f64, before: &State) -> bool {
-        self.try_part(self.engine.program.steps.len(), (from, to), before) && !self.is_singular(to)
+        self.try_part(self.engine.program.steps.len(), (from, to), before)
     }
 
     /// Returns `true` if a coupled group is at a change point within rounding: its rates have no
@@ -534,12 +544,13 @@ impl Walker<'_> {
         let (q, _) = self.engine.coordinate(at);
         let Workspace { state, scratch, .. } = &mut self.state;
         self.engine.program.coupled.iter().any(|c| {
-            let is_small = state.measures[c.group].abs() < SMALL * self.peaks[c.group];
+            let is_small =
+                state.measures[c.group].abs() < MAX_CHECKED_MEASURE * self.peaks[c.group];
             is_small && {
                 let rates = &*c.open(scratch).first;
                 let speed: f64 = rates.iter().map(|rate| rate * rate).sum::<f64>().sqrt();
                 let condition = condition(c, q, state, scratch);
-                condition.is_none_or(|condition| condition * (1.0 + speed) < SINGULAR)
+                condition.is_none_or(|condition| condition * (1.0 + speed) < MAX_SINGULAR_CONDITION)
             }
         })
     }

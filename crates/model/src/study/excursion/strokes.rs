@@ -297,8 +297,8 @@ fn crossing(
     root(ends[0], ends[1], finest, off).ok()
 }
 
-/// Narrows the part between two neighbouring extrema, in which a quantity passes a value, to the part
-/// between two samples.
+/// Narrows the part between two neighbouring extrema, in which a quantity passes a value, to about the
+/// distance of two samples.
 fn narrowed(
     [mut a, mut b]: [FigurePlace; 2],
     value: f64,
