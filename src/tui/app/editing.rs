@@ -215,8 +215,10 @@ impl App {
 
     /// Shows an edited scene at the driver's coordinate, as far as the scene can reach it.
     fn take_edit(&mut self, edited: EditedScene, now: Duration) {
+        let before = self.player.out_of_reach();
         self.exchange(edited.opened, now);
-        if let Some(at) = self.player.out_of_reach() {
+        let lost = self.player.out_of_reach();
+        if let Some(at) = lost.filter(|_| lost != before) {
             let (decimals, unit) = (
                 self.player.open_scene.driver_range().decimals(),
                 self.player.open_scene.unit(),

@@ -156,10 +156,13 @@ fn spelled(typed: &str) -> Vec<ListEntry> {
     }
 }
 
-/// Returns `true` if a word begins the name of exercises, with at least three letters.
+/// Minimum number of letters of a word that finds a whole kind of entries.
+const MIN_WORD: usize = 3;
+
+/// Returns `true` if a word begins the name of exercises.
 fn is_exercise(word: &str) -> bool {
     let names = ["exercise", words().exercise_name()];
-    word.len() >= 3
+    word.len() >= MIN_WORD
         && names
             .iter()
             .any(|name| plain(name).starts_with(&plain(word)))
@@ -189,8 +192,10 @@ fn named(typed: &str) -> impl Iterator<Item = ListEntry> {
     let tasks = tasks.filter(move |(_, task)| is_synthesis || begins(task.name));
     let presets = presets.map(|(at, _)| ListEntry::Preset(at));
     let themes = Theme::ALL.into_iter().filter(move |theme| {
-        let names = [theme.name(), theme.shown_name(), "theme", "tema"];
-        !typed.is_empty() && names.iter().any(|name| plain(name).starts_with(typed))
+        let names = [theme.name(), theme.shown_name()];
+        let is_named = names.iter().any(|name| plain(name).starts_with(typed));
+        let is_word = ["theme", "tema"].iter().any(|word| word.starts_with(typed));
+        !typed.is_empty() && is_named || typed.len() >= MIN_WORD && is_word
     });
     let themes = themes.map(ListEntry::Theme);
     let tasks = tasks.map(|(at, _)| ListEntry::Task(at));
