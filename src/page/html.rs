@@ -198,7 +198,10 @@ fn formula(of: &Formula) -> String {
                 format!("{}·10<sup>{power}</sup>", marked_up(digits))
             }
         },
-        MathPiece::Power(exponent) => format!("<sup>{}</sup>", marked_up(exponent)),
+        MathPiece::Power(exponent) => {
+            let exponent = marked_up(&exponent.replace('-', "\u{2212}"));
+            format!("<sup>{exponent}</sup>")
+        }
         MathPiece::Sign('-') => "\u{2212}".into(),
         MathPiece::Sign(sign) => marked_up(&sign.to_string()),
         MathPiece::Blank => " ".into(),
@@ -237,6 +240,16 @@ mod tests {
             "Write <code>a &lt; b</code>, which removes <i>r\u{307}</i><sub>6</sub>: \
              2 mm/s<sup>2</sup>."
         );
+        for (text, expected) in [
+            ("a^2+b^2", "<i>a</i><sup>2</sup>+<i>b</i><sup>2</sup>"),
+            ("f(x^2)", "<i>f</i>(<i>x</i><sup>2</sup>)"),
+            ("10^9'dan", "10<sup>9</sup>'dan"),
+            ("1/r3^2", "1/<i>r</i><sub>3</sub><sup>2</sup>"),
+            ("dr4/dt'yi", "<i>r\u{307}</i><sub>4</sub>'yi"),
+        ] {
+            assert_eq!(prose(text, &[]), expected, "{text}");
+        }
+        assert_eq!(name_of("θ3 - 30", &[]), "<i>θ</i><sub>3</sub> \u{2212} 30");
         let less = Formula::from("a").with_sign('<').then("b");
         assert_eq!(formula(&less), "<i>a</i>&lt;<i>b</i>");
     }

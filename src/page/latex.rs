@@ -162,7 +162,7 @@ fn formula(of: &Formula) -> String {
         MathPiece::Symbol(symbol) => {
             let letter = match greek(&symbol.letter) {
                 Some(name) => format!("{name} "),
-                None if symbol.letter.len() == 1 => symbol.letter.clone(),
+                None if symbol.letter.len() == 1 => in_math(&symbol.letter),
                 None => format!("\\text{{{}}}", escaped(&symbol.letter)),
             };
             let letter = match symbol.order {
@@ -188,7 +188,14 @@ fn formula(of: &Formula) -> String {
                 format!("{}\\cdot10^{{{}}}", escaped(digits), escaped(power))
             }
         },
-        MathPiece::Power(exponent) => format!("^{{{}}}", escaped(exponent)),
+        MathPiece::Power(exponent) => {
+            // TeX stops at an exponent of an exponent.
+            let base = match pieces.get(k.wrapping_sub(1)) {
+                Some(MathPiece::Power(_)) => "{}",
+                _ => "",
+            };
+            format!("{base}^{{{}}}", in_math(exponent))
+        }
         MathPiece::Sign('·') => "\\cdot ".into(),
         MathPiece::Sign('±') => "\\pm ".into(),
         MathPiece::Sign(',') => ",\\penalty900 ".into(),
@@ -198,6 +205,15 @@ fn formula(of: &Formula) -> String {
         MathPiece::Blank => blank(pieces.get(k.wrapping_sub(1)), pieces.get(k + 1)).into(),
     };
     pieces.iter().enumerate().map(one).collect()
+}
+
+/// Formats letters and digits in math mode, and other characters as text.
+fn in_math(text: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-';
+    match text.chars().all(is_plain) {
+        true => text.to_owned(),
+        false => format!("\\text{{{}}}", escaped(text)),
+    }
 }
 
 /// Puts dots over a letter; in a name of several letters, over the first.
@@ -259,6 +275,7 @@ fn greek(letter: &str) -> Option<&'static str> {
         "γ" => "\\gamma",
         "μ" => "\\mu",
         "ν" => "\\nu",
+        "Δ" => "\\Delta",
         _ => return None,
     })
 }
@@ -289,6 +306,7 @@ pub(super) fn escaped(text: &str) -> String {
             }
             '"' => out.push_str("{\\textquotedblright}"),
             '·' => out.push_str("\\ensuremath{\\cdot}"),
+            '²' => out.push_str("\\ensuremath{^2}"),
             '→' => out.push_str("\\ensuremath{\\rightarrow}"),
             '\u{2212}' => out.push_str("\\ensuremath{-}"),
             // Two hyphens would become a dash.
@@ -328,6 +346,37 @@ mod tests {
         );
         let small = Formula::number("5.7e-14");
         assert_eq!(formula(&small), "5.7\\cdot10^{-14}");
+    }
+
+    /// TeX stops at an unescaped special character and at two exponents.
+    #[test]
+    fn any_text_of_a_scene_is_valid_in_math() {
+        for (text, expected) in [
+            ("a^2+b^2", "\\(a^{2}+b^{2}\\)"),
+            ("f(x^2)", "\\(f(x^{2})\\)"),
+            ("10^9'dan", "\\(10^{9}\\text{'dan}\\)"),
+            ("%^2", "\\(\\text{\\%}^{2}\\)"),
+            (
+                "r2·ω2^2",
+                "\\(r_{\\text{2}}\\cdot \\omega _{\\text{2}}^{2}\\)",
+            ),
+            ("dr4/dt'yi", "\\(\\dot{r}_{\\text{4}}\\text{'yi}\\)"),
+        ] {
+            assert_eq!(prose(text, &[]), expected, "{text}");
+        }
+        let label = |text| cell(&Cell::proved(text), &[]);
+        assert_eq!(
+            label("θ3 & θ4"),
+            "\\(\\theta _{\\text{3}}\\,\\penalty900 \\text{\\&}\\,\\penalty900 \\theta _{\\text{4}}\\)"
+        );
+        assert_eq!(label("θ3 + 30"), "\\(\\theta _{\\text{3}} + 30\\)");
+        assert_eq!(formula(&"_".into()), "\\text{\\_}");
+        assert_eq!(formula(&"Δ_r3".into()), "\\Delta _{\\text{r3}}");
+        assert_eq!(
+            formula(&Formula::words("m^2^%")),
+            "\\text{m}^{2}{}^{\\text{\\%}}"
+        );
+        assert_eq!(escaped("d²"), "d\\ensuremath{^2}");
     }
 
     #[test]

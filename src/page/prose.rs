@@ -43,26 +43,100 @@ fn words(text: &str) -> Formula {
     words.unwrap_or_default()
 }
 
-/// Returns a word of a sentence as a formula: `r3`, `dr3/dt`, `μ(θ3)`, `100^2`.
+/// Returns a word of a sentence as a formula: `r3`, `dr3/dt`, `μ(θ3)`, `100^2`, `1/r3^2`.
 fn word(text: &str) -> Formula {
-    let rate = |before, after| text.strip_prefix(before)?.strip_suffix(after);
-    if let Some((base, exponent)) = text.rsplit_once('^') {
-        return word(base).power(exponent);
+    let mut formula = Formula::default();
+    let mut rest = text;
+    let mut is_raised = false;
+    while let Some(c) = rest.chars().next() {
+        let (piece, size) = if let Some((rate, size)) = rate(rest) {
+            (rate.into(), size)
+        } else if c.is_ascii_digit() {
+            let size = number_size(rest);
+            (Formula::number(&rest[..size]), size)
+        } else if c.is_alphabetic() {
+            let size = name_size(rest);
+            (rest[..size].into(), size)
+        } else if let Some(exponent) = rest
+            .strip_prefix('^')
+            .filter(|_| !is_raised)
+            .and_then(exponent)
+        {
+            (Formula::default().power(exponent), 1 + exponent.len())
+        } else if is_suffix(rest) {
+            let end = rest[1..].find(|c: char| !c.is_alphabetic());
+            let size = end.map_or(rest.len(), |end| 1 + end);
+            (Formula::words(&rest[..size]), size)
+        } else if rest.starts_with("+-") {
+            (Formula::sign('±'), 2)
+        } else {
+            (Formula::sign(c), c.len_utf8())
+        };
+        // An exponent has no exponent.
+        is_raised = c == '^' && size > 1;
+        formula = formula.then(piece);
+        rest = &rest[size..];
     }
-    if let Some((function, (of, rest))) = text
-        .split_once('(')
-        .and_then(|(function, rest)| Some((function, rest.split_once(')')?)))
-    {
-        return word(function)
-            .then(word(of).in_brackets())
-            .then(Formula::words(rest));
+    formula
+}
+
+/// Returns the rate at the beginning of a text, `dr3/dt` or `d2r3/dt2`, with its length.
+fn rate(text: &str) -> Option<(Symbol, usize)> {
+    let size = name_size(text);
+    let (name, rest) = text.split_at(size);
+    let of = |order, before, after: &str| {
+        let name = name.strip_prefix(before)?;
+        let end = rest.strip_prefix(after)?;
+        let is_rate = !name.is_empty() && !end.starts_with(char::is_alphanumeric);
+        is_rate.then(|| (Symbol::named(name).derivative(order), size + after.len()))
+    };
+    of(2, "d2", "/dt2").or_else(|| of(1, "d", "/dt"))
+}
+
+/// Returns the length of the name at the beginning of a text. A `-` between letters or digits
+/// belongs to it.
+fn name_size(text: &str) -> usize {
+    let mut before = None;
+    for (at, c) in text.char_indices() {
+        let rest = &text[at..];
+        let is_joined = || rest[1..].starts_with(char::is_alphanumeric);
+        let is_part = match c {
+            '_' => true,
+            '\'' => !(is_suffix(rest) && before.is_some_and(|c: char| c.is_ascii_digit())),
+            '.' | '-' => is_joined(),
+            c => c.is_alphanumeric(),
+        };
+        if !is_part {
+            return at;
+        }
+        before = Some(c);
     }
-    match (rate("d2", "/dt2"), rate("d", "/dt")) {
-        (Some(name), _) => Symbol::named(name).derivative(2).into(),
-        (_, Some(name)) => Symbol::named(name).derivative(1).into(),
-        _ if is_number(text) => Formula::number(text),
-        _ => text.into(),
+    text.len()
+}
+
+/// Returns the length of the number at the beginning of a text: of `5.7e-14`.
+fn number_size(text: &str) -> usize {
+    let end =
+        |text: &str, is_part: fn(char) -> bool| text.find(|c| !is_part(c)).unwrap_or(text.len());
+    let size = end(text, |c| c.is_ascii_digit() || c == '.');
+    match text[size..].strip_prefix('e').and_then(exponent) {
+        Some(power) => size + 1 + power.len(),
+        None => size,
     }
+}
+
+/// Returns the exponent at the beginning of a text: a minus sign, if any, and digits.
+fn exponent(text: &str) -> Option<&str> {
+    let digits = text.strip_prefix('-').unwrap_or(text);
+    let end = digits.find(|c: char| !c.is_ascii_digit());
+    let count = end.unwrap_or(digits.len());
+    (count > 0).then(|| &text[..text.len() - digits.len() + count])
+}
+
+/// Returns `true` if a text begins with an apostrophe and a Turkish suffix.
+fn is_suffix(text: &str) -> bool {
+    let suffix = text.strip_prefix('\'');
+    suffix.is_some_and(|suffix| suffix.starts_with(char::is_alphabetic))
 }
 
 /// The units that can follow a number in a sentence.
@@ -183,5 +257,51 @@ mod tests {
         // After a number, `s` is the unit second.
         assert_eq!(symbols("after 2 s, 9.81 m/s^2, s is"), ["m/s^2", "s"]);
         assert_eq!(symbols("r2'nin boyu, s'dir"), ["r2", "s"]);
+    }
+
+    /// Texts of a scene can contain any characters.
+    #[test]
+    fn words_split_at_signs_exponents_and_suffixes() {
+        let symbol = |name: &str| Formula::from(name);
+        let rate = |order| Formula::from(Symbol::named("r4").derivative(order));
+        let two = || symbol("a").power("2");
+        for (text, expected) in [
+            ("a^2+b^2", two().with_sign('+').then(symbol("b").power("2"))),
+            (
+                "f(x^2)",
+                symbol("f").then(symbol("x").power("2").in_brackets()),
+            ),
+            (
+                "10^9'dan",
+                Formula::number("10")
+                    .power("9")
+                    .then(Formula::words("'dan")),
+            ),
+            ("10^-3", Formula::number("10").power("-3")),
+            ("a^2^3", two().with_sign('^').then(Formula::number("3"))),
+            ("a^", symbol("a").with_sign('^')),
+            (
+                "r2·ω2^2",
+                symbol("r2").with_sign('·').then(symbol("ω2").power("2")),
+            ),
+            (
+                "1/r3^2",
+                Formula::number("1")
+                    .with_sign('/')
+                    .then(symbol("r3").power("2")),
+            ),
+            ("dr4/dt'yi", rate(1).then(Formula::words("'yi"))),
+            (
+                "d2r4/dt2=-5",
+                rate(2).with_sign('=').then(Formula::number("-5")),
+            ),
+            ("r4'/dta", symbol("r4'").with_sign('/').then(symbol("dta"))),
+            ("θ_a-b", symbol("θ_a-b")),
+            ("5.7e-14", Formula::number("5.7e-14")),
+        ] {
+            assert_eq!(word(text), expected, "{text}");
+        }
+        let sum = symbol("θ3").blank().with_sign('+').blank();
+        assert_eq!(label("θ3 + 30", &[]), Some(sum.then(Formula::number("30"))));
     }
 }

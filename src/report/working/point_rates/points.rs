@@ -427,8 +427,8 @@ fn on_guide(
     let coriolis = t.perp() * (2.0 * omega * rate);
     let (guide_v, guide_a) = (v - along, a - second - coriolis);
     let under = |letter: &str| {
-        let message = |[symbol]: [&str; 1]| words().of_under(symbol, body, name);
-        Formula::message(message, [letter.into()])
+        let message = |[symbol, body, point]: [&str; 3]| words().of_under(symbol, body, point);
+        Formula::message(message, [letter, body, name].map(Formula::from))
     };
     let of_v = VectorFormatter::new(context, 1, 0.0);
     for line in [
