@@ -21,7 +21,12 @@ fn open(text: &str) -> (Scene, Solver) {
 
 /// Asserts that C keeps a constant offset from B over the whole motion.
 fn assert_translates(scene: &Scene, solver: &Solver, shift: Vec2) {
-    let [b, c] = ["B", "C"].map(|name| point(scene, name));
+    assert_keeps_offset(scene, solver, ["B", "C"], shift);
+}
+
+/// Asserts that a point keeps a constant offset from another one over the whole motion.
+fn assert_keeps_offset(scene: &Scene, solver: &Solver, points: [&str; 2], shift: Vec2) {
+    let [b, c] = points.map(|name| point(scene, name));
     let (low, high) = solver.motion().range.ends();
     let mut workspace = solver.state();
     for k in 1..STEPS {
@@ -33,7 +38,7 @@ fn assert_translates(scene: &Scene, solver: &Solver, shift: Vec2) {
         );
         let [b, c] = [b, c].map(|p| workspace.state().position(p).unwrap());
         let off = (c - b - shift).norm();
-        assert!(off < 1e-8, "at {at} C is off by {off:e}");
+        assert!(off < 1e-8, "at {at} {points:?} are off by {off:e}");
     }
 }
 
@@ -135,6 +140,34 @@ fn opening_at_change_point_of_coupled_group_is_rejected_or_translates() {
         match Solver::new(&scene.mechanism) {
             Ok(solver) => assert_translates(&scene, &solver, Vec2::new(71.76, -75.348)),
             Err(fault) => assert!(matches!(fault, Fault::ChangePoint { .. }), "{fault:?}"),
+        }
+    }
+}
+
+/// Beside a change point of a coupled group, a later group without a start is as undecided or as far
+/// out of reach as elsewhere.
+#[test]
+fn faults_of_later_groups_are_those_of_other_openings() {
+    for length in [60, 6] {
+        let links = format!(
+            "r5 = {{ from = \"B\", to = \"Q\", length = {length} }}\n\
+             r6 = {{ from = \"O\", to = \"Q\", length = 60 }}\n[start]"
+        );
+        let fault = |start: &str| {
+            let text = PUSHED_COUPLER
+                .replace("angle = -70", &format!("angle = {start}"))
+                .replace("[start]", &links);
+            let scene = Scene::parse(&text, "parallelogram").unwrap();
+            Solver::new(&scene.mechanism).unwrap_err()
+        };
+        let elsewhere = std::mem::discriminant(&fault("-70"));
+        for start in ["-74.7541", "-74.75404", "-74.754044"] {
+            let found = fault(start);
+            assert_eq!(
+                std::mem::discriminant(&found),
+                elsewhere,
+                "{start} {found:?}"
+            );
         }
     }
 }
@@ -405,4 +438,14 @@ fn two_groups_in_line_at_one_coordinate_pass() {
     let ends = [base.norm() - arm, base.norm() + arm];
     let change = (base - Vec2::new(arm, 0.0)).norm();
     assert_places(&solver, Some(ends), &[change]);
+}
+
+/// A parallelogram behind a coupled one, on its follower: both are in line at one coordinate, 4e-6 rad
+/// from the opening. It was placed before the point on the follower that carries it.
+#[test]
+fn dyad_behind_coupled_group_keeps_its_assembly() {
+    let (scene, solver) = open(include_str!("scenes/dyad_behind_coupled_group.toml"));
+    assert_eq!(solver.motion().range, Range::Full { period: 360.0 });
+    assert_translates(&scene, &solver, Vec2::new(8.792, 0.0));
+    assert_keeps_offset(&scene, &solver, ["Q", "R"], Vec2::new(76.73, 0.0));
 }

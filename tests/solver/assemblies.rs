@@ -320,7 +320,10 @@ fn h01_h02_scene_opened_at_change_point_follows_pick() {
         let group = ElementId::Point(point(&scene, "C"));
         assert_eq!(
             Solver::new(&scene.mechanism).unwrap_err(),
-            Fault::ChangePoint { group }
+            Fault::ChangePoint {
+                group,
+                has_sides: true
+            }
         );
         let follower = scene.mechanism.link_ids().nth(2).unwrap();
         let mut rates: Vec<f64> = [AssemblyChoice::Plus, AssemblyChoice::Minus]

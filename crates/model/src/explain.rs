@@ -30,7 +30,7 @@ impl Scene {
                 choices,
                 behind: after,
             } => vague(self, *point, choices, after),
-            Fault::ChangePoint { group } => change_point(self, *group),
+            Fault::ChangePoint { group, has_sides } => change_point(self, *group, *has_sides),
             Fault::BeyondStop { limit, value } => beyond_stop(self, *limit, *value),
             Fault::HeldByStops { down, up } => held_by_stops(self, *down, *up),
             Fault::NoChoice { group, found } => no_choice(self, *group, *found),
@@ -316,14 +316,18 @@ fn start_lines(scene: &Scene, point: PointId, choices: &[Vec2]) -> Vec<String> {
     choices.iter().map(line).collect()
 }
 
-fn change_point(scene: &Scene, group: ElementId) -> Diagnostic {
+fn change_point(scene: &Scene, group: ElementId, has_sides: bool) -> Diagnostic {
     let name = element_name(scene, group);
     let option = |sign| format!("`--assembly {}={sign}`", group_text(scene, group));
     let coordinate = coordinate_key(&scene.mechanism);
-    Diagnostic::new(words().opens_at_change_point(&name))
-        .at(scene.place(group), words().which_way())
-        .help(words().choose_the_side(&option('+'), &option('-')))
-        .help(words().open_at_another(coordinate))
+    let item = Diagnostic::new(words().opens_at_change_point(&name))
+        .at(scene.place(group), words().which_way());
+    if has_sides {
+        item.help(words().choose_the_side(&option('+'), &option('-')))
+            .help(words().open_at_another(coordinate))
+    } else {
+        item.help(words().open_elsewhere_in_motion())
+    }
 }
 
 fn beyond_stop(scene: &Scene, limit: LimitId, value: f64) -> Diagnostic {

@@ -52,12 +52,15 @@ pub enum Fault {
         /// before it.
         behind: Vec<OpenChoice>,
     },
-    /// An opening exactly where two assemblies of a dyad meet and the motion passes through. A
-    /// position cannot determine the branch on which it continues.
-    #[error("the start is a change point, where two ways lead on")]
+    /// An opening exactly where two assemblies of a dyad meet and the motion passes through, or so
+    /// close to such a point of a coupled group that its positions have too few digits. They cannot
+    /// determine the branch on which the motion continues.
+    #[error("the start is a change point, where two motions continue")]
     ChangePoint {
-        /// The element after which the dyad is named.
+        /// The element after which the group is named.
         group: ElementId,
+        /// Whether the group is a dyad, of which a side can be chosen.
+        has_sides: bool,
     },
     /// An assembly that opens beyond a stop.
     #[error("it opens beyond a stop, at {value}")]

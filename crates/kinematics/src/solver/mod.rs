@@ -266,7 +266,9 @@ impl Solver {
             &mut state,
         )?;
         let motion = motion::explore(&engine, exact.as_ref(), started.at, &state)?;
-        if let Some(stuck) = started.stuck.filter(|_| !motion.covers(at)) {
+        if !motion.covers(at)
+            && let Some(stuck) = started.stuck
+        {
             return Err(stuck);
         }
         let first_loop = classify::classify(&engine, mechanism);
@@ -283,6 +285,13 @@ impl Solver {
             rank: Rank::default(),
             balance: None,
         };
+        if let (Some(expected), Some(stuck)) = (started.expected, started.stuck) {
+            let mut workspace = solver.state();
+            let condition = solver.solve(at, Order::Position, &mut workspace);
+            if condition == Condition::NoAssembly || !expected.are_in(&workspace.state) {
+                return Err(stuck);
+            }
+        }
         solver.balance = Balance::new(network, &solver);
         Ok(solver)
     }

@@ -3,7 +3,11 @@
 //! followed from a coordinate close by, on the branch that leads to the solution. A given solution
 //! has all its digits and is taken as it is.
 
-use super::{Assembler, Placement, Request, TrackingStart, side_of, steps_of};
+use super::roots::extended;
+use super::{
+    Assembler, AssemblyFailure, ExpectedPositions, Placement, Request, TrackingStart, side_of,
+    steps_of,
+};
 use crate::mechanism::Body;
 use crate::solver::Order;
 use crate::solver::conditioning::condition;
@@ -118,8 +122,7 @@ impl Assembler<'_> {
             if guesses.len() * options.len() > MAX_DIRECTIONS {
                 return Vec::new();
             }
-            let with = |g: &Vec<Vec2>| options.iter().map(|&d| [&g[..], &[d]].concat()).collect();
-            guesses = guesses.iter().flat_map::<Vec<_>, _>(with).collect();
+            guesses = extended(&guesses, &options);
         }
         guesses
     }
@@ -168,12 +171,16 @@ impl Assembler<'_> {
         state: &mut Workspace,
     ) -> Result<Option<TrackingStart>, Fault> {
         let fault = || match self.group(number).name() {
-            Some(group) => Fault::ChangePoint { group },
+            Some(group) => Fault::ChangePoint {
+                group,
+                has_sides: false,
+            },
             None => self.singular(number),
         };
-        let Some(group) = self.coupled_of(number, engine) else {
+        let Some((step, index)) = self.coupled(number, engine) else {
             return Ok(None);
         };
+        let group = &engine.program.coupled[index];
         let wanted = self.wanted(number, engine);
         let given = self.solution_beside_singularity(number, &wanted, engine, state);
         let min_separation = match given {
@@ -184,9 +191,15 @@ impl Assembler<'_> {
         let (q, _) = engine.coordinate::<f64>(self.request.at);
         let side = group.side_at(q, &state.state, &mut state.scratch);
         let here = condition(group, q, &state.state, &mut state.scratch).unwrap_or(0.0);
-        let around = self
-            .groups_around(number, engine, state)
-            .ok_or_else(fault)?;
+        // Points on the group's links, from which later groups are placed.
+        let riding = step + 1..steps_of(engine, number).end;
+        let _ = engine.run_steps(riding, self.request.at, Order::Position, state);
+        let around = self.groups_around(number, engine, state);
+        let around = around.map_err(|failure| match failure {
+            AssemblyFailure::Fault(fault) => fault,
+            AssemblyFailure::Stretched(_) | AssemblyFailure::Beside(..) => fault(),
+        })?;
+        let positions: Vec<Vec2> = state.points.iter().map(|point| point.p).collect();
         let points = self.network.mechanism.point_ids();
         let near: Vec<_> = points.map(|point| (point, state.place(point))).collect();
         let mut starts = Vec::new();
@@ -237,60 +250,53 @@ impl Assembler<'_> {
             if there < MIN_CONDITION_RATIO * here {
                 return Ok(None);
             }
-            starts.push((is_same_side, at, engine, state));
+            starts.push((is_same_side, at, next.miss, engine, state));
         }
         // Without a change point in between, if there is such a side.
         starts.sort_by_key(|(is_same_side, ..)| !is_same_side);
-        let Some((_, at, there, found)) = starts.into_iter().next() else {
+        let Some((_, at, separation, there, found)) = starts.into_iter().next() else {
             return if is_limit { Ok(None) } else { Err(fault()) };
         };
         (*engine, *state) = (there, found);
         Ok(Some(TrackingStart {
             at,
             stuck: Some(fault()),
+            expected: Some(ExpectedPositions {
+                positions,
+                tolerance: 0.5 * separation,
+            }),
         }))
     }
 
     /// Places the groups after one at the requested coordinate, and returns the picks of all dyads
-    /// there: the approximate positions belong to it. Returns `None` if one cannot be placed, or if
-    /// another coupled group is almost singular.
+    /// there: the approximate positions belong to it.
+    ///
+    /// # Errors
+    /// Returns the failure of a group that cannot be placed, or of another coupled group that is
+    /// almost singular.
     fn groups_around(
         &self,
         number: usize,
         engine: &Engine,
         state: &mut Workspace,
-    ) -> Option<GroupsAround> {
-        let here = Assembler {
-            order: Order::Position,
-            follows_branches: false,
-            ..*self
-        };
+    ) -> Result<GroupsAround, AssemblyFailure> {
         let mut engine = engine.clone();
-        for later in number + 1..self.plan.groups.len() {
-            here.place_group(later, &mut engine, state).ok()?;
-        }
+        self.place_remaining_groups(number + 1, &mut engine, state)?;
         let mut around = GroupsAround {
             picks: self.request.picks.clone(),
             is_any_in_line: false,
         };
         for (other, pick) in around.picks.iter_mut().enumerate() {
-            if let Some(key) = here.key(other, &engine) {
-                let plus = side_of(self.network.mechanism, &engine, key, AssemblyChoice::Plus)?;
-                *pick = Some(match plus * engine.signs[other] > 0.0 {
+            if let Some(key) = self.key(other, &engine) {
+                let plus = side_of(self.network.mechanism, &engine, key, AssemblyChoice::Plus);
+                *pick = plus.map(|plus| match plus * engine.signs[other] > 0.0 {
                     true => AssemblyChoice::Plus,
                     false => AssemblyChoice::Minus,
                 });
                 around.is_any_in_line |= state.measures[other].abs() < IN_LINE;
-            } else if let Some(group) = here.coupled_of(other, &engine).filter(|_| other != number)
-            {
-                let Workspace { state, scratch, .. } = &mut *state;
-                let z = group.open(scratch).z.to_vec();
-                if here.is_beside(group, &z, &engine, state, scratch) {
-                    return None;
-                }
             }
         }
-        Some(around)
+        Ok(around)
     }
 
     /// Returns the solutions near a given one at another coordinate, in the order of the errors with

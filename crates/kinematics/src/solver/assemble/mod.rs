@@ -67,8 +67,27 @@ pub(super) struct TrackingStart {
     /// The requested coordinate, or one close to it.
     pub at: f64,
     /// For a start next to the requested coordinate: the fault if the motion does not reach that
-    /// coordinate.
+    /// coordinate, or reaches it with other positions than expected.
     pub stuck: Option<Fault>,
+    /// The expected positions at the requested coordinate, if known.
+    pub expected: Option<ExpectedPositions>,
+}
+
+/// Positions that a motion must reach.
+#[derive(Debug)]
+pub(super) struct ExpectedPositions {
+    /// The positions of all points, in the solver's frame.
+    positions: Vec<Vec2>,
+    /// Maximum distance from them, in units of about the longest link.
+    tolerance: f64,
+}
+
+impl ExpectedPositions {
+    /// Returns `true` if a state has the positions.
+    pub(super) fn are_in(&self, state: &State) -> bool {
+        let mut pairs = self.positions.iter().zip(&state.points);
+        pairs.all(|(expected, point)| (point.p - *expected).norm() <= self.tolerance)
+    }
 }
 
 /// Determines the signs of all dyads and a solution of every coupled group, and leaves in `state`
@@ -116,6 +135,7 @@ impl Assembler<'_> {
             Ok(()) => Ok(TrackingStart {
                 at: self.request.at,
                 stuck: None,
+                expected: None,
             }),
             Err(AssemblyFailure::Fault(fault)) => Err(fault),
             Err(AssemblyFailure::Stretched(group)) => self.start_near(group, engine, state),
@@ -137,14 +157,25 @@ impl Assembler<'_> {
         engine: &mut Engine,
         state: &mut Workspace,
     ) -> Result<(), AssemblyFailure> {
-        for number in 0..self.plan.groups.len() {
-            if let Err(halt) = self.place_group(number, engine, state) {
-                return Err(self.all_open(number, halt, engine, state));
-            }
-        }
+        self.place_remaining_groups(0, engine, state)?;
         if engine.run(self.request.at, self.order, state) != Condition::Ok {
             let steps = engine.program.steps.len();
             let _ = self.place_closely(steps, state);
+        }
+        Ok(())
+    }
+
+    /// Places the groups starting at `first`, as far as the positions choose their assemblies.
+    pub(super) fn place_remaining_groups(
+        &self,
+        first: usize,
+        engine: &mut Engine,
+        state: &mut Workspace,
+    ) -> Result<(), AssemblyFailure> {
+        for number in first..self.plan.groups.len() {
+            if let Err(halt) = self.place_group(number, engine, state) {
+                return Err(self.all_open(number, halt, engine, state));
+            }
         }
         Ok(())
     }
@@ -478,12 +509,16 @@ impl Assembler<'_> {
             return Err(stuck);
         };
         if let (true, None, Some(group)) = (passes, picked, self.group(stretched).name()) {
-            return Err(Fault::ChangePoint { group });
+            return Err(Fault::ChangePoint {
+                group,
+                has_sides: true,
+            });
         }
         (*engine, *state) = (there, found);
         Ok(TrackingStart {
             at,
             stuck: Some(stuck),
+            expected: None,
         })
     }
 

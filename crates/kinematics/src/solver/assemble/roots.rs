@@ -306,10 +306,7 @@ impl Assembler<'_> {
                 guesses.iter_mut().for_each(|g| g.push(options[0]));
                 continue;
             }
-            guesses = guesses
-                .iter()
-                .flat_map(|g| options.iter().map(move |&d| [&g[..], &[d]].concat()))
-                .collect();
+            guesses = extended(&guesses, &options);
         }
         guesses
     }
@@ -342,6 +339,17 @@ impl Assembler<'_> {
         let class = own.turned(self.network.turn[link.index()].nearest().conj());
         class.is_finite().then_some(class)
     }
+}
+
+/// Returns each list of directions extended by each option.
+pub(super) fn extended(lists: &[Vec<Vec2>], options: &[Vec2]) -> Vec<Vec<Vec2>> {
+    let with_each = |list: &'_ Vec<Vec2>| -> Vec<Vec<Vec2>> {
+        let longer = options
+            .iter()
+            .map(|&option| [&list[..], &[option]].concat());
+        longer.collect()
+    };
+    lists.iter().flat_map(with_each).collect()
 }
 
 /// Returns the sort key of a solution: the directions of its links, from +x counter-clockwise, then

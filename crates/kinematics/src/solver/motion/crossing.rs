@@ -37,7 +37,7 @@ const CORRECTIONS: usize = 5;
 
 /// Maximum distance of a crossing from an end of the range that it causes, in radians or scaled
 /// lengths.
-const AT_END: f64 = 1e-6;
+const MAX_END_DISTANCE: f64 = 1e-6;
 
 impl Walker<'_> {
     /// Crosses a limit at which two solutions of a coupled group cross. Returns the coordinate
@@ -150,7 +150,7 @@ impl Walker<'_> {
             let dq = engine.difference(last.at, limit);
             let group = &engine.program.coupled[index];
             group.predict(&mut group.open(&mut self.state.scratch), dq);
-            let found = self.nearest_crossing(step, (limit, AT_END));
+            let found = self.nearest_crossing(step, (limit, MAX_END_DISTANCE));
             let meets = found.and_then(|(crossing, at)| self.meets(step, at, crossing));
             let group = GroupId::new(group.group);
             if meets.is_some() && !self.unproved.contains(&group) {
