@@ -440,7 +440,7 @@ fn two_groups_in_line_at_one_coordinate_pass() {
     assert_places(&solver, Some(ends), &[change]);
 }
 
-/// A parallelogram behind a coupled one, on its follower: both are in line at one coordinate, 4e-6 rad
+/// A parallelogram behind a coupled one, on its follower: both are in line at one coordinate, 2e-7 rad
 /// from the opening. It was placed before the point on the follower that carries it.
 #[test]
 fn dyad_behind_coupled_group_keeps_its_assembly() {
