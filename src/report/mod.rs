@@ -85,5 +85,5 @@ pub(crate) use {
     self::cycle::page::brief_cycle,
     self::forces::{effort_word, page::missed},
     self::synthesis::{candidate_row::CandidateRow, wanted},
-    self::text::number::{perpendicular_up, shortest},
+    self::text::number::{fixed, perpendicular_up, shortest},
 };

@@ -2,7 +2,7 @@
 
 use super::{CheckedScene, Fact, PLACES};
 use crate::quantity::Catalogue;
-use crate::report::text::number::concise;
+use crate::report::text::number::{concise, fixed};
 use crate::report::text::places::{DECIMALS, errors_text, limit_text, range_text};
 use crate::scene::Scene;
 use crate::solver::{Range, Solver};
@@ -36,7 +36,7 @@ impl CheckedScene<'_> {
         let motion = self.solver.motion();
         let points = &motion.change_points;
         let lines = (!points.is_empty()).then(|| {
-            let at = points.iter().map(|at| format!("{at:.DECIMALS$}"));
+            let at = points.iter().map(|&at| fixed(at, DECIMALS));
             let at: Vec<String> = at.collect();
             let tolerance = match motion.tolerance {
                 0.0 => words().equal_as_typed().into(),

@@ -72,6 +72,16 @@ pub(in crate::report) fn without_noughts(text: String) -> String {
     }
 }
 
+/// Formats a value with `decimals` decimals; one that rounds to zero has no sign.
+pub(crate) fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let is_zero = |digits: &str| digits.bytes().all(|b| matches!(b, b'0' | b'.'));
+    match text.strip_prefix('-') {
+        Some(digits) if is_zero(digits) => digits.to_owned(),
+        _ => text,
+    }
+}
+
 /// Formats a bound with so many significant digits, rounded up: `2.1e-13`; zero is `0`.
 pub(crate) fn perpendicular_up(bound: f64, digits: usize) -> String {
     if bound == 0.0 || !bound.is_finite() {
@@ -145,6 +155,13 @@ pub(in crate::report) fn concise(value: f64, digits: usize) -> String {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    #[test]
+    fn rounded_zero_has_no_sign() {
+        for (value, text) in [(-0.0004, "0.000"), (-0.0, "0.000"), (-0.0006, "-0.001")] {
+            assert_eq!(fixed(value, 3), text);
+        }
+    }
 
     #[test]
     fn significant_digits_start_at_first_nonzero_digit() {

@@ -1,7 +1,7 @@
 //! Formats coordinates of the driver: places, limits and the range.
 
 use crate::quantity::Quantity;
-use crate::report::text::number::{concise, perpendicular_up};
+use crate::report::text::number::{concise, fixed, perpendicular_up, without_noughts};
 use crate::solver::Range;
 use crate::wording::words;
 
@@ -52,11 +52,7 @@ pub(in crate::report) fn place(at: f64) -> String {
 
 /// Formats a coordinate with so many decimals, without trailing zeros.
 fn short(at: f64, decimals: usize) -> String {
-    let fixed = format!("{at:.decimals$}");
-    match fixed.trim_end_matches('0').trim_end_matches('.') {
-        "-0" => "0".into(),
-        text => text.into(),
-    }
+    without_noughts(fixed(at, decimals))
 }
 
 /// Describes the range for a coordinate outside of it, with exact limits: a coordinate just outside

@@ -2,7 +2,7 @@
 //! a changing value does not move its neighbours.
 
 use crate::page::{Cell, UnprovedDigits};
-use crate::report::Entry;
+use crate::report::{Entry, fixed};
 
 /// Significant digits of a value of typical magnitude.
 const DIGITS: i32 = 6;
@@ -111,7 +111,7 @@ impl Format {
     }
 
     fn text(self, value: f64, proved: bool) -> String {
-        let plain = self.decimals.map(|decimals| plain(value, decimals));
+        let plain = self.decimals.map(|decimals| fixed(value, decimals));
         let hidden = |text: &String| proved && value != 0.0 && !has_digits(text);
         match plain {
             Some(text) if text.len() <= self.width && !hidden(&text) => text,
@@ -161,15 +161,6 @@ fn has_digits(text: &str) -> bool {
     text.bytes().any(|b| (b'1'..=b'9').contains(&b))
 }
 
-/// Formats a value with `decimals` decimals; zero has no sign.
-pub(crate) fn plain(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    match text.strip_prefix('-') {
-        Some(digits) if !has_digits(digits) => digits.to_owned(),
-        _ => text,
-    }
-}
-
 /// Formats a value with an exponent and as many digits as fit.
 fn scientific(value: f64, width: usize) -> String {
     let longest = format!("{value:.*e}", width.saturating_sub(3));
@@ -202,7 +193,7 @@ fn exponent(size: f64) -> i32 {
 /// six more.
 pub(crate) fn coordinate(value: f64, decimals: usize) -> String {
     let exact = (decimals..decimals + 6).find(|&d| rounded(value, d) == value);
-    plain(value, exact.unwrap_or(decimals + 6))
+    fixed(value, exact.unwrap_or(decimals + 6))
 }
 
 /// Maximum number of decimals of a coordinate.

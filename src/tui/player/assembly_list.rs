@@ -3,6 +3,7 @@
 use crate::ElementId;
 use crate::assembly::pick_text;
 use crate::drawing::Extents;
+use crate::report::fixed;
 use crate::solver::{Choice, GroupId, State};
 use crate::tui::commands::list::List;
 use crate::tui::player::open_scene::OpenScene;
@@ -100,11 +101,7 @@ impl AssemblyList {
 /// Formats a number with `decimals` decimals, or in exponential notation if it is too wide.
 fn figure(value: f64, decimals: usize) -> String {
     if value.abs() < 1e9 {
-        let text = format!("{value:.decimals$}");
-        // A rounded zero has no sign.
-        let is_zero = text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
-        let unsigned = text.strip_prefix('-').filter(|_| is_zero);
-        unsigned.unwrap_or(&text).to_owned()
+        fixed(value, decimals)
     } else {
         format!("{value:.3e}")
     }

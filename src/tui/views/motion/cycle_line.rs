@@ -7,10 +7,11 @@
 
 use super::super::{columns, print};
 use crate::drawing::Glyphs;
+use crate::report;
 use crate::solver::Range;
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
-use crate::tui::figures::format::{plain, rounded};
+use crate::tui::figures::format::rounded;
 use crate::tui::player::led_motion::LedMotion;
 use crate::tui::player::next_singularity::{SingularityKind, singularities};
 use crate::wording::words;
@@ -173,9 +174,9 @@ fn decimals(span: f64) -> usize {
         .unwrap_or(9)
 }
 
-/// Formats a number with fixed decimals, zero without a sign.
+/// Formats a number rounded to so many decimals.
 fn fixed(number: f64, decimals: usize) -> String {
-    plain(rounded(number, decimals), decimals)
+    report::fixed(rounded(number, decimals), decimals)
 }
 
 /// Formats a position within a cycle; its width is that of the whole.

@@ -2,6 +2,7 @@
 
 use crate::Input;
 use crate::drawing::Extents;
+use crate::report::fixed;
 use crate::report::wanted;
 use crate::scene::{Diagnostics, MAX_FILE_SIZE, Scene, presets};
 use crate::solver::{Order, Range, Solver, State};
@@ -208,7 +209,7 @@ fn range(scene: &Scene, solver: &Solver) -> String {
         Range::Full { .. } => words().turns_fully(name),
         Range::Limited { low, high } => {
             let decimals = DriverRange::new(scene, solver).decimals();
-            let [low, high] = [low, high].map(|end| format!("{end:.decimals$}"));
+            let [low, high] = [low, high].map(|end| fixed(end, decimals));
             words().moves_between(name, &low, &high, unit)
         }
     }

@@ -1,6 +1,7 @@
 //! The facts of the status line.
 
 use crate::Input;
+use crate::report::fixed;
 use crate::report::{singularity_text, stop_name};
 use crate::solver::Condition;
 use crate::tui::Origin;
@@ -8,7 +9,7 @@ use crate::tui::app::{App, Mode, Unsaved};
 use crate::tui::appearance::theme::ScreenPart;
 use crate::tui::commands::action::{Action, entry_of};
 use crate::tui::document::writing::{Prompt, Question, SavedContent};
-use crate::tui::figures::format::{coordinate, plain, rounded};
+use crate::tui::figures::format::{coordinate, rounded};
 use crate::tui::player::led_motion::LedMotion;
 use crate::tui::player::next_singularity::ahead;
 use crate::tui::player::open_scene::{OpenScene, shown};
@@ -141,7 +142,7 @@ fn led_in_time(app: &App, led: &LedMotion) -> String {
             Input::Push(_) => (4, scene.unit.symbol()),
         };
         let name = shown(scene.input_name(input), app.glyphs());
-        format!("  {name} {} {unit}", plain(rounded(at, decimals), decimals))
+        format!("  {name} {} {unit}", fixed(rounded(at, decimals), decimals))
     });
     inputs.fold(time, |all, one| all + &one)
 }
