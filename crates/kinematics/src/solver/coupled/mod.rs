@@ -34,6 +34,7 @@ use super::state::State;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 use build::GroupMaker;
 pub(super) use exact_fold::{ExactFold, FoldResiduals};
+pub(super) use series::Branch;
 pub(super) use singular::{Correction, Crossing, Fold};
 
 /// Maximum number of Newton corrections. Quadratic convergence from a nearby start needs fewer.

@@ -100,17 +100,20 @@ impl Coupled {
     }
 
     /// Computes the group's series about a state, and writes its points and links into `series`.
-    /// The scratch of `here` holds the group's z at that state; both workspaces hold its inputs.
-    /// `toward` is the rate of z with which the motion approaches a singular state, `None` at a
-    /// regular one. Returns `false` if the series cannot be found.
+    /// The scratch of `here` holds the group's z at a regular state, `branch` that at a singular one;
+    /// both workspaces hold the group's inputs. Returns `false` if the series cannot be found.
     pub(in crate::solver) fn follow(
         &self,
         q: Series,
         here: &mut Workspace,
-        toward: Option<&[f64]>,
+        branch: Option<&Branch<'_>>,
         series: &mut Workspace<Series>,
     ) -> bool {
         let mut buffers = self.open(&mut here.scratch);
+        if let Some(Branch { z, .. }) = branch {
+            let own = buffers.z.iter_mut().zip(*z);
+            own.for_each(|(own, z)| *own = z.hi);
+        }
         self.jacobian(q.nearest(), &here.state, &mut buffers);
         let z = buffers.z.to_vec();
         let matrix = buffers.matrix.to_vec();
@@ -120,6 +123,10 @@ impl Coupled {
             known: self.known(q, state),
             ..Path::new(self, &z)
         };
+        if let Some(Branch { z, .. }) = branch {
+            path.start_at(z);
+        }
+        let toward = branch.map(|branch| branch.rate);
         let done = path.solve(&matrix, toward, state, scratch).is_some();
         if done {
             let known = path.known;
@@ -127,6 +134,14 @@ impl Coupled {
         }
         done
     }
+}
+
+/// The branch on which the motion passes a singular state of a group.
+pub(in crate::solver) struct Branch<'a> {
+    /// The unknowns z at the singular state.
+    pub(in crate::solver) z: &'a [Double],
+    /// The rate of z with which the motion approaches it.
+    pub(in crate::solver) rate: &'a [f64],
 }
 
 /// The unknowns of a group as series: joints relative to their positions in z, angles relative to
@@ -148,6 +163,21 @@ impl<'a> Path<'a> {
             z,
             unknowns: vec![Series::default(); group.unknowns()],
             known: 0,
+        }
+    }
+
+    /// Starts the unknowns at a solution in double-double. At a singular state, the equations leave
+    /// their components along the null vector open.
+    fn start_at(&mut self, z: &[Double]) {
+        let joints = 2 * self.group.free;
+        for (unknown, (&z, &near)) in self.unknowns[..joints].iter_mut().zip(z.iter().zip(self.z)) {
+            unknown.c[0] = z - Double::exactly(near);
+        }
+        let directions = z[joints..].chunks(2).zip(self.z[joints..].chunks(2));
+        for (unknown, (z, near)) in self.unknowns[joints..].iter_mut().zip(directions) {
+            let [z, near] = [Vec2::new(z[0], z[1]), Vec2::new(near[0], near[1]).exactly()];
+            // The angle is a rounding error of a double.
+            unknown.c[0] = near.cross(z) / near.norm2();
         }
     }
 

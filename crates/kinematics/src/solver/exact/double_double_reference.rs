@@ -1,7 +1,8 @@
 //! Solves states again in double-double precision, as a reference for other results.
 
+use super::Exact;
 use crate::Double;
-use crate::solver::elements::{ACCELERATION, POSITION, VELOCITY};
+use crate::solver::elements::{ACCELERATION, POSITION, StepOutcome, VELOCITY};
 use crate::solver::engine::Engine;
 use crate::solver::state::{Condition, State};
 use crate::solver::{Order, Solver, Workspace};
@@ -14,9 +15,7 @@ impl Solver {
         if let Some(intended) = self.close_state() {
             (twice.state.points, twice.state.links) = (intended.points, intended.links);
         }
-        let groups = self.engine.program.coupled.iter();
-        let work = groups.map(|g| g.unknowns() * (g.unknowns() + 1)).max();
-        twice.scratch.work = vec![0.0; work.unwrap_or(0)];
+        self.engine.reserve_work(&mut twice);
         twice
     }
 
@@ -53,7 +52,49 @@ impl Solver {
     }
 }
 
+impl Exact {
+    /// Creates a workspace in double-double precision.
+    pub(in crate::solver) fn twice(&self, slides: usize) -> Workspace<Double> {
+        let mut twice = self.engine.state(slides);
+        self.engine.reserve_work(&mut twice);
+        twice
+    }
+
+    /// Runs the first `steps` steps with the signs of `near`, a state in doubles at this coordinate.
+    /// Coupled groups correct their solution in it. Returns `false` if a step is open or singular.
+    pub(in crate::solver) fn run_twice(
+        &self,
+        steps: usize,
+        at: Double,
+        near: &State,
+        workspace: &mut Workspace<Double>,
+    ) -> bool {
+        let Workspace { state, scratch, .. } = workspace;
+        let closed = steps.min(self.closed);
+        let how = (&near.signs[..], None);
+        if self.run(closed, at, Order::Acceleration, how, state) != Condition::Ok {
+            return false;
+        }
+        let (q, direction) = self.engine.coordinate(at);
+        let mut others = self.engine.program.steps[closed..steps].iter();
+        others.all(|step| match step.coupled() {
+            Some(index) => {
+                let group = &self.engine.program.coupled[index];
+                group.refine(q, ACCELERATION, near, state, scratch)
+            }
+            None => step.run_to(ACCELERATION, (q, direction), state) == StepOutcome::Done,
+        })
+    }
+}
+
 impl Engine {
+    /// Allocates the memory in which coupled groups correct their solutions.
+    fn reserve_work(&self, workspace: &mut Workspace<Double>) {
+        let groups = self.program.coupled.iter();
+        let work = groups.map(|g| g.unknowns() * (g.unknowns() + 1)).max();
+        workspace.scratch.work = vec![0.0; work.unwrap_or(0)];
+    }
+
     fn run_twice<const ORDER: u8>(&self, state: &State, workspace: &mut Workspace<Double>) -> bool {
         self.run_in::<Double, ORDER>(workspace.state.at, workspace, |group, q, twice, scratch| {
             group.refine(q, ORDER, state, twice, scratch)

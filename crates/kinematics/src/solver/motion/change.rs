@@ -103,9 +103,9 @@ impl From<PairFound> for ReachExtreme {
 pub(super) struct Change {
     pub(super) step: usize,
     /// The driver's coordinate.
-    pub(super) at: f64,
+    pub(super) at: Double,
     /// The unknowns z at the crossing.
-    pub(super) z: Vec<f64>,
+    pub(super) z: Vec<Double>,
     /// The rates of z with which the motion arrives.
     pub(super) rate: Vec<f64>,
 }

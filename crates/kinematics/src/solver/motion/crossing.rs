@@ -39,6 +39,14 @@ const CORRECTIONS: usize = 5;
 /// lengths.
 const MAX_END_DISTANCE: f64 = 1e-6;
 
+/// A crossing of two solutions of a coupled group.
+pub(super) struct Meeting {
+    /// The driver's coordinate.
+    pub(super) at: Double,
+    /// The unknowns z.
+    pub(super) z: Vec<Double>,
+}
+
 impl Walker<'_> {
     /// Crosses a limit at which two solutions of a coupled group cross. Returns the coordinate
     /// reached beyond it.
@@ -104,7 +112,7 @@ impl Walker<'_> {
     fn pass_crossing(&mut self, change: &Change) -> Option<f64> {
         let (saved, terms) = (self.state.clone(), self.terms);
         for attempt in 0..SERIES {
-            let junction = self.junction(Double::exactly(change.at), Some(change));
+            let junction = self.junction(change.at, Some(change));
             let minimum = if attempt == 0 { 0.0 } else { MIN_ZONE };
             let passed = junction.and_then(|junction| self.pass_in_zone(&junction, minimum));
             if passed.is_some() {
@@ -222,9 +230,8 @@ impl Walker<'_> {
         let dq = engine.difference(before.at, limit);
         group.predict(&mut group.open(&mut self.state.scratch), dq);
         let (crossing, at) = self.nearest_crossing(step, (limit, by))?;
-        let z = group.open(&mut self.state.scratch).z.to_vec();
-        let met = self.meets(step, at, crossing).is_some();
-        met.then_some(Change { step, at, z, rate })
+        let Meeting { at, z } = self.meets(step, at, crossing)?;
+        Some(Change { step, at, z, rate })
     }
 
     /// Solves the equations of a crossing from the z in the scratch. Returns the crossing of a coupled
@@ -266,27 +273,29 @@ impl Walker<'_> {
         (!is_open).then_some((crossing, at))
     }
 
-    /// Returns the coordinate of a crossing if the branches meet according to the typed decimals. If
-    /// these are not available, the result in doubles counts.
-    pub(super) fn meets(&mut self, step: usize, at: f64, crossing: Crossing) -> Option<Double> {
-        // The steps before it must have a closed form.
-        let Some(exact) = self.exact.filter(|exact| step <= exact.closed) else {
-            return Some(Double::exactly(at));
+    /// Returns the crossing in double-double if the branches meet according to the typed decimals. If
+    /// these are not available, the result in doubles counts. The scratch holds the z in doubles.
+    pub(super) fn meets(&mut self, step: usize, at: f64, crossing: Crossing) -> Option<Meeting> {
+        let index = self.engine.program.steps[step].coupled()?;
+        let own = &self.engine.program.coupled[index];
+        let z = own.open(&mut self.state.scratch).z.iter();
+        let in_doubles = Meeting {
+            at: Double::exactly(at),
+            z: z.map(|&z| Double::exactly(z)).collect(),
         };
-        let group = exact.engine.program.steps[step].coupled();
-        let Some(group) = group.and_then(|index| exact.engine.program.coupled.get(index)) else {
-            return Some(Double::exactly(at));
+        let Some(exact) = self.exact else {
+            return Some(in_doubles);
         };
-        let mut twice = exact.engine.state::<Double>(self.state.travels.len());
+        let group = &exact.engine.program.coupled[index];
+        let mut twice = exact.twice(self.state.travels.len());
         let (q, _) = self.engine.coordinate(at);
         let unfolding = group.unfolding(crossing, q, &mut self.state, &mut twice.scratch);
         let mut unfolding = unfolding?;
-        let mut at = Double::exactly(at);
+        let mut at = in_doubles.at;
         for _ in 0..CORRECTIONS {
-            let how = (&self.state.signs[..], None);
-            let order = Order::Acceleration;
-            if exact.run(step, at, order, how, &mut twice.state) != Condition::Ok {
-                return None;
+            if !exact.run_twice(step, at, &self.state, &mut twice) {
+                // An earlier coupled group may be singular at the same coordinate.
+                return (step > exact.closed).then_some(in_doubles);
             }
             let (q, _) = exact.engine.coordinate(at);
             let Workspace { state, scratch, .. } = &mut twice;
@@ -296,6 +305,7 @@ impl Walker<'_> {
         // An error of a length shifts an equation by at most twice that error.
         let unknowns = unfolding.unknowns() as f64;
         let is_met = unfolding.by.hi.abs() <= 2.0 * unknowns * exact.typed_slack();
-        is_met.then_some(at)
+        let z = group.open(&mut twice.scratch).z.to_vec();
+        is_met.then_some(Meeting { at, z })
     }
 }

@@ -15,6 +15,7 @@ use crate::solver::coupled::{BRANCHES, CurvePlace};
 use crate::solver::elements::SingularShift;
 use crate::solver::exact::Exact;
 use crate::solver::motion::Folded;
+use crate::solver::motion::crossing::Meeting;
 use crate::solver::motion::proved_ends::BoundedEnd;
 use crate::solver::motion::tracking::Walker;
 use crate::solver::state::Condition;
@@ -331,7 +332,7 @@ impl Walker<'_> {
         let group = &exact.engine.program.coupled[index];
         let (crossing, at) = self.nearest_crossing(step, near)?;
         let z = group.open(&mut self.state.scratch).z.to_vec();
-        let at = self.meets(step, at, crossing)?;
+        let Meeting { at, .. } = self.meets(step, at, crossing)?;
         group.open(&mut self.state.scratch).z.copy_from_slice(&z);
         let condition = self
             .engine

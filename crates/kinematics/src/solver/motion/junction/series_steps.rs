@@ -2,6 +2,7 @@
 
 use crate::arithmetic::Series;
 use crate::solver::Order;
+use crate::solver::coupled::Branch;
 use crate::solver::elements::{POSITION, SingularShift, StepOutcome, root};
 use crate::solver::motion::change::Change;
 use crate::solver::motion::tracking::Walker;
@@ -85,15 +86,11 @@ impl Walker<'_> {
         // The group's inputs are also read in doubles.
         self.predict_nearest(at);
         self.take_places(series);
-        let toward = crossing.map(|crossing| {
-            let buffers = group.open(&mut self.state.scratch);
-            buffers.z.copy_from_slice(&crossing.z);
-            &crossing.rate[..]
-        });
-        if toward.is_none() {
+        let branch = crossing.map(|Change { z, rate, .. }| Branch { z, rate });
+        if branch.is_none() {
             let _ = engine.run_steps(step..step + 1, at, Order::Position, &mut self.state);
         }
-        group.follow(q, &mut self.state, toward, series)
+        group.follow(q, &mut self.state, branch.as_ref(), series)
     }
 
     /// Copies the constant terms of the series, as positions and directions, to the state in
