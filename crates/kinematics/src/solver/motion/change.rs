@@ -287,12 +287,28 @@ impl Walker<'_> {
         for (crossing, is_led) in self.crossings.latest(known).iter_mut().zip(guided) {
             crossing.is_led_through |= is_led;
         }
+        self.forget_misses(junction, beyond);
         for missed in &junction.missed {
             self.note_miss(missed.group, missed.sine, junction.at.hi);
         }
         self.seen.clear();
         self.note(beyond);
         Some(beyond)
+    }
+
+    /// Removes the near misses directly before the crossing of a coupled group that was passed, up to
+    /// `beyond`. The groups behind it were on the wrong side at the last samples.
+    fn forget_misses(&mut self, junction: &Junction, beyond: f64) {
+        let Some(group) = junction.groups().next().filter(|_| self.has_path()) else {
+            return;
+        };
+        let (engine, sense) = (self.engine, self.sense);
+        let by = engine.difference(junction.at.hi, beyond);
+        let before = engine.moved(junction.at.hi, -by);
+        self.misses.retain(|miss| {
+            let is_passed = (miss.at - before) * sense > 0.0;
+            !is_passed || miss.group.index() < group
+        });
     }
 
     /// Returns `true` if the equations of the coupled groups hold directly outside the zones of the

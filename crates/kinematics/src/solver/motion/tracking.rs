@@ -3,7 +3,7 @@
 use super::anchors::Anchors;
 use super::change::ReachExtreme;
 use super::proved_ends::BoundedEnd;
-use super::{Folded, MeetingAssemblies, NearMiss, Stretched};
+use super::{Folded, MeetingAssemblies, NearMiss, ONE_MISS, Stretched};
 use crate::Double;
 use crate::solver::change_point::ChangePointCrossings;
 use crate::solver::conditioning::condition;
@@ -207,6 +207,9 @@ impl Walker<'_> {
                 };
                 // Limits beyond a closed turn were found at its beginning.
                 if let Some(turns) = closed.filter(|&t| self.ahead(limit) > angle_turn(t)) {
+                    let (start, sense, end) = (self.start, self.sense, angle_turn(turns));
+                    self.misses
+                        .retain(|miss| (miss.at - start) * sense < end + ONE_MISS);
                     return Ok(WalkEnd::Closed(turns));
                 }
                 self.check_fit_between(from, limit)?;
