@@ -449,3 +449,26 @@ fn dyad_behind_coupled_group_keeps_its_assembly() {
     assert_translates(&scene, &solver, Vec2::new(8.792, 0.0));
     assert_keeps_offset(&scene, &solver, ["Q", "R"], Vec2::new(76.73, 0.0));
 }
+
+/// A parallelogram on the coupler of a coupled one, or of two in a row. The last two groups are in
+/// line at one coordinate, where the range used to end. Beside it, a near miss was reported.
+#[test]
+fn dyad_in_line_with_coupled_group_passes() {
+    let (scene, solver) = open(include_str!("scenes/dyad_in_line_with_coupled_group.toml"));
+    assert_eq!(solver.motion().range, Range::Full { period: 360.0 });
+    assert_keeps_offset(&scene, &solver, ["B0", "C0"], Vec2::new(0.0, 58.3));
+    assert_keeps_offset(&scene, &solver, ["Q", "R"], Vec2::new(0.0, 56.4));
+    assert!(solver.motion().near_misses.is_empty());
+
+    let (scene, solver) = open(include_str!("scenes/dyad_behind_two_coupled_groups.toml"));
+    let Range::Limited { low, high } = solver.motion().range else {
+        panic!("it does not turn fully");
+    };
+    // From the chain of four-bars that replace the parallelograms.
+    assert!((low - 96.412415763229).abs() < 1e-9, "{low}");
+    assert!((high - 279.744471745743).abs() < 1e-9, "{high}");
+    assert_keeps_offset(&scene, &solver, ["B0", "C0"], Vec2::new(11.1272, 38.1504));
+    assert_keeps_offset(&scene, &solver, ["B1", "C1"], Vec2::new(-48.54, 0.0));
+    assert_keeps_offset(&scene, &solver, ["Q", "R"], Vec2::new(-79.8, 0.0));
+    assert!(solver.motion().near_misses.is_empty());
+}

@@ -443,7 +443,7 @@ impl Walker<'_> {
     }
 
     /// Returns the steps of all dyads almost in line at a limit, up to the first open one.
-    fn flat(&mut self, limit: f64) -> Vec<usize> {
+    pub(super) fn flat(&mut self, limit: f64) -> Vec<usize> {
         let engine = self.engine;
         let mut flat = Vec::new();
         self.predict_nearest(limit);

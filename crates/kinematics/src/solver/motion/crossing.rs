@@ -2,7 +2,8 @@
 //! coordinate, and the motion beyond it.
 
 use super::change::{Change, approaches};
-use super::junction::MORE;
+use super::group_inputs::GroupInputs;
+use super::junction::{CHANGE_POINT_TOLERANCE, MORE};
 use super::tracking::Walker;
 use crate::Double;
 use crate::solver::Order;
@@ -76,18 +77,27 @@ impl Walker<'_> {
             return None;
         }
         let saved = self.state.clone();
+        let flat = self.flat(limit);
         let steps = 0..engine.program.steps.len();
         let is_coupled = |&i: &usize| engine.program.steps[i].coupled().is_some();
-        let passed = steps.filter(is_coupled).find_map(|step| {
+        // Dyads before the group may have a change point at the same coordinate.
+        let ways = steps.filter(is_coupled).flat_map(|step| {
+            let earlier = &flat[..flat.partition_point(|&dyad| dyad < step)];
+            let both = [&[], earlier].into_iter();
+            both.take(1 + earlier.len().min(1))
+                .map(move |dyads| (step, dyads))
+        });
+        let ways: Vec<(usize, &[usize])> = ways.collect();
+        let passed = ways.into_iter().find_map(|(step, dyads)| {
             self.state.clone_from(&saved);
             self.flip(step);
-            // Dyads behind the group may have a change point at the same coordinate. The junction
-            // decides on which side they continue.
+            dyads.iter().for_each(|&dyad| self.flip(dyad));
+            // So may dyads behind it. The junction decides on which side they continue.
             if !self.try_part(step + 1, (before, beyond), &saved) {
                 return None;
             }
             let reached = self.state.clone();
-            let change = self.crossing(step, (limit, by), &saved)?;
+            let change = self.crossing((step, dyads), (limit, by), &saved)?;
             self.state.clone_from(&saved);
             self.anchors.push(engine, before, &mut self.state);
             self.state.clone_from(&reached);
@@ -140,7 +150,7 @@ impl Walker<'_> {
             let before = engine.moved(at, -self.sense * by);
             let driver_states = self.step_to(before);
             let saved = self.state.clone();
-            driver_states && self.crossing(step, (at, by), &saved).is_some()
+            driver_states && self.crossing((step, &[]), (at, by), &saved).is_some()
         });
         crosses || self.has_pair(step, at)
     }
@@ -158,8 +168,10 @@ impl Walker<'_> {
             let dq = engine.difference(last.at, limit);
             let group = &engine.program.coupled[index];
             group.predict(&mut group.open(&mut self.state.scratch), dq);
-            let found = self.nearest_crossing(step, (limit, MAX_END_DISTANCE));
-            let meets = found.and_then(|(crossing, at)| self.meets(step, at, crossing));
+            let near = (limit, MAX_END_DISTANCE);
+            let found = self.nearest_crossing(step, near, GroupInputs::Steps);
+            let meets =
+                found.and_then(|(crossing, at)| self.meets(step, at, crossing, GroupInputs::Steps));
             let group = GroupId::new(group.group);
             if meets.is_some() && !self.unproved.contains(&group) {
                 self.unproved.push(group);
@@ -214,11 +226,12 @@ impl Walker<'_> {
         self.run(at, Order::Acceleration) == Condition::Ok
     }
 
-    /// Returns the crossing of a coupled group's solutions within `by` of a limit. The state must
-    /// be the one beyond the limit, and `before` the one before it.
+    /// Returns the crossing of a coupled group's solutions within `by` of a limit, at which the given
+    /// dyads before it have a change point. The state must be the one beyond the limit, and `before`
+    /// the one before it.
     fn crossing(
         &mut self,
-        step: usize,
+        (step, dyads): (usize, &[usize]),
         (limit, by): (f64, f64),
         before: &Workspace,
     ) -> Option<Change> {
@@ -227,10 +240,32 @@ impl Walker<'_> {
         let group = &engine.program.coupled[index];
         let rate = group.open(&mut self.state.scratch).first.to_vec();
         self.state.clone_from(before);
+        let lined_up = match dyads.first() {
+            None => None,
+            Some(&dyad) => {
+                let at = self.exactly(dyad, limit)?;
+                Some((at, self.series_before(step, at)?))
+            }
+        };
+        let inputs = match &lined_up {
+            None => GroupInputs::Steps,
+            Some((about, series)) => GroupInputs::Series {
+                about: *about,
+                series,
+            },
+        };
+        self.state.clone_from(before);
         let dq = engine.difference(before.at, limit);
         group.predict(&mut group.open(&mut self.state.scratch), dq);
-        let (crossing, at) = self.nearest_crossing(step, (limit, by))?;
-        let Meeting { at, z } = self.meets(step, at, crossing)?;
+        let (crossing, at) = self.nearest_crossing(step, (limit, by), inputs)?;
+        let Meeting { at, z } = self.meets(step, at, crossing, inputs)?;
+        let at = match &lined_up {
+            None => at,
+            Some((about, _)) => {
+                let distance = self.distance_exactly(*about, at).abs().hi;
+                (distance <= CHANGE_POINT_TOLERANCE).then_some(*about)?
+            }
+        };
         Some(Change { step, at, z, rate })
     }
 
@@ -241,14 +276,14 @@ impl Walker<'_> {
         &mut self,
         step: usize,
         (limit, by): (f64, f64),
+        inputs: GroupInputs<'_>,
     ) -> Option<(Crossing, f64)> {
         let engine = self.engine;
         let group = &engine.program.coupled[engine.program.steps[step].coupled()?];
         let mut at = limit;
         let mut crossing = None;
         for _ in 0..STEPS {
-            let order = Order::Acceleration;
-            if engine.run_steps(0..step, at, order, &mut self.state) == Condition::NoAssembly {
+            if !self.place_inputs(step, at, inputs) {
                 return None;
             }
             let (q, _) = engine.coordinate(at);
@@ -275,7 +310,13 @@ impl Walker<'_> {
 
     /// Returns the crossing in double-double if the branches meet according to the typed decimals. If
     /// these are not available, the result in doubles counts. The scratch holds the z in doubles.
-    pub(super) fn meets(&mut self, step: usize, at: f64, crossing: Crossing) -> Option<Meeting> {
+    pub(super) fn meets(
+        &mut self,
+        step: usize,
+        at: f64,
+        crossing: Crossing,
+        inputs: GroupInputs<'_>,
+    ) -> Option<Meeting> {
         let index = self.engine.program.steps[step].coupled()?;
         let own = &self.engine.program.coupled[index];
         let z = own.open(&mut self.state.scratch).z.iter();
@@ -293,7 +334,7 @@ impl Walker<'_> {
         let mut unfolding = unfolding?;
         let mut at = in_doubles.at;
         for _ in 0..CORRECTIONS {
-            if !exact.run_twice(step, at, &self.state, &mut twice) {
+            if !self.place_inputs_exactly(exact, (step, at), inputs, &mut twice) {
                 // An earlier coupled group may be singular at the same coordinate.
                 return (step > exact.closed).then_some(in_doubles);
             }

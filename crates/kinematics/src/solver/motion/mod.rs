@@ -4,6 +4,7 @@ mod anchors;
 mod change;
 mod crossing;
 mod ends;
+mod group_inputs;
 mod junction;
 mod limits;
 mod proved_ends;

@@ -16,6 +16,7 @@ use crate::solver::elements::SingularShift;
 use crate::solver::exact::Exact;
 use crate::solver::motion::Folded;
 use crate::solver::motion::crossing::Meeting;
+use crate::solver::motion::group_inputs::GroupInputs;
 use crate::solver::motion::proved_ends::BoundedEnd;
 use crate::solver::motion::tracking::Walker;
 use crate::solver::state::Condition;
@@ -144,7 +145,10 @@ impl Walker<'_> {
         }
         for step in (0..engine.program.steps.len()).filter(is_coupled) {
             self.state.clone_from(&arrived);
-            if self.nearest_crossing(step, (limit, by)).is_none() {
+            if self
+                .nearest_crossing(step, (limit, by), GroupInputs::Steps)
+                .is_none()
+            {
                 continue;
             }
             let curves = (0..BRANCHES).flat_map(|branch| [(branch, false), (branch, true)]);
@@ -330,9 +334,9 @@ impl Walker<'_> {
         let exact = self.exact?;
         let index = exact.engine.program.steps[step].coupled()?;
         let group = &exact.engine.program.coupled[index];
-        let (crossing, at) = self.nearest_crossing(step, near)?;
+        let (crossing, at) = self.nearest_crossing(step, near, GroupInputs::Steps)?;
         let z = group.open(&mut self.state.scratch).z.to_vec();
-        let Meeting { at, .. } = self.meets(step, at, crossing)?;
+        let Meeting { at, .. } = self.meets(step, at, crossing, GroupInputs::Steps)?;
         group.open(&mut self.state.scratch).z.copy_from_slice(&z);
         let condition = self
             .engine

@@ -23,7 +23,7 @@ use coupled_pair::CoupledPair;
 use curve::Curve;
 pub(super) use pair::PairFound;
 use pair::{Paired, paired};
-pub(super) use singularity::DyadSingularity;
+pub(super) use singularity::{CHANGE_POINT_TOLERANCE, DyadSingularity};
 use std::ops::Range;
 
 /// Number of terms of the first attempt.
@@ -175,6 +175,19 @@ impl Walker<'_> {
         crossing: Option<&Change>,
         terms: usize,
     ) -> Result<Junction, Refusal> {
+        let steps = self.engine.program.steps.len();
+        let junction = self.junction_before(steps, at, crossing, terms)?;
+        junction.with_enough_terms(terms)
+    }
+
+    /// Expands the first `steps` steps in series with a given number of terms.
+    fn junction_before(
+        &mut self,
+        steps: usize,
+        at: Double,
+        crossing: Option<&Change>,
+        terms: usize,
+    ) -> Result<Junction, Refusal> {
         let engine = &self.exact.ok_or(Refusal::End)?.engine;
         let signs = &self.state.signs;
         let mut junction = Junction {
@@ -188,9 +201,14 @@ impl Walker<'_> {
             pair: None,
         };
         let coordinate = self.coordinate_of(at, terms);
-        let steps = 0..engine.program.steps.len();
-        self.expand(steps, coordinate, crossing, &mut junction)?;
-        junction.with_enough_terms(terms)
+        self.expand(0..steps, coordinate, crossing, &mut junction)?;
+        Ok(junction)
+    }
+
+    /// Returns the first `steps` steps in series about a coordinate at which some are singular.
+    pub(super) fn series_before(&mut self, steps: usize, at: Double) -> Option<Workspace<Series>> {
+        let junction = self.junction_before(steps, at, None, self.terms).ok()?;
+        Some(junction.series)
     }
 
     /// Places steps in series, with all groups that are singular at the junction.

@@ -68,6 +68,16 @@ impl Walker<'_> {
         from + by * unit
     }
 
+    /// Returns the distance between two coordinates, in radians or scaled lengths.
+    pub(in crate::solver::motion) fn distance_exactly(&self, from: Double, to: Double) -> Double {
+        let unit = if self.engine.is_rotary {
+            Double::RADIAN
+        } else {
+            Double::exactly(1.0 / self.engine.frame.scale)
+        };
+        (to - from) * unit
+    }
+
     /// Places a coupled group in series, along the branch of `crossing` if given. Returns `false`
     /// if it cannot be followed.
     pub(super) fn follow(

@@ -17,7 +17,7 @@ const DOUBLE_DOUBLE_THRESHOLD: f64 = 1e-18;
 const MAX_SQUARE_REMAINDER: f64 = 1e4;
 /// Maximum distance of change points of several groups that count as one, in radians or scaled
 /// lengths. In a mechanism whose lengths come from one formula, they are a few roundings apart.
-const CHANGE_POINT_TOLERANCE: f64 = 1e-12;
+pub(in crate::solver::motion) const CHANGE_POINT_TOLERANCE: f64 = 1e-12;
 /// Maximum squared sine, in roundings of the lengths, of a dyad that is as good as singular. Rounding
 /// may split its change point from that of a later dyad by this much.
 const SPLIT: f64 = 64.0;
