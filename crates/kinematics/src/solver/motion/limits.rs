@@ -5,12 +5,12 @@ use super::change::ReachExtreme;
 use super::junction::DyadSingularity;
 use super::tracking::{SAMPLES, WalkSample, Walker};
 use super::{NearMiss, ONE_MISS};
-use crate::Double;
 use crate::numeric::root;
 use crate::solver::Order;
 use crate::solver::elements::{FRAMES, Stretching};
 use crate::solver::plan::GroupId;
 use crate::solver::state::{Condition, State};
+use crate::{Double, Vec2};
 
 /// Minimum sample of a measure below which a zero is searched between the samples.
 const MAX_UNSEARCHED_MEASURE: f64 = 0.05;
@@ -468,10 +468,12 @@ impl Stretch {
         (0..FRAMES).any(|frame| self.turns_back_in(frame))
     }
 
-    /// Returns `true` if the relative velocity reverses between the samples, in one frame.
+    /// Returns `true` if the relative velocity reverses between the samples or at the second one, in
+    /// one frame.
     fn turns_back_in(&self, frame: usize) -> bool {
-        let [v, w] = [self.from.1, self.to.1].map(|s| s.seen[frame].v);
-        v.dot(w) < 0.0
+        let [from, to] = [self.from.1, self.to.1].map(|s| s.seen[frame]);
+        let reverses_at_end = to.v == Vec2::ZERO && to.a != Vec2::ZERO && from.v != Vec2::ZERO;
+        from.v.dot(to.v) < 0.0 || reverses_at_end
     }
 
     /// Returns the rates at both samples. If a sample is at rest, as at the end of a table, its
