@@ -472,3 +472,70 @@ fn dyad_in_line_with_coupled_group_passes() {
     assert_keeps_offset(&scene, &solver, ["Q", "R"], Vec2::new(-79.8, 0.0));
     assert!(solver.motion().near_misses.is_empty());
 }
+
+/// Two cranks that turn in opposite directions: the relative velocity of their pins is exactly zero at
+/// 180 degrees, a step of the walk. Far from the origin, the motion changed its assembly there.
+#[test]
+fn reversal_at_a_step_of_the_walk_is_found_far_from_the_origin() {
+    let scene = |x: f64, [base, crank, r3, r4, y]: [f64; 5]| {
+        let text = format!(
+            "[ground]\nA = [{x}, 0]\nE = [{:?}, 0]\n[driver]\nlink = \"r2\"\nangle = 55\n\
+             [inputs]\nr5 = {{ ratio = -1, phase = 180 }}\n[links]\n\
+             r2 = {{ from = \"A\", to = \"B\", length = {crank} }}\n\
+             r3 = {{ from = \"B\", to = \"P\", length = {r3} }}\n\
+             r4 = {{ from = \"D\", to = \"P\", length = {r4} }}\n\
+             r5 = {{ from = \"E\", to = \"D\", length = {crank} }}\n[start]\nP = [{:?}, {y}]\n",
+            x + base,
+            x + 0.6 * base,
+        );
+        let scene = Scene::parse(&text, "two cranks").unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let p = point(&scene, "P");
+        (solver, p)
+    };
+    let both = [3.3, 1.1, 3.3, 2.2, 4.0];
+    let one = [50.1, 20.3, 52.6, 38.1, 40.0];
+    for (x, lengths, changes) in [(1e6, both, &[0.0, 180.0][..]), (1e5, one, &[180.0])] {
+        let [(near, p), (far, q)] = [0.0, x].map(|x| scene(x, lengths));
+        assert_eq!(far.motion().change_points, changes);
+        let (mut here, mut there) = (near.state(), far.state());
+        for at in (31..=329).map(f64::from) {
+            let expected = near.solve(at, Order::Position, &mut here);
+            assert_eq!(far.solve(at, Order::Position, &mut there), expected);
+            let [here, there] =
+                [(&here, p), (&there, q)].map(|(w, p)| w.state().position(p).unwrap());
+            let off = (there - here - Vec2::new(x, 0.0)).norm();
+            assert!(off < 1e-6, "at {at}: {off}");
+        }
+    }
+}
+
+/// A second input 360 or 720 times as fast as the driver, which each whole degree shows at the same
+/// angle. The pins of both cranks are at most 21.3 apart; a scan in steps of 1e-5 degrees gives the
+/// ends.
+#[test]
+fn fast_second_input_ends_the_motion() {
+    for (ratio, expected) in [
+        (360, [-146.952369451447, 157.99019490157]),
+        (720, [-146.480529339003, 157.995040812559]),
+    ] {
+        let text = format!(
+            "[ground]\nA = [0, 0]\nE = [12.5, 1.25]\n[driver]\nlink = \"r2\"\nangle = 37.5\n\
+             [inputs]\nr5 = {{ ratio = {ratio} }}\n[links]\n\
+             r2 = {{ from = \"A\", to = \"B\", length = 4.1 }}\nr3 = {{ from = \"B\", to = \"P\", length = 10.3 }}\n\
+             r4 = {{ from = \"P\", to = \"D\", length = 11 }}\nr5 = {{ from = \"E\", to = \"D\", length = 5 }}\n\
+             [start]\nP = [5, 11]\n"
+        );
+        let scene = Scene::parse(&text, "fast input").unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let Range::Limited { low, high } = solver.motion().range else {
+            panic!("ratio {ratio}: it does not turn fully");
+        };
+        for (found, expected) in [low, high].into_iter().zip(expected) {
+            assert!(
+                (found - expected).abs() < 1e-9,
+                "ratio {ratio}: {found} is not {expected}"
+            );
+        }
+    }
+}

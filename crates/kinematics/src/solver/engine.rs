@@ -32,6 +32,8 @@ pub(super) struct Engine {
     timed: Vec<TimedInput>,
     /// The inputs that follow a table.
     tables: Vec<Following>,
+    /// The largest ratio of an input's rate to that of the driver, in radians or scaled lengths.
+    pub largest_ratio: f64,
     /// The sign of each group's assembly at the start.
     pub signs: Vec<f64>,
     /// The elements left out because no value of theirs is read.
@@ -53,7 +55,10 @@ impl Engine {
             Input::Push(_) => None,
         };
         let driver_rates = driver_rates(mechanism, &frame);
+        let laws = Following::all(mechanism, &frame);
+        let ratios = laws.iter().filter_map(Following::ratio);
         let mut engine = Engine {
+            largest_ratio: ratios.fold(0.0, |largest, ratio| ratio.abs().max(largest)),
             signs: vec![1.0; program.group_starts.len()],
             left_out: None,
             carriers: carriers(mechanism, &program),
@@ -62,10 +67,7 @@ impl Engine {
             is_rotary: driver.turns(),
             reads_angle: !mechanism.timed().is_empty() || mechanism.elbows().next().is_some(),
             timed: mechanism.timed().to_vec(),
-            tables: Following::all(mechanism, &frame)
-                .into_iter()
-                .filter(Following::is_table)
-                .collect(),
+            tables: laws.into_iter().filter(Following::is_table).collect(),
             driven,
             accepted: frame.length(mechanism.misfit()),
             driver_rates,
@@ -98,6 +100,7 @@ impl Engine {
             driven: None,
             timed: Vec::new(),
             tables: Vec::new(),
+            largest_ratio: 0.0,
             driver_rates: [Constant::exactly(1.0), Constant::default()],
             ..self
         }

@@ -97,6 +97,15 @@ impl Following {
         }
     }
 
+    /// Returns the ratio of the input's rate to that of the driver, in radians or scaled lengths, if it
+    /// is constant.
+    pub(super) fn ratio(&self) -> Option<f64> {
+        match &self.law {
+            FollowingLaw::Proportion(line) => Some(line.rate.hi),
+            FollowingLaw::Table(_) | FollowingLaw::Free(_) => None,
+        }
+    }
+
     pub(super) fn is_table(&self) -> bool {
         matches!(self.law, FollowingLaw::Table(_))
     }

@@ -52,6 +52,9 @@ const PUSH_STEP: f64 = 1.0 / 128.0;
 pub(super) const MAX_SLIDE_TRAVEL: f64 = 64.0;
 /// Maximum number of steps for one degree or one push: a hundred halvings and as many doublings.
 const MAX_STEPS: usize = 400;
+/// Maximum number of parts of a step with a fast input: one that turns 11,000 times as fast as the
+/// driver.
+const MAX_PARTS: f64 = 1000.0;
 /// Maximum number of halvings between two doubles.
 const MAX_HALVINGS: usize = 1100;
 /// Number of turns after which tracking is cut if the motion has not closed.
@@ -476,7 +479,22 @@ impl Walker<'_> {
     fn advance(&mut self, from: f64, to: f64) -> Result<(), Stop> {
         let spare = self.spare.take();
         let mut saved = spare.unwrap_or_else(|| Box::new(self.state.clone()));
-        let end = self.advance_with(from, to, &mut saved);
+        // A fast input could turn by whole turns in one step, which no direction shows.
+        let travel = self.engine.difference(from, to).abs() * self.engine.largest_ratio;
+        let parts = (travel / TURN_STEP).ceil().max(1.0);
+        let end = if parts > MAX_PARTS {
+            Err(Stop::Barrier {
+                good: from,
+                bad: to,
+            })
+        } else {
+            let place = |part: u32| match f64::from(part) {
+                part if part == parts => to,
+                part => from + (to - from) * (part / parts),
+            };
+            (1..=parts as u32)
+                .try_for_each(|part| self.advance_with(place(part - 1), place(part), &mut saved))
+        };
         self.spare = Some(saved);
         end
     }
