@@ -42,7 +42,7 @@ const CORNER: f64 = 1e-6;
 const SHARP: f64 = 0.3;
 /// Condition of a coupled group, times its speed, below which the group is singular within rounding:
 /// at a distance of about 1e-7 from a change point.
-const MAX_SINGULAR_CONDITION: f64 = 1e-7;
+pub(super) const MAX_SINGULAR_CONDITION: f64 = 1e-7;
 /// Measure of a coupled group, relative to its maximum so far, below which its condition is computed.
 const MAX_CHECKED_MEASURE: f64 = 1e-6;
 /// Step of a linear driver, in the solver's unit length. The step of a turning driver is one

@@ -274,7 +274,7 @@ impl Walker<'_> {
 
     /// Copies a coupled group's values at a distance from a junction to the state and to the
     /// scratch.
-    fn take_series(&mut self, junction: &Junction, step: usize, by: f64) {
+    pub(super) fn take_series(&mut self, junction: &Junction, step: usize, by: f64) {
         let at = Double::exactly(by);
         let (points, links) = self.engine.outputs(step);
         let here = &mut self.state.state;

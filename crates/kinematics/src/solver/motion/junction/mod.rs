@@ -235,7 +235,10 @@ impl Walker<'_> {
                         SingularGroup::tolerances_at((i, group), SingularShift::default(), 2);
                     junction.fold(fold, self.sense);
                 }
-                self.follow(i, at.hi, q, crossing, &mut junction.series)
+                let is_followed = self.follow(i, at.hi, q, crossing, &mut junction.series);
+                // Its solutions cross here, too: another junction passes all groups.
+                let is_free = crossing.is_some() || !self.is_singular_at(junction, i);
+                is_followed && is_free
             } else {
                 let series = &mut junction.series.state;
                 step.run::<Series, POSITION>(q, direction, series) == StepOutcome::Done

@@ -1,11 +1,13 @@
 //! Places steps in series about a coordinate, one after another.
 
+use super::Junction;
 use crate::arithmetic::Series;
 use crate::solver::Order;
+use crate::solver::conditioning::condition;
 use crate::solver::coupled::Branch;
 use crate::solver::elements::{POSITION, SingularShift, StepOutcome, root};
 use crate::solver::motion::change::Change;
-use crate::solver::motion::tracking::Walker;
+use crate::solver::motion::tracking::{MAX_SINGULAR_CONDITION, Walker};
 use crate::solver::state::State;
 use crate::solver::workspace::Workspace;
 use crate::{Double, Number, Vec2};
@@ -76,6 +78,20 @@ impl Walker<'_> {
             Double::exactly(1.0 / self.engine.frame.scale)
         };
         (to - from) * unit
+    }
+
+    /// Returns `true` if a coupled group is singular at a junction, within the rounding of doubles.
+    pub(super) fn is_singular_at(&mut self, junction: &Junction, step: usize) -> bool {
+        let engine = self.engine;
+        let Some(index) = engine.program.steps[step].coupled() else {
+            return false;
+        };
+        self.take_places(&junction.series);
+        self.take_series(junction, step, 0.0);
+        let (q, _) = engine.coordinate(junction.at.hi);
+        let Workspace { state, scratch, .. } = &mut self.state;
+        let condition = condition(&engine.program.coupled[index], q, state, scratch);
+        condition.is_none_or(|condition| condition < MAX_SINGULAR_CONDITION)
     }
 
     /// Places a coupled group in series, along the branch of `crossing` if given. Returns `false`
