@@ -198,13 +198,13 @@ impl Walker<'_> {
         let &ReachExtreme {
             step, at, first, ..
         } = extreme;
-        let junction = self.junction(at, None);
+        let junction = self.junction(at, &[]);
         let beyond = junction.and_then(|junction| self.pass_junction(&junction));
         let beyond = beyond.or_else(|| {
             // A series about two close change points may not reach beyond both.
             first.is_none().then_some(())?;
             self.singly = Some(at.hi);
-            let junction = self.junction(at, None)?;
+            let junction = self.junction(at, &[])?;
             self.pass_junction(&junction)
         });
         let is_earlier = |&(_, other): &(usize, Double)| self.ahead(other.hi) <= self.ahead(at.hi);
@@ -316,6 +316,12 @@ impl Walker<'_> {
     /// solve them there.
     fn joins_equations(&mut self, known: usize, beyond: f64) -> bool {
         let (engine, sense) = (self.engine, self.sense);
+        let is_turned = |step: &usize| {
+            let latest = &mut self.crossings.latest(known).iter();
+            let group = engine.group_of(*step);
+            latest.any(|c| c.is_rotary && group == Some(c.group))
+        };
+        let turned: Vec<usize> = (0..engine.program.steps.len()).filter(is_turned).collect();
         let mut places: Vec<(usize, f64, bool)> = Vec::new();
         for (step, of) in engine.program.steps.iter().enumerate() {
             if of.coupled().is_none() {
@@ -330,7 +336,7 @@ impl Walker<'_> {
                 places.extend(outside.flat_map(|by| [-by, by]).map(|by| {
                     let is_before = by * sense < 0.0;
                     let at = engine.moved(crossing.at, by);
-                    (step, at, crossing.is_rotary && is_before)
+                    (step, at, is_before)
                 }));
             }
         }
@@ -338,10 +344,10 @@ impl Walker<'_> {
             return true;
         }
         let saved = self.state.clone();
-        let joined = places.into_iter().all(|(step, at, has_turned)| {
+        let joined = places.into_iter().all(|(step, at, is_before)| {
             self.state.clone_from(&saved);
-            if has_turned {
-                self.flip(step);
+            if is_before {
+                turned.iter().for_each(|&step| self.flip(step));
             }
             self.predict_nearest(at);
             self.run_some(0..step + 1, at, Order::Position) == Condition::Ok

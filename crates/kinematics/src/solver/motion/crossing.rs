@@ -88,22 +88,12 @@ impl Walker<'_> {
                 .map(move |dyads| (step, dyads))
         });
         let ways: Vec<(usize, &[usize])> = ways.collect();
-        let passed = ways.into_iter().find_map(|(step, dyads)| {
-            self.state.clone_from(&saved);
-            self.flip(step);
-            dyads.iter().for_each(|&dyad| self.flip(dyad));
-            // So may dyads behind it. The junction decides on which side they continue.
-            if !self.try_part(step + 1, (before, beyond), &saved) {
-                return None;
-            }
-            let reached = self.state.clone();
-            let change = self.crossing((step, dyads), (limit, by), &saved)?;
-            self.state.clone_from(&saved);
+        let passed = ways.into_iter().find_map(|way| {
+            let changes = self.changes(way, &flat, (limit, by), &saved)?;
+            let mut reached = std::mem::replace(&mut self.state, saved.clone());
             self.anchors.push(engine, before, &mut self.state);
-            self.state.clone_from(&reached);
-            self.anchors.push(engine, beyond, &mut self.state);
-            self.state.clone_from(&saved);
-            let passed = self.pass_crossing(&change);
+            self.anchors.push(engine, beyond, &mut reached);
+            let passed = self.pass_crossings(&changes);
             if passed.is_none() {
                 self.anchors.forget_beyond(engine, before, self.sense);
             }
@@ -116,13 +106,78 @@ impl Walker<'_> {
         passed
     }
 
-    /// Crosses a crossing of a coupled group's solutions. Close to a fold, a series of few terms holds
+    /// Returns the crossings of coupled groups at one coordinate close to a limit: that of the group of
+    /// `first`, before which the given dyads have a change point, and those of later groups. `flat`
+    /// are all dyads almost in line there. Leaves the state beyond the limit; `saved` is the one before
+    /// it.
+    fn changes(
+        &mut self,
+        (first, dyads): (usize, &[usize]),
+        flat: &[usize],
+        (limit, by): (f64, f64),
+        saved: &Workspace,
+    ) -> Option<Vec<Change>> {
+        let engine = self.engine;
+        let beyond = engine.moved(limit, self.sense * by);
+        let mut turned = dyads.to_vec();
+        let mut changes: Vec<Change> = Vec::new();
+        let mut reached = None;
+        for step in first..engine.program.steps.len() {
+            if engine.program.steps[step].coupled().is_none() {
+                if changes.is_empty() || !flat.contains(&step) {
+                    continue;
+                }
+                // The junction decides on which side a dyad behind the group continues.
+                turned.push(step);
+                continue;
+            }
+            let found = match changes.first() {
+                Some(change) => {
+                    let at = change.at;
+                    let series = self.series_before(step, at, &changes);
+                    series.and_then(|series| {
+                        let inputs = GroupInputs::Series {
+                            about: at,
+                            series: &series,
+                        };
+                        self.crossing(step, (limit, by), inputs, saved)
+                    })
+                }
+                None => {
+                    self.state.clone_from(saved);
+                    self.first_crossing((step, dyads), (limit, by), saved)
+                }
+            };
+            let Some(Meeting { at, z }) = found else {
+                if changes.is_empty() {
+                    return None;
+                }
+                continue;
+            };
+            turned.push(step);
+            self.state.clone_from(saved);
+            turned.iter().for_each(|&step| self.flip(step));
+            if !self.try_part(step + 1, (saved.at, beyond), saved) {
+                return None;
+            }
+            let group = &engine.program.coupled[engine.program.steps[step].coupled()?];
+            let rate = group.open(&mut self.state.scratch).first.to_vec();
+            reached = Some(self.state.clone());
+            self.state.clone_from(saved);
+            changes.push(Change { step, at, z, rate });
+        }
+        self.state = reached?;
+        Some(changes)
+    }
+
+    /// Crosses crossings of coupled groups' solutions. Close to a fold, a series of few terms holds
     /// only so close to the crossing that it cannot be proved there: more terms are tried. Returns the
     /// coordinate reached.
-    fn pass_crossing(&mut self, change: &Change) -> Option<f64> {
+    fn pass_crossings(&mut self, changes: &[Change]) -> Option<f64> {
+        let at = changes.first()?.at;
         let (saved, terms) = (self.state.clone(), self.terms);
         for attempt in 0..SERIES {
-            let junction = self.junction(change.at, Some(change));
+            let junction = self.junction(at, changes);
             let minimum = if attempt == 0 { 0.0 } else { MIN_ZONE };
             let passed = junction.and_then(|junction| self.pass_in_zone(&junction, minimum));
             if passed.is_some() {
@@ -150,7 +205,9 @@ impl Walker<'_> {
             let before = engine.moved(at, -self.sense * by);
             let driver_states = self.step_to(before);
             let saved = self.state.clone();
-            driver_states && self.crossing((step, &[]), (at, by), &saved).is_some()
+            let near = (at, by);
+            let steps = GroupInputs::Steps;
+            driver_states && self.crossing(step, near, steps, &saved).is_some()
         });
         crosses || self.has_pair(step, at)
     }
@@ -227,46 +284,42 @@ impl Walker<'_> {
     }
 
     /// Returns the crossing of a coupled group's solutions within `by` of a limit, at which the given
-    /// dyads before it have a change point. The state must be the one beyond the limit, and `before`
-    /// the one before it.
-    fn crossing(
+    /// dyads before it have a change point. `before` is the state before the limit.
+    fn first_crossing(
         &mut self,
         (step, dyads): (usize, &[usize]),
-        (limit, by): (f64, f64),
+        near: (f64, f64),
         before: &Workspace,
-    ) -> Option<Change> {
+    ) -> Option<Meeting> {
+        let Some(&dyad) = dyads.first() else {
+            return self.crossing(step, near, GroupInputs::Steps, before);
+        };
+        let about = self.exactly(dyad, near.0)?;
+        let series = &self.series_before(step, about, &[])?;
+        self.crossing(step, near, GroupInputs::Series { about, series }, before)
+    }
+
+    /// Returns the crossing of a coupled group's solutions within `by` of a limit, and exactly at the
+    /// coordinate of the series that give its inputs, if any. `before` is the state before the limit.
+    fn crossing(
+        &mut self,
+        step: usize,
+        (limit, by): (f64, f64),
+        inputs: GroupInputs<'_>,
+        before: &Workspace,
+    ) -> Option<Meeting> {
         let engine = self.engine;
-        let index = engine.program.steps[step].coupled()?;
-        let group = &engine.program.coupled[index];
-        let rate = group.open(&mut self.state.scratch).first.to_vec();
-        self.state.clone_from(before);
-        let lined_up = match dyads.first() {
-            None => None,
-            Some(&dyad) => {
-                let at = self.exactly(dyad, limit)?;
-                Some((at, self.series_before(step, at)?))
-            }
-        };
-        let inputs = match &lined_up {
-            None => GroupInputs::Steps,
-            Some((about, series)) => GroupInputs::Series {
-                about: *about,
-                series,
-            },
-        };
+        let group = &engine.program.coupled[engine.program.steps[step].coupled()?];
         self.state.clone_from(before);
         let dq = engine.difference(before.at, limit);
         group.predict(&mut group.open(&mut self.state.scratch), dq);
         let (crossing, at) = self.nearest_crossing(step, (limit, by), inputs)?;
         let Meeting { at, z } = self.meets(step, at, crossing, inputs)?;
-        let at = match &lined_up {
-            None => at,
-            Some((about, _)) => {
-                let distance = self.distance_exactly(*about, at).abs().hi;
-                (distance <= CHANGE_POINT_TOLERANCE).then_some(*about)?
-            }
+        let GroupInputs::Series { about, .. } = inputs else {
+            return Some(Meeting { at, z });
         };
-        Some(Change { step, at, z, rate })
+        let distance = self.distance_exactly(about, at).abs().hi;
+        (distance <= CHANGE_POINT_TOLERANCE).then_some(Meeting { at: about, z })
     }
 
     /// Solves the equations of a crossing from the z in the scratch. Returns the crossing of a coupled

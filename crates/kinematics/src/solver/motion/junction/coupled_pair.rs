@@ -223,7 +223,7 @@ impl Walker<'_> {
         junction.fold(fold, self.sense);
         let steps = step + 1..exact.engine.program.steps.len();
         let coordinate = self.coordinate_of(centre, terms);
-        self.expand(steps, coordinate, None, &mut junction)?;
+        self.expand(steps, coordinate, &[], &mut junction)?;
         junction.with_enough_terms(terms)
     }
 

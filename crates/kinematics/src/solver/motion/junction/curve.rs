@@ -318,7 +318,7 @@ impl Walker<'_> {
         if let Some(fold) = fold {
             junction.fold(fold, self.sense);
         }
-        let expanded = self.expand(steps, coordinate, None, &mut junction);
+        let expanded = self.expand(steps, coordinate, &[], &mut junction);
         self.sense = sense;
         expanded.ok()?;
         (!junction.is_miss()).then_some(junction)

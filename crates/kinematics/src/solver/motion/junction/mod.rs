@@ -153,9 +153,9 @@ impl Junction {
 impl Walker<'_> {
     /// Expands the mechanism in series about a coordinate, with the signs of the arriving motion.
     /// Returns `None` if the motion ends there or its continuation cannot be determined.
-    pub(super) fn junction(&mut self, at: Double, crossing: Option<&Change>) -> Option<Junction> {
+    pub(super) fn junction(&mut self, at: Double, changes: &[Change]) -> Option<Junction> {
         for terms in (self.terms..=TERMS).step_by(MORE) {
-            match self.junction_of(at, crossing, terms) {
+            match self.junction_of(at, changes, terms) {
                 Ok(junction) => {
                     // The next junction starts with the number of terms that was needed here.
                     self.terms = terms;
@@ -172,11 +172,11 @@ impl Walker<'_> {
     fn junction_of(
         &mut self,
         at: Double,
-        crossing: Option<&Change>,
+        changes: &[Change],
         terms: usize,
     ) -> Result<Junction, Refusal> {
         let steps = self.engine.program.steps.len();
-        let junction = self.junction_before(steps, at, crossing, terms)?;
+        let junction = self.junction_before(steps, at, changes, terms)?;
         junction.with_enough_terms(terms)
     }
 
@@ -185,7 +185,7 @@ impl Walker<'_> {
         &mut self,
         steps: usize,
         at: Double,
-        crossing: Option<&Change>,
+        changes: &[Change],
         terms: usize,
     ) -> Result<Junction, Refusal> {
         let engine = &self.exact.ok_or(Refusal::End)?.engine;
@@ -201,13 +201,18 @@ impl Walker<'_> {
             pair: None,
         };
         let coordinate = self.coordinate_of(at, terms);
-        self.expand(0..steps, coordinate, crossing, &mut junction)?;
+        self.expand(0..steps, coordinate, changes, &mut junction)?;
         Ok(junction)
     }
 
     /// Returns the first `steps` steps in series about a coordinate at which some are singular.
-    pub(super) fn series_before(&mut self, steps: usize, at: Double) -> Option<Workspace<Series>> {
-        let junction = self.junction_before(steps, at, None, self.terms).ok()?;
+    pub(super) fn series_before(
+        &mut self,
+        steps: usize,
+        at: Double,
+        changes: &[Change],
+    ) -> Option<Workspace<Series>> {
+        let junction = self.junction_before(steps, at, changes, self.terms).ok()?;
         Some(junction.series)
     }
 
@@ -216,7 +221,7 @@ impl Walker<'_> {
         &mut self,
         steps: Range<usize>,
         (q, direction): (Series, Vec2<Series>),
-        crossing: Option<&Change>,
+        changes: &[Change],
         junction: &mut Junction,
     ) -> Result<(), Refusal> {
         let engine = &self.exact.ok_or(Refusal::End)?.engine;
@@ -228,7 +233,7 @@ impl Walker<'_> {
                 continue;
             }
             let done = if let Some(index) = step.coupled() {
-                let crossing = crossing.filter(|c| c.step == i);
+                let crossing = changes.iter().find(|c| c.step == i);
                 if crossing.is_some() {
                     let group = engine.program.coupled[index].group;
                     let fold =
