@@ -539,3 +539,21 @@ fn fast_second_input_ends_the_motion() {
         }
     }
 }
+
+/// A parallelogram and two coupled plates that copy its motion. The first two are in line together; so
+/// are the rods with their cranks, at other coordinates. The range used to end at the first of them.
+#[test]
+fn dyad_and_coupled_groups_in_line_together_pass() {
+    let (scene, solver) = open(include_str!("scenes/groups_in_line_together.toml"));
+    assert_eq!(solver.motion().range, Range::Full { period: 360.0 });
+    let plates = [
+        (["B0", "C0"], Vec2::new(62.712, -23.584)),
+        (["B1", "C1"], Vec2::new(46.8, -17.6)),
+        (["B2", "C2"], Vec2::new(-63.2, 47.4)),
+        (["F1", "P1"], Vec2::new(0.0, 28.0)),
+    ];
+    for (points, shift) in plates {
+        assert_keeps_offset(&scene, &solver, points, shift);
+    }
+    assert!(solver.motion().near_misses.is_empty());
+}
