@@ -168,6 +168,9 @@ pub(super) struct Folded {
 
 /// Maximum distance between the coordinates of a near miss that is found by both walks.
 pub(super) const ONE_MISS: f64 = 1e-6;
+/// Distance from a change point of a coupled group, in radians or scaled lengths, within which a
+/// minimum of its measure is that change point.
+const BESIDE: f64 = 1e-4;
 /// Rounding error of a coordinate written with 12 decimals.
 const WRITTEN_ROUNDING: f64 = 6e-13;
 /// Distance from a dead point, in radians or scaled lengths, within which states are computed in
@@ -293,7 +296,7 @@ pub(super) fn explore<'e>(
     let crossings = walker.crossings.of_motion(start, period);
     let dead_points = dead_points(range, engine, start);
     Ok(Motion {
-        near_misses: near_misses(walker.misses, range, engine),
+        near_misses: near_misses(walker.misses, range, &crossings, engine),
         meeting_assemblies: walker.meeting_assemblies,
         tolerance: exact.map_or(0.0, |exact| exact.rounding) * engine.frame.scale,
         samples: walker.samples,
@@ -348,8 +351,14 @@ fn dead_points(range: Range, engine: &Engine, start: f64) -> Vec<f64> {
 }
 
 /// Sorts near misses by coordinate and removes duplicates. Also removes those at an end of the
-/// range, where a measure drops to its rounding error and only looks like a near miss.
-fn near_misses(mut misses: Vec<NearMiss>, range: Range, engine: &Engine) -> Vec<NearMiss> {
+/// range and directly beside a coupled group's own change point, where a measure drops to its rounding
+/// error and only looks like a near miss.
+fn near_misses(
+    mut misses: Vec<NearMiss>,
+    range: Range,
+    crossings: &ChangePointCrossings,
+    engine: &Engine,
+) -> Vec<NearMiss> {
     match range {
         Range::Full { period } => {
             let reduce = |miss: &mut NearMiss| miss.at = positive_remainder(miss.at, period);
@@ -360,6 +369,11 @@ fn near_misses(mut misses: Vec<NearMiss>, range: Range, engine: &Engine) -> Vec<
             misses.retain(|miss| !is_end(miss.at, low) && !is_end(miss.at, high));
         }
     }
+    misses.retain(|miss| {
+        let group = miss.group.index();
+        let is_coupled = engine.program.coupled.iter().any(|c| c.group == group);
+        !is_coupled || !crossings.has(engine, (group, miss.at), BESIDE)
+    });
     misses.sort_by(|a, b| a.at.total_cmp(&b.at));
     misses.dedup_by(|a, b| a.group == b.group && (a.at - b.at).abs() < ONE_MISS);
     misses
