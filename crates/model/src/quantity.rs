@@ -93,7 +93,7 @@ impl Quantity {
     }
 
     /// Returns `true` if its formula has kinks.
-    fn has_sides(&self) -> bool {
+    pub(crate) fn has_sides(&self) -> bool {
         matches!(&self.source, QuantitySource::Derived(derived) if derived.has_sides())
     }
 

@@ -24,6 +24,9 @@ pub trait Number:
     const IS_CHEAP: bool = true;
     /// The rounding error relative to that of doubles; 0 if the type bounds its own error.
     const RELATIVE_ROUNDING: f64 = 1.0;
+    /// Whether constants that depend on others are computed in this arithmetic. Their stored derivatives
+    /// hold at the stored value only, not within the radius.
+    const DERIVES_CONSTANTS: bool = false;
 
     /// Converts a constant of the mechanism, keeping as much as the type can hold.
     fn of(constant: Constant) -> Self;

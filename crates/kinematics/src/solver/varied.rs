@@ -16,7 +16,7 @@ use super::plan::network::Network;
 use super::state::PointState;
 use super::{Condition, Demand, Order, Solver, State, Workspace};
 use crate::angle::TURN;
-use crate::{Ball, Constant, LANES, Lanes, Length, Mechanism, Number, Vec2};
+use crate::{Ball, Constant, Dual, LANES, Lanes, Length, Mechanism, Number, Vec2};
 
 /// The number of places at which a motion is checked for a group that comes near its limits.
 const DEGREES: u16 = 360;
@@ -85,20 +85,18 @@ impl VariedPlace {
         let ways = self
             .follows
             .iter()
-            .map(|&(length, slope)| slope * limits[length]);
-        let off = ways.fold(Vec2::ZERO, |sum, way| {
-            sum + Vec2::new(way.x.abs(), way.y.abs())
-        });
-        Vec2::new(
-            Constant {
-                radius: self.given.x.radius + off.x,
-                ..self.given.x
-            },
-            Constant {
-                radius: self.given.y.radius + off.y,
-                ..self.given.y
-            },
-        )
+            .map(|&(length, slope)| slope.map(f64::abs) * limits[length]);
+        let off = ways.fold(Vec2::ZERO, |sum, way| sum + way);
+        let Vec2 { x, y } = self.given;
+        Vec2::new(x.widened(off.x), y.widened(off.y))
+    }
+
+    /// Returns the same enclosure with its derivative by a length.
+    fn sloped_within(&self, limits: &[f64], by: usize) -> Vec2<Constant> {
+        let mut slopes = self.follows.iter().filter(|(length, _)| *length == by);
+        let slope = slopes.next().map_or(Vec2::ZERO, |&(_, slope)| slope);
+        let Vec2 { x, y } = self.within(limits);
+        Vec2::new(x.with_slope(slope.x), y.with_slope(slope.y))
     }
 }
 
@@ -336,6 +334,30 @@ impl Varied {
     /// than necessary. `None` if that fails, and for every mechanism with a coupled group.
     #[must_use]
     pub fn enclose(&self, limits: &[f64], at: f64, order: Order) -> Option<State<Ball>> {
+        self.run_with(|place| place.within(limits), at, order)
+    }
+
+    /// Computes an enclosure of all states as [`Varied::enclose`] does, and of their derivatives by
+    /// a length, per unit of the scene.
+    #[must_use]
+    pub fn enclose_slopes(
+        &self,
+        length: usize,
+        limits: &[f64],
+        at: f64,
+        order: Order,
+    ) -> Option<State<Dual<Ball>>> {
+        self.run_with(|place| place.sloped_within(limits, length), at, order)
+    }
+
+    /// Solves with other places. `None` if that fails, and for every mechanism with a coupled
+    /// group.
+    fn run_with<T: Number>(
+        &self,
+        placed: impl Fn(&VariedPlace) -> Vec2<Constant>,
+        at: f64,
+        order: Order,
+    ) -> Option<State<T>> {
         if !self.engine.program.coupled.is_empty() {
             return None;
         }
@@ -343,26 +365,22 @@ impl Varied {
         let mut places = self.places.iter();
         engine.program.vary(&mut |place| {
             if let Some(known) = places.next() {
-                *place = known.within(limits);
+                *place = placed(known);
             }
         });
-        let mut workspace = engine.state::<Ball>(self.nominal.slides);
+        let mut workspace = engine.state::<T>(self.nominal.slides);
         self.nominal.choose_exactly(at, &mut workspace.state);
-        let at = Ball::exactly(at);
+        let at = T::exactly(at);
         workspace.state.start(at, order);
-        let placed = match order {
-            Order::Position => {
-                engine.run_in::<Ball, POSITION>(at, &mut workspace, |_, _, _, _| false)
-            }
-            Order::Velocity => {
-                engine.run_in::<Ball, VELOCITY>(at, &mut workspace, |_, _, _, _| false)
-            }
+        let is_solved = match order {
+            Order::Position => engine.run_in::<T, POSITION>(at, &mut workspace, |_, _, _, _| false),
+            Order::Velocity => engine.run_in::<T, VELOCITY>(at, &mut workspace, |_, _, _, _| false),
             Order::Acceleration | Order::Force => {
-                engine.run_in::<Ball, ACCELERATION>(at, &mut workspace, |_, _, _, _| false)
+                engine.run_in::<T, ACCELERATION>(at, &mut workspace, |_, _, _, _| false)
             }
         };
         workspace.state.condition = Condition::Ok;
-        placed.then(|| workspace.into_state())
+        is_solved.then(|| workspace.into_state())
     }
 
     /// Returns the class of the loop that the driver closes, with the current lengths; `None` if
@@ -412,9 +430,9 @@ impl Varied {
 
 impl Solver {
     /// Sets the signs of all groups at a coordinate.
-    fn choose_exactly(&self, at: f64, state: &mut State<Ball>) {
+    fn choose_exactly<T: Number>(&self, at: f64, state: &mut State<T>) {
         for (sign, &start) in state.signs.iter_mut().zip(&self.engine.signs) {
-            *sign = Ball::exactly(start);
+            *sign = T::exactly(start);
         }
         for group in self.motion.crossings.changed(at) {
             state.signs[group] = -state.signs[group];

@@ -251,7 +251,7 @@ fn dual_numbers_propagate_slope_through_formula() {
     let (code, _) = compiled("hypot(C.x, 40 mm) * sin(turn)").unwrap();
     let found = code.run(|leaf, _| {
         Some(match leaf {
-            0 => Dual::new(30.0, 1.0),
+            0 => Dual::<f64>::new(30.0, 1.0),
             _ => Dual::new(90.0, 0.0),
         })
     });

@@ -44,10 +44,23 @@ impl Arm {
     /// Returns the direction of the link, given the vector of the arm.
     #[inline(always)]
     pub(in crate::solver) fn direction<T: Number>(&self, arm: Vec2<T>) -> Vec2<T> {
-        if !T::IS_CHEAP && self.is_straight {
+        if T::DERIVES_CONSTANTS {
+            let local: Vec2<T> = Vec2::of(self.local);
+            arm.turned(local.conj() / local.norm2())
+        } else if !T::IS_CHEAP && self.is_straight {
             arm * T::of(self.factor.x)
         } else {
             arm.turned(Vec2::of(self.factor))
+        }
+    }
+
+    /// Returns the arm's length.
+    #[inline(always)]
+    pub(in crate::solver) fn length<T: Number>(&self) -> T {
+        if T::DERIVES_CONSTANTS {
+            Vec2::<T>::of(self.local).norm()
+        } else {
+            T::of(self.length)
         }
     }
 }

@@ -53,7 +53,7 @@ impl CircleLine {
         let guide = self.line.at(state);
         let from = state.points[self.arm.pivot.index()].p - guide.q.p;
         let h0 = guide.n.dot(from);
-        let chord = Chord::new(T::of(self.arm.length), h0, from);
+        let chord = Chord::new(self.arm.length::<T>(), h0, from);
         (guide, from, h0, chord)
     }
 
@@ -193,7 +193,7 @@ impl TwoAssemblies for CircleLine {
     fn reserve<T: Number>(&self, _q: T, state: &State<T>) -> T {
         let guide = self.line.at(state);
         let from = state.points[self.arm.pivot.index()].p - guide.q.p;
-        T::of(self.arm.length) - guide.n.dot(from).abs()
+        self.arm.length::<T>() - guide.n.dot(from).abs()
     }
 
     fn reach(&self, state: &State<Series>) -> [Series; 2] {

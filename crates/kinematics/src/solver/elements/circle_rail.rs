@@ -56,7 +56,7 @@ impl CircleRail {
     fn chord<T: Number>(&self, state: &State<T>) -> (Vec2<T>, Chord<T>) {
         let from = state.points[self.arm.pivot.index()].p - Vec2::of(self.through);
         let seen = self.components(from);
-        (seen, Chord::new(T::of(self.arm.length), seen.y, from))
+        (seen, Chord::new(self.arm.length::<T>(), seen.y, from))
     }
 
     /// Stores the dyad with X at s along the rail and the link in the direction d.
@@ -190,7 +190,7 @@ impl TwoAssemblies for CircleRail {
 
     fn reserve<T: Number>(&self, _q: T, state: &State<T>) -> T {
         let from = state.points[self.arm.pivot.index()].p - Vec2::of(self.through);
-        T::of(self.arm.length) - Vec2::of(self.along).cross(from).abs()
+        self.arm.length::<T>() - Vec2::of(self.along).cross(from).abs()
     }
 
     fn reach(&self, state: &State<Series>) -> [Series; 2] {

@@ -80,7 +80,22 @@ impl Circles {
     /// maximum.
     #[inline(always)]
     fn reaches<T: Number>(&self, d2: T) -> (T, T) {
+        if T::DERIVES_CONSTANTS {
+            let [b, c] = [self.near.length::<T>(), self.far.length()];
+            let [difference, sum] = [c - b, c + b];
+            return (d2 - difference * difference, sum * sum - d2);
+        }
         (d2 - T::of(self.least), T::of(self.most) - d2)
+    }
+
+    /// Returns (near - far)(near + far).
+    #[inline(always)]
+    fn squares<T: Number>(&self) -> T {
+        if T::DERIVES_CONSTANTS {
+            let [b, c] = [self.near.length::<T>(), self.far.length()];
+            return (b - c) * (b + c);
+        }
+        T::of(self.squares)
     }
 
     /// Returns the tolerances of the reaches: (d + slack)^2 - d^2.
@@ -191,7 +206,7 @@ impl Element for Circles {
         if !(inner.exceeds(minimum) && outer.exceeds(maximum)) {
             return StepOutcome::Unclear;
         }
-        let x = (d2 + T::of(self.squares)).scaled(0.5);
+        let x = (d2 + self.squares::<T>()).scaled(0.5);
         let inverse = T::exactly(1.0) / d2;
         let sh = state.signs[self.group].scaled(0.5) * product.sqrt();
         let e = (u * x + u.perp() * sh) * inverse;
@@ -251,7 +266,7 @@ impl TwoAssemblies for Circles {
     fn align<T: Number>(&self, _q: T, state: &mut State<T>) {
         let u = self.between(state);
         let x = u.norm2() + T::exactly(self.squares.hi);
-        let length = T::of(self.near.length);
+        let length = self.near.length::<T>();
         let along = if x.nearest() < 0.0 { -length } else { length };
         let e = u * (along / T::norm(u));
         self.place::<T, { POSITION }>(e, e - u, T::default(), state);

@@ -67,7 +67,7 @@ impl Cylinder {
     #[inline(always)]
     fn triangle<T: Number>(&self, q: T, state: &State<T>) -> Triangle<T> {
         let rho2 = self.arm_square(q);
-        let (rho, c) = (rho2.sqrt(), T::of(self.far.length));
+        let (rho, c) = (rho2.sqrt(), self.far.length::<T>());
         let u = state.points[self.far.pivot.index()].p - state.points[self.pivot.index()].p;
         let d2 = u.norm2();
         let d = d2.sqrt();
@@ -88,7 +88,7 @@ impl Cylinder {
     /// Returns the vector e from the pivot to the point, for e x f = `sh`.
     #[inline(always)]
     fn arm<T: Number>(&self, of: &Triangle<T>, sh: T) -> Vec2<T> {
-        let c = T::of(self.far.length);
+        let c = self.far.length::<T>();
         let x = (of.d2 + (of.rho - c) * (of.rho + c)).scaled(0.5);
         (of.u * x + of.u.perp() * sh) / of.d2
     }
@@ -271,7 +271,7 @@ impl TwoAssemblies for Cylinder {
     fn reserve<T: Number>(&self, q: T, state: &State<T>) -> T {
         let arm = self.local(q);
         let u = state.points[self.far.pivot.index()].p - state.points[self.pivot.index()].p;
-        triangle_reserve(u.norm(), arm.norm(), T::of(self.far.length))
+        triangle_reserve(u.norm(), arm.norm(), self.far.length::<T>())
     }
 
     fn pivots(&self) -> Option<[PointId; 2]> {

@@ -44,7 +44,7 @@ impl Element for Aim {
             d: arm.direction(e),
             ..LinkState::default()
         };
-        let length = T::of(arm.length);
+        let length = arm.length::<T>();
         let scale = T::exactly(1.0) / (length * length);
         if ORDER >= VELOCITY {
             link.w = e.cross(x.v - p.v) * scale;

@@ -244,15 +244,11 @@ fn enclosures_contain_worst_case_of_derivatives() {
     let mut held = 0;
     for at in [13.0, 77.0, 200.0, 301.0] {
         let nominal = study.machines.go(at);
-        let varied = &study.machines.varied;
-        let all = varied.enclose(&study.off.limits, at, Order::Position);
+        let enclosed = study.enclosed(at, &nominal);
         let slopes = study.slopes_at(at).unwrap();
         let acting: Vec<usize> = (0..study.off.lengths).collect();
         for i in 0..request.len() {
-            let Some(value) = nominal[i] else { continue };
-            let Some(ball) = all.as_ref().and_then(|all| study.enclosed(i, value, all)) else {
-                continue;
-            };
+            let Some(ball) = enclosed[i] else { continue };
             let slopes = slopes.of(i).unwrap();
             let machines = &mut study.machines;
             let worst = of_derivatives(machines, &study.off, &acting, i, &nominal, slopes).unwrap();
