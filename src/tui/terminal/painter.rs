@@ -66,6 +66,7 @@ impl Painter {
         let palette = Palette {
             colours: capability.colours,
             theme: Theme::Auto,
+            has_weak_text: false,
         };
         Painter {
             look: CellStyle {
@@ -358,6 +359,7 @@ mod tests {
         let look = Palette {
             colours: Colours::True,
             theme: Theme::Dark,
+            has_weak_text: false,
         };
         let mut painter = painter(Colours::True, false);
         painter.paint_with(look);
