@@ -25,7 +25,7 @@ use crate::document::Diagnostics;
 use crate::drawing::Glyphs;
 use crate::report::{CsvDialect, Verdict};
 use crate::solver::Condition;
-use crate::tui::appearance::palette::{Ground, Palette, Theme};
+use crate::tui::appearance::palette::{Ground, Palette, Theme, is_weak_text};
 use crate::tui::commands::action::{Action, TablesAction};
 use crate::tui::commands::keymap::Keymap;
 use crate::tui::commands::line::EditLine;
@@ -37,6 +37,7 @@ use crate::tui::player::Player;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::player::playback::{Playback, Track};
 use crate::tui::player::steps::StepLadder;
+use crate::tui::terminal::TerminalColour;
 use crate::tui::views;
 use crate::tui::views::candidates::list::CandidateList;
 use crate::tui::views::layout::Composition;
@@ -285,9 +286,26 @@ impl App {
 
     /// Returns the palette: the colour depth and the theme.
     pub(crate) fn palette(&self) -> Palette {
+        let theme = self.theme();
+        let colours = self.shell.text_colour.zip(self.shell.ground_colour);
+        let is_weak = |(text, ground): ([u8; 3], [u8; 3])| {
+            theme == Ground::of(ground).theme() && is_weak_text(text, ground)
+        };
         Palette {
             colours: self.colours(),
-            theme: self.theme(),
+            theme,
+            has_weak_text: colours.is_some_and(is_weak),
+        }
+    }
+
+    /// Sets a colour that the terminal reports.
+    pub(crate) fn set_colour(&mut self, colour: TerminalColour) {
+        match colour {
+            TerminalColour::Text(colour) => self.shell.text_colour = Some(colour),
+            TerminalColour::Ground(colour) => {
+                self.shell.ground_colour = Some(colour);
+                self.set_ground(Ground::of(colour));
+            }
         }
     }
 

@@ -449,7 +449,7 @@ impl<T: Console> Session<T> {
                 let now = self.elapsed();
                 return Ok(self.attend(now));
             }
-            Wake::Ground(colour) => self.workbench.app().set_ground(Ground::of(colour)),
+            Wake::Colour(colour) => self.workbench.app().set_colour(colour),
             Wake::Paste(text) => self.workbench.paste(&text),
             Wake::Mouse(mouse) => {
                 let effect = self.workbench.point(mouse);

@@ -5,8 +5,8 @@ use crate::session::{Seen, Setup};
 use std::cell::RefCell;
 use std::collections::HashSet;
 
-/// The query of the background's colour.
-const GROUND_QUERY: &[u8] = b"\x1b]11;?";
+/// The query of the colours of text and background.
+const COLOUR_QUERY: &[u8] = b"\x1b]10;?\x1b\\\x1b]11;?\x1b\\";
 /// The colours of a trail and of a trace on a dark background, with 256 colours.
 const TRAIL: &str = "Idx(148)";
 
@@ -25,17 +25,21 @@ fn inks(seen: &Seen) -> HashSet<Ink> {
     places.filter_map(ink).collect()
 }
 
-/// Returns the colours on the screen after a terminal has answered the query with a colour.
-fn colours_on(ground: Option<&str>) -> HashSet<String> {
+/// Returns the colours on the screen after a terminal has answered the query with the colours of its
+/// text and its background.
+fn colours_of(text: Option<&str>, ground: Option<&str>) -> HashSet<String> {
     let mut session = Setup::krank(&["four-bar"]).without("COLORFGBG").start();
     session.wait_for("60.00 deg").wait_for("-3.9164");
     // The first frame is complete before any answer.
     let first = RefCell::new(HashSet::new());
     session.wait_until("the query", |seen| {
         first.replace(inks(seen));
-        seen.count(GROUND_QUERY) == 1 && seen.is_between_frames()
+        seen.count(COLOUR_QUERY) == 1 && seen.is_between_frames()
     });
     let last = RefCell::new(first.borrow().clone());
+    if let Some(text) = text {
+        session.send_bytes(format!("\x1b]10;{text}\x1b\\").as_bytes());
+    }
     if let Some(ground) = ground {
         session.send_bytes(format!("\x1b]11;{ground}\x1b\\").as_bytes());
         session.wait_until("other colours", |seen| {
@@ -51,6 +55,7 @@ fn colours_on(ground: Option<&str>) -> HashSet<String> {
 
 #[test]
 fn reported_background_selects_colours() {
+    let colours_on = |ground| colours_of(None, ground);
     let unknown = colours_on(None);
     let dark = colours_on(Some("rgb:0000/2b2b/3636"));
     let light = colours_on(Some("rgb:fdfd/f6f6/e3e3"));
@@ -59,6 +64,21 @@ fn reported_background_selects_colours() {
     }
     // The same background by another name.
     assert_eq!(colours_on(Some("rgb:00/00/00")), dark);
+}
+
+/// Text with a contrast below 7 becomes white or black.
+#[test]
+fn weak_text_is_replaced() {
+    let own = format!("{:?}", vt100::Color::Default);
+    for (text, ground, ink) in [
+        ("rgb:8383/9494/9696", "rgb:0000/2b2b/3636", "Idx(231)"),
+        ("rgb:6565/7b7b/8383", "rgb:fdfd/f6f6/e3e3", "Idx(16)"),
+    ] {
+        let strong = colours_of(None, Some(ground));
+        let weak = colours_of(Some(text), Some(ground));
+        assert!(strong.contains(&own) && strong.contains(ink), "{strong:?}");
+        assert!(!weak.contains(&own) && weak.contains(ink), "{weak:?}");
+    }
 }
 
 /// The foot of the walking leg leaves a trail, which moves along with it.

@@ -91,7 +91,6 @@ const SEATS: [LabelSeat; 40] = [
     seat(0, 2, Align::Middle, 7),
     seat(5, 0, Align::Start, 8),
     seat(-5, 0, Align::End, 8),
-    // Only for plans.
     seat(2, -1, Align::Start, 2),
     seat(-2, -1, Align::End, 3),
     seat(2, 1, Align::Start, 4),
@@ -112,20 +111,19 @@ const SEATS: [LabelSeat; 40] = [
     seat(-3, 2, Align::End, 9),
 ];
 
+/// Number of seats that are tried first without a plan.
+const USUAL: usize = 22;
 /// Largest distance of a seat from its point in rows.
 const MAX_ROW: i32 = 2;
-/// Number of seats that are tried without a plan.
-const UNPLANNED: usize = 22;
 
 /// Cost per character that hides part of the ground, of a guide or of a plate: as much as any free
 /// seat.
 const OVER_GROUND: i32 = 9;
-/// Cost of a bar, a mark or an arrow directly before or after the label, and per character that
-/// hides part of an arrow.
+/// Cost of the selected name directly before or after a bar, a mark or an arrow. Other names never
+/// touch one.
 const TOUCHING: i32 = 200;
-/// Maximum cost of a label, which may lie between two bars. A more expensive one is left out,
-/// because it would hide more than it shows.
-const MAX_COST: i32 = 2 * TOUCHING + 20;
+/// Cost per character of the selected name that hides part of a bar or an arrow.
+const ON_BAR: i32 = 500;
 /// Maximum cost if the names together are longer than the lines: only names in free space help
 /// then.
 const MAX_COST_CROWDED: i32 = 3;
@@ -150,26 +148,30 @@ impl Labels {
         let length: usize = own.map(|(_, text, _)| text.len()).sum();
         let is_line = |cell: &&CharCell| cell.role.is_body();
         let lines = raster.lines().flatten().filter(is_line).count();
-        let limit = if length > lines {
-            MAX_COST_CROWDED
-        } else {
-            MAX_COST
-        };
+        let is_crowded = length > lines;
         let mut count = 0;
         for (at, text, role) in labels {
             let point = cell_of(view.cell(at));
             if count == self.places.len() {
                 self.places.push(LabelPlace::New);
             }
+            let is_selected = role == Role::Lit;
+            let limit = match is_crowded && !is_selected {
+                true => MAX_COST_CROWDED,
+                false => i32::MAX,
+            };
             let place = match self.planned(count, view) {
-                Some((side, seat)) => {
-                    let place = side.best_place(raster, point, text, seat);
-                    if place == LabelPlace::Hidden && raster.cell(point.0, point.1).is_some() {
+                Some(seat) => {
+                    let place = plan::best_place(raster, point, text, is_selected, seat);
+                    if seat.is_some() && place == LabelPlace::Hidden {
                         self.leave_out(count);
                     }
                     place
                 }
-                None => best_place(raster, point, text, self.places[count], limit),
+                None => {
+                    let last = self.places[count];
+                    best_place(raster, point, text, is_selected, last, limit)
+                }
             };
             self.places[count] = place;
             count += 1;
@@ -231,6 +233,7 @@ fn best_place(
     raster: &Raster,
     point: (i32, i32),
     text: &str,
+    is_selected: bool,
     last: LabelPlace,
     limit: i32,
 ) -> LabelPlace {
@@ -248,12 +251,13 @@ fn best_place(
         let seat = &SEATS[index];
         let (col, row) = origin(seat, point, width);
         let inertia = i32::from(last == LabelPlace::Seat(index)) * INERTIA;
-        Some(cover(raster, col, row, width)? + seat.cost - inertia).filter(|&cost| cost <= limit)
+        let cover = cover(raster, col, row, width, is_selected)?;
+        Some(cover + seat.cost - inertia).filter(|&cost| cost <= limit)
     };
-    let priced = (0..UNPLANNED).filter_map(|index| cost(index).map(|cost| (cost, index)));
-    priced
-        .min()
-        .map_or(LabelPlace::Hidden, |(_, index)| LabelPlace::Seat(index))
+    let priced = |index: usize| Some((cost(index)?, index));
+    let usual = (0..USUAL).filter_map(priced).min();
+    let best = usual.or_else(|| (USUAL..SEATS.len()).filter_map(priced).min());
+    best.map_or(LabelPlace::Hidden, |(_, index)| LabelPlace::Seat(index))
 }
 
 /// Returns the first cells of all places next to a cell where a text hides nothing, best place
@@ -266,7 +270,7 @@ pub(in crate::drawing) fn free_places(
     let width = width(text);
     let free = |seat: &&LabelSeat| {
         let (col, row) = origin(seat, point, width);
-        cover(raster, col, row, width) == Some(0)
+        cover(raster, col, row, width, false) == Some(0)
     };
     let mut seats: Vec<&LabelSeat> = SEATS[..NEAR].iter().filter(free).collect();
     seats.sort_by_key(|seat| seat.cost);
@@ -290,20 +294,10 @@ fn origin(seat: &LabelSeat, point: (i32, i32), width: i32) -> (i32, i32) {
 }
 
 /// Returns the cost of the cells that a label hides at a place. Returns `None` if it cannot be there:
-/// outside the raster, or on a bar, a mark or another name.
-fn cover(raster: &Raster, col: i32, row: i32, width: i32) -> Option<i32> {
-    cover_for(raster, col, row, width, None)
-}
-
-/// Returns the cost of the cells that a label hides at a place, with this cost per character on a
-/// bar; without one, a label cannot be there.
-fn cover_for(
-    raster: &Raster,
-    col: i32,
-    row: i32,
-    width: i32,
-    over_bar: Option<i32>,
-) -> Option<i32> {
+/// outside the raster, on a mark or another name, or touching a bar or an arrow. The selected name
+/// may touch both.
+fn cover(raster: &Raster, col: i32, row: i32, width: i32, is_selected: bool) -> Option<i32> {
+    let if_selected = |cost| is_selected.then_some(cost);
     let end = col + width;
     let mut sum = 0;
     for c in col..end {
@@ -311,8 +305,8 @@ fn cover_for(
             // Free, so that names do not move when ghosts and traces appear or disappear.
             Role::Empty | Role::Ghost | Role::Echo | Role::Trace | Role::Trail => 0,
             Role::Ground | Role::Guide | Role::Plate(_) | Role::DriverPlate => OVER_GROUND,
-            Role::Velocity | Role::Acceleration => over_bar.unwrap_or(TOUCHING),
-            role if role.is_body() || role == Role::Spring => over_bar?,
+            Role::Spring | Role::Velocity | Role::Acceleration => if_selected(ON_BAR)?,
+            role if role.is_body() => if_selected(ON_BAR)?,
             // Marks and other names. A size over part of another force would be read as the size
             // of both.
             _ => return None,
@@ -323,8 +317,10 @@ fn cover_for(
         sum += match role {
             Role::Empty => 0,
             role if role.is_behind() && role != Role::Spring => 0,
-            role if role.is_body() || role.is_mark() => TOUCHING,
-            Role::Spring | Role::Velocity | Role::Acceleration | Role::Force => TOUCHING,
+            role if role.is_body() || role.is_mark() => if_selected(TOUCHING)?,
+            Role::Spring | Role::Velocity | Role::Acceleration | Role::Force => {
+                if_selected(TOUCHING)?
+            }
             // `B` next to `C` would read as one name.
             _ => return None,
         };

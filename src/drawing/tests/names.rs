@@ -63,52 +63,36 @@ fn planned(
     labels
 }
 
-/// Returns the number of names that hide a part of a bar, a mark or an arrow, and of those that
-/// hide a part of a bar or an arrow, or are directly before or after one.
-fn covering(figure: &Figure, view: &WorldView, glyphs: Glyphs, labels: &Labels) -> [usize; 2] {
+/// Returns the names that hide a part of a bar, a mark, a spring or an arrow, or are directly before
+/// or after one.
+fn touching(figure: &Figure, view: &WorldView, glyphs: Glyphs, labels: &Labels) -> Vec<String> {
     let mut plain = Raster::new();
     crate::drawing::cells::render::render_bare(figure, view, glyphs, &mut plain);
-    let mut counts = [0; 2];
-    for (text, at, right, down) in labels.placed_names(figure, view) {
-        let (col, row) = cell(view, at);
+    let touches = |(text, at, right, down): &(&str, Vec2, i32, i32)| {
+        let (col, row) = cell(view, *at);
         let (from, to) = (col + right, col + right + text.chars().count() as i32);
         let role = |col| plain.cell(col, row + down).map_or(Role::Empty, |c| c.role);
-        let is_hidden = |role: Role| !role.is_behind() && role != Role::Empty;
-        let is_bar = |role: Role| is_hidden(role) && !role.is_mark() || role == Role::Spring;
-        counts[0] += usize::from((from..to).map(role).any(is_hidden));
-        counts[1] += usize::from((from - 1..=to).map(role).any(is_bar));
-    }
-    counts
+        let is_touched = |role: Role| !role.is_behind() && role != Role::Empty;
+        let mut roles = (from - 1..=to).map(role);
+        roles.any(|role| is_touched(role) || role == Role::Spring)
+    };
+    let names = labels.placed_names(figure, view).filter(touches);
+    names.map(|(text, ..)| text.to_owned()).collect()
 }
 
-/// Of this many names in frames of a preset, at most one hides a part of a bar or has no place for
-/// a frame.
-const MAX_COVERING: usize = 150;
-/// Of this many names in frames of all presets, at most one touches a bar or an arrow.
-const MAX_TOUCHING: usize = 300;
-/// Of this many names in frames of all presets, at most one is not shown: up to a third of those of
+/// Of this many names in frames of a preset, at most one is absent for a single frame.
+const MAX_BLINKING: usize = 150;
+/// Maximum number of times that a name disappears in a cycle: where each of five conrods passes it.
+const MAX_GAPS: usize = 5;
+/// Of this many names in frames of all presets, at most one is not shown: up to a sixth of those of
 /// the scissor lift have no place.
-const MAX_HIDDEN: usize = 20;
+const MAX_HIDDEN: usize = 30;
 
-/// Removes single frames without the name, between two frames with it on one side, and returns their
-/// number.
-fn fill_gaps(sides: &mut [Side]) -> usize {
-    let mut gaps = 0;
-    for k in 1..sides.len().saturating_sub(1) {
-        if sides[k] == Side::Hidden && sides[k - 1] == sides[k + 1] && sides[k - 1] != sides[k] {
-            sides[k] = sides[k - 1];
-            gaps += 1;
-        }
-    }
-    gaps
-}
-
-/// Asserts that no name changes sides more than twice in a cycle or from limit to limit, and that
-/// names lie on bars, touch them, or have no place, only for moments. Appearing and disappearing for
-/// more than a frame counts as a change, too.
+/// Asserts that no name touches anything, and that no name changes sides more than twice in a cycle
+/// or from limit to limit. Where it has no free place, a name disappears, but it does not blink.
 fn assert_calm((cols, rows): (u16, u16), glyphs: Glyphs, has_arrows: bool) {
-    let (mut restless, mut covered) = (Vec::new(), Vec::new());
-    let (mut named, mut hidden, mut touching) = (0, 0, 0);
+    let (mut restless, mut blinking, mut touched) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut named, mut hidden) = (0, 0);
     for stage in DrawingStage::presets() {
         let view = WorldView::fit(&stage.reach, cols, rows, 2.0);
         let overlay = stage.overlay(&OverlayRequest {
@@ -119,7 +103,6 @@ fn assert_calm((cols, rows): (u16, u16), glyphs: Glyphs, has_arrows: bool) {
         let mut labels = planned(&stage, overlay, &view, glyphs);
         let mut raster = Raster::new();
         let mut sides: Vec<Vec<Side>> = Vec::new();
-        let mut on_bars = 0;
         for (share, state) in played(&stage).iter().step_by(2) {
             labels.go(Some(*share));
             let figure = figure(&stage, overlay, state);
@@ -128,27 +111,33 @@ fn assert_calm((cols, rows): (u16, u16), glyphs: Glyphs, has_arrows: bool) {
             for (sides, side) in sides.iter_mut().zip(labels.sides()) {
                 sides.push(side);
             }
-            let [covers, touches] = covering(&figure, &view, glyphs, &labels);
-            on_bars += covers;
-            touching += touches;
+            let names = touching(&figure, &view, glyphs, &labels);
+            if !names.is_empty() {
+                touched.push(format!("{} at {share:.3}: {names:?}", stage.name));
+            }
             named += labels.len();
             hidden += labels.hidden();
         }
-        let gaps: usize = sides.iter_mut().map(|sides| fill_gaps(sides)).sum();
-        let count = |sides: &Vec<Side>| sides.windows(2).filter(|w| w[0] != w[1]).count();
-        let changes: Vec<usize> = sides.iter().map(count).collect();
+        let frames = 101 * sides.len();
+        let (mut changes, mut gaps, mut blinks) = (Vec::new(), Vec::new(), 0);
+        for sides in &mut sides {
+            let runs = sides.chunk_by(|a, b| (*a == Side::Hidden) == (*b == Side::Hidden));
+            let runs: Vec<&[Side]> = runs.filter(|run| run[0] == Side::Hidden).collect();
+            blinks += runs.iter().filter(|run| run.len() == 1).count();
+            gaps.push(runs.len());
+            sides.retain(|side| *side != Side::Hidden);
+            changes.push(sides.windows(2).filter(|w| w[0] != w[1]).count());
+        }
         if changes.iter().any(|changes| *changes > 2) {
             restless.push(format!("{}: {changes:?}", stage.name));
         }
-        // Where no place on its side is free, a bar passes below a name.
-        let frames = 101 * changes.len();
-        if (on_bars + gaps) * MAX_COVERING > frames {
-            covered.push(format!("{}: {on_bars} and {gaps} of {frames}", stage.name));
+        if blinks * MAX_BLINKING > frames || gaps.iter().any(|gaps| *gaps > MAX_GAPS) {
+            blinking.push(format!("{}: {blinks} of {frames}, {gaps:?}", stage.name));
         }
     }
     assert!(restless.is_empty(), "{cols} x {rows}: {restless:#?}");
-    assert!(covered.is_empty(), "{cols} x {rows}: {covered:#?}");
-    assert!(touching * MAX_TOUCHING <= named, "{touching} of {named}");
+    assert!(blinking.is_empty(), "{cols} x {rows}: {blinking:#?}");
+    assert!(touched.is_empty(), "{cols} x {rows}: {touched:#?}");
     assert!(hidden * MAX_HIDDEN <= named, "{hidden} of {named}");
 }
 
@@ -174,10 +163,16 @@ fn names_touch_no_bars_and_no_arrows() {
     assert_calm((80, 24), Glyphs::Ascii, true);
 }
 
-/// Every name of a textbook linkage has a free place, with a plan and without one.
+#[test]
+fn names_touch_nothing_between_braille_dots() {
+    assert_calm((80, 24), Glyphs::Braille, true);
+}
+
+/// Every name of a textbook linkage has a free place, with a plan and without one. The conrods of the
+/// radial engine pass its middle, and the knuckle press has two joints a cell apart.
 #[test]
 fn every_name_of_textbook_linkages_is_shown() {
-    let crowded = ["scissor-lift"];
+    let crowded = ["scissor-lift", "radial-engine", "knuckle-press"];
     let mut hidden = Vec::new();
     for stage in DrawingStage::presets() {
         if crowded.iter().any(|name| stage.name.contains(name)) {

@@ -56,6 +56,9 @@ pub(super) struct Shell {
     pub theme: Theme,
     /// The terminal's background, if it is known.
     pub ground: Option<Ground>,
+    /// The reported colours of plain text and of the background.
+    pub text_colour: Option<[u8; 3]>,
+    pub ground_colour: Option<[u8; 3]>,
     pub size: Size,
     /// Height of a cell divided by its width.
     pub aspect: f64,
@@ -81,6 +84,8 @@ impl Shell {
             },
             theme: Theme::default(),
             ground: None,
+            text_colour: None,
+            ground_colour: None,
             size,
             aspect: DEFAULT_ASPECT,
         }

@@ -11,6 +11,7 @@
 //! On a known background there are three luminances. Links, pins and the driver are bright, with a
 //! contrast of at least 7. Arrows, trails and names have at least 4.5. Guides, hatching, rules, axes
 //! and traces are dim, with at least 2.5. With 16 colours, bold and faint text make the difference.
+//! Text has the terminal's own colour, or the brightest one if the contrast of that is below 7.
 
 use crate::capability::Colours;
 use crate::drawing::Hue;
@@ -54,6 +55,9 @@ impl Theme {
     }
 }
 
+/// Minimum contrast of text.
+const MIN_TEXT_CONTRAST: f64 = 7.0;
+
 /// The name of the colour with the highest contrast.
 pub(super) const INK: Color = Color::White;
 
@@ -71,9 +75,7 @@ impl Ground {
     /// a relative luminance of 0.18, and dim text has about that of its own, 0.22. Its contrast is
     /// below 1.7 on luminances from 0.1 to 0.4.
     pub(crate) fn of(colour: [u8; 3]) -> Ground {
-        let linear = colour.map(|c| (f64::from(c) / 255.0).powf(2.2));
-        let luminance = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
-        match luminance {
+        match luminance(colour) {
             ..0.1 => Ground::Dark,
             0.1..0.4 => Ground::Middle,
             _ => Ground::Light,
@@ -88,6 +90,18 @@ impl Ground {
             Ground::Dark => Theme::Dark,
         }
     }
+}
+
+/// Returns the relative luminance of a colour, from 0 to 1.
+fn luminance(colour: [u8; 3]) -> f64 {
+    let linear = colour.map(|c| (f64::from(c) / 255.0).powf(2.2));
+    0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+}
+
+/// Returns `true` if the contrast of text on a background is below 7.
+pub(crate) fn is_weak_text(text: [u8; 3], ground: [u8; 3]) -> bool {
+    let [text, ground] = [text, ground].map(|colour| luminance(colour) + 0.05);
+    text.max(ground) < MIN_TEXT_CONTRAST * text.min(ground)
 }
 
 /// The colours of a hue: an index into the fixed palette, and an exact colour.
@@ -295,6 +309,8 @@ impl Hue {
 pub(crate) struct Palette {
     pub(crate) colours: Colours,
     pub(crate) theme: Theme,
+    /// `true` if the contrast of the terminal's own text is too low.
+    pub(crate) has_weak_text: bool,
 }
 
 impl Palette {
@@ -335,6 +351,16 @@ impl Palette {
         let is_link = |hue| Hue::OF_LINKS.contains(&hue);
         let few = matches!(self.colours, Colours::None | Colours::Sixteen);
         few && Hue::hue_of_name(named).is_some_and(is_link)
+    }
+
+    /// Returns the colour of text: the brightest one instead of a weak one of the terminal. Faint text
+    /// keeps its colour.
+    pub(crate) fn of_text(self, colour: Color, modifier: Modifier) -> Color {
+        let is_plain = colour == Color::Reset && !modifier.contains(Modifier::DIM);
+        match is_plain && self.has_weak_text {
+            true => INK,
+            false => colour,
+        }
     }
 
     /// Replaces faint text by a colour, if that is better than the terminal's own faint style.
@@ -512,7 +538,13 @@ mod tests {
                 } else {
                     Colours::Indexed
                 };
-                let ink = Palette { colours, theme }.colour(INK);
+                let has_weak_text = false;
+                let palette = Palette {
+                    colours,
+                    theme,
+                    has_weak_text,
+                };
+                let ink = palette.colour(INK);
                 for ground in grounds {
                     assert!(contrast(ink, *ground) >= 7.0, "{ground:?}");
                 }
@@ -556,6 +588,35 @@ mod tests {
             ([0xc0, 0xc0, 0xc0], Ground::Light),
         ] {
             assert_eq!(Ground::of(colour), ground, "{colour:?}");
+        }
+    }
+
+    /// Regression: text had a contrast of 4.7 on Solarized's dark background and of 4.1 on the light
+    /// one.
+    #[test]
+    fn text_has_contrast_7_on_every_known_background() {
+        for (text, ground, is_weak) in [
+            ([255; 3], [0; 3], false),
+            ([0; 3], [255; 3], false),
+            ([0x83, 0x94, 0x96], [0, 0x2b, 0x36], true),
+            ([0x65, 0x7b, 0x83], [0xfd, 0xf6, 0xe3], true),
+            ([0xd0; 3], [0x33; 3], false),
+            ([0x90; 3], [0x33; 3], true),
+        ] {
+            assert_eq!(is_weak_text(text, ground), is_weak, "{text:?} {ground:?}");
+            for colours in [Colours::Indexed, Colours::True] {
+                let palette = Palette {
+                    colours,
+                    theme: Ground::of(ground).theme(),
+                    has_weak_text: is_weak,
+                };
+                let [text, ground] = [text, ground].map(|[r, g, b]| Color::Rgb(r, g, b));
+                for modifier in [Modifier::empty(), Modifier::BOLD, Modifier::REVERSED] {
+                    let sent = palette.colour(palette.of_text(Color::Reset, modifier));
+                    let shown = if sent == Color::Reset { text } else { sent };
+                    assert!(contrast(shown, ground) >= 7.0, "{shown:?} on {ground:?}");
+                }
+            }
         }
     }
 
@@ -661,8 +722,12 @@ mod tests {
     #[test]
     fn sixteen_colours_follow_theme() {
         let sent = |theme, named| {
-            let colours = Colours::Sixteen;
-            Palette { colours, theme }.colour(named)
+            let palette = Palette {
+                colours: Colours::Sixteen,
+                theme,
+                has_weak_text: false,
+            };
+            palette.colour(named)
         };
         assert_eq!(sent(Theme::Auto, Color::Red), Color::Red);
         assert_eq!(sent(Theme::Auto, Color::Blue), Color::Reset);
@@ -677,6 +742,7 @@ mod tests {
             let palette = Palette {
                 colours,
                 theme: Theme::Auto,
+                has_weak_text: false,
             };
             palette.faint(Color::Reset, Modifier::DIM | Modifier::BOLD)
         };

@@ -2,7 +2,7 @@
 
 use crate::Vec2;
 use crate::scene::{LeadingPoint, Scene};
-use crate::solver::{LeadSingularity, LedPose, Order, PointLeader, Solver, State};
+use crate::solver::{LeadSingularity, LedPose, LedPosition, Order, PointLeader, Solver, State};
 use crate::tui::figures::format::{MAX_COORDINATE_DECIMALS, rounded};
 use crate::tui::player::playback::Track;
 use std::sync::Arc;
@@ -49,7 +49,7 @@ impl LedMotion {
         let lead = scene.lead.clone()?;
         let opening = PointLeader::new(solver, lead.lead())?;
         let [first, last] = lead.path.span();
-        let reach = opening.clone().reach(&lead.path, PIECES);
+        let (reach, positions) = opening.clone().positions(&lead.path, last, PIECES);
         let digits = (last - first).log10().floor();
         let decimals = (0..MAX_COORDINATE_DECIMALS).find(|&d| d as f64 + digits >= STEPS);
         let decimals = decimals.unwrap_or(MAX_COORDINATE_DECIMALS);
@@ -67,19 +67,21 @@ impl LedMotion {
         let count = u16::try_from(MAX_ROWS / rows.max(1)).unwrap_or(PLACES);
         let count = count.clamp(MIN_PLACES, PLACES);
         let order = highest_order(solver);
-        let mut leader = opening;
-        let mut kept = Vec::with_capacity(usize::from(count) + 1);
+        let positions = match reach.is_complete && count == PIECES {
+            true => positions,
+            false => opening.positions(&lead.path, end, count).1,
+        };
+        let mut kept = Vec::with_capacity(positions.len());
         let mut opened = None;
-        for k in 0..=count {
-            let time = match k == count {
-                true => end,
-                false => first + (end - first) * f64::from(k) / f64::from(count),
-            };
-            let Some(pose) = leader.follow(&lead.path, time, order) else {
-                break;
-            };
+        for position in positions {
+            let LedPosition {
+                time,
+                mut leader,
+                pose,
+            } = position;
+            let pose = leader.solve_rates(pose, &lead.path, time, order);
             opened.get_or_insert_with(|| (leader.clone(), pose));
-            kept.push((time, leader.clone()));
+            kept.push((time, leader));
         }
         let (leader, pose) = opened?;
         let planned = (0..=PLANNED).map(|k| {

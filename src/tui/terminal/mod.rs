@@ -24,6 +24,7 @@ mod tty;
 
 pub use about::Terminal;
 pub(crate) use console::Console;
+pub(crate) use keyboard::TerminalColour;
 #[cfg(test)]
 pub(crate) use keyboard::{Keyboard, TerminalInput};
 pub(crate) use painter::Painter;

@@ -42,14 +42,19 @@ impl CellStyle {
             bg: cell.bg,
             modifier: cell.modifier,
         };
-        if cell.symbol() == " " && !sgr.modifier.contains(Modifier::REVERSED) {
+        let is_blank = cell.symbol() == " " && !sgr.modifier.contains(Modifier::REVERSED);
+        if is_blank {
             sgr.fg = Color::Reset;
             sgr.modifier &= OF_BLANKS;
         }
-        if sgr == Sgr::PLAIN {
+        if sgr == Sgr::PLAIN && (is_blank || !self.palette.has_weak_text) {
             return sgr;
         }
         let (fg, modifier) = self.palette.faint(sgr.fg, sgr.modifier);
+        let fg = match is_blank {
+            true => fg,
+            false => self.palette.of_text(fg, modifier),
+        };
         let modifier = match self.has_faint {
             true => modifier,
             false if self.palette.is_bold_without_faint(fg) => {

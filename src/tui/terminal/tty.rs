@@ -6,7 +6,7 @@ use super::input_thread::{
     InputDescriptors, InputQueue, IntakeEvent, RESTORE_TIMEOUT, SharedIntake, TerminalRestore,
     is_gone,
 };
-use super::keyboard::TerminalInput;
+use super::keyboard::{TerminalColour, TerminalInput};
 use super::line::ConnectionKind;
 use super::queue;
 use super::rate_limit::{QUESTION, RateLimit};
@@ -38,8 +38,9 @@ const PASTE_OFF: &[u8] = b"\x1b[?2004l";
 /// coordinates of any size (1006).
 const MOUSE_ON: &[u8] = b"\x1b[?1002h\x1b[?1006h";
 const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1002l";
-/// Asks for the colour of the background (OSC 11). Many terminals do not answer.
-const GROUND_QUESTION: &[u8] = b"\x1b]11;?\x1b\\";
+/// Asks for the colours of plain text (OSC 10) and of the background (OSC 11). Many terminals do not
+/// answer.
+const COLOUR_QUESTION: &[u8] = b"\x1b]10;?\x1b\\\x1b]11;?\x1b\\";
 /// Ends a frame that was cut short: CAN aborts an incomplete sequence, and the frame is shown as it
 /// is.
 const CUT: &[u8] = b"\x18";
@@ -58,8 +59,8 @@ pub(crate) enum Wake {
     Paste(String),
     /// A mouse event.
     Mouse(Mouse),
-    /// The colour of the terminal's background, in red, green and blue.
-    Ground([u8; 3]),
+    /// A colour of the terminal.
+    Colour(TerminalColour),
     /// A signal.
     SignalEvent(SignalEvent),
     /// The line has transmitted the last frame.
@@ -91,8 +92,8 @@ pub(crate) struct Tty {
     cut: bool,
     watch: Watch,
     rate_limit: RateLimit,
-    /// `true` until the terminal was asked for its background.
-    asks_ground: bool,
+    /// `true` until the terminal was asked for its colours.
+    asks_colours: bool,
     /// Events not yet fetched.
     wakes: Vec<Wake>,
 }
@@ -124,7 +125,7 @@ impl Tty {
             cut: false,
             watch: Watch::new(),
             rate_limit: RateLimit::new(None),
-            asks_ground: capability.modern && capability.colours != Colours::None,
+            asks_colours: capability.modern && capability.colours != Colours::None,
             wakes: Vec::new(),
         };
         tty.enter()?;
@@ -288,17 +289,17 @@ impl Tty {
             return Ok(());
         }
         // Behind the first frame, and before a query that the terminal is known to answer: so the
-        // answer about the background never arrives after krank has left.
-        let ground = match self.asks_ground && self.rate_limit.is_answered() {
-            true => GROUND_QUESTION,
+        // answer about the colours never arrives after krank has left.
+        let question = match self.asks_colours && self.rate_limit.is_answered() {
+            true => COLOUR_QUESTION,
             false => &[],
         };
-        let bytes = frame.len() + ground.len();
+        let bytes = frame.len() + question.len();
         if !self.rate_limit.send(bytes, Instant::now()) {
             return self.write_all(frame);
         }
-        self.asks_ground &= ground.is_empty();
-        self.write_all(&[frame, ground, QUESTION].concat())
+        self.asks_colours &= question.is_empty();
+        self.write_all(&[frame, question, QUESTION].concat())
     }
 
     /// Switches mouse reports on or off. They are switched off whenever the terminal is restored.
@@ -438,7 +439,7 @@ impl Tty {
                 IntakeEvent::Input(TerminalInput::Key(key), _) => Wake::Key(key),
                 IntakeEvent::Input(TerminalInput::Paste(text), _) => Wake::Paste(text),
                 IntakeEvent::Input(TerminalInput::Mouse(mouse), _) => Wake::Mouse(mouse),
-                IntakeEvent::Input(TerminalInput::Ground(colour), _) => Wake::Ground(colour),
+                IntakeEvent::Input(TerminalInput::Colour(colour), _) => Wake::Colour(colour),
                 IntakeEvent::Input(TerminalInput::Answer, at) => {
                     self.rate_limit.answered(at);
                     Wake::Room

@@ -201,7 +201,7 @@ fn send(bytes: &[u8], keyboard: &mut Keyboard, workbench: &mut Workbench) -> boo
                         return false;
                     }
                 }
-                TerminalInput::Key(_) | TerminalInput::Answer | TerminalInput::Ground(_) => {}
+                TerminalInput::Key(_) | TerminalInput::Answer | TerminalInput::Colour(_) => {}
             }
             check(workbench.app());
         }

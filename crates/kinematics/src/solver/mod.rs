@@ -68,7 +68,7 @@ pub use fault::{Fault, OpenChoice};
 pub use forces::{
     ForceCheck, Indeterminate, LeastNorm, LoadAction, PressStroke, Residual, WithheldReason,
 };
-pub use free_inputs::point_lead::{LeadSingularity, LedPose, LedReach, PointLeader};
+pub use free_inputs::point_lead::{LeadSingularity, LedPose, LedPosition, LedReach, PointLeader};
 pub use free_inputs::{FreeInputs, InputMoment};
 pub use known_states::Known;
 pub use methods::{Deviation, DriftMethod, Methods, Runner};

@@ -6,10 +6,12 @@
 //! motion, or a second one over one part of it. So it changes sides at most twice per cycle.
 //! Between two limits the motion runs there and back, and the name changes once each way. On its
 //! side a name moves by a few cells where it would touch something. Its seat at each step is
-//! planned, too, so that names do not displace each other.
+//! planned, too, so that names do not displace each other. Where its side has no free seat, a name
+//! is left out, long enough that it does not blink.
 
 use super::{
-    Align, LabelPlace, Labels, MAX_ROW, SEATS, TOUCHING, cell_of, cover_for, names, origin, width,
+    Align, LabelPlace, Labels, MAX_ROW, ON_BAR, SEATS, TOUCHING, cell_of, cover, names, origin,
+    width,
 };
 use crate::drawing::cells::raster::Raster;
 use crate::drawing::cells::render::{Glyphs, render_bare};
@@ -20,25 +22,23 @@ use crate::drawing::view::WorldView;
 /// take longer than a frame may.
 const MAX_NAMES: usize = 40;
 const MAX_SHAPES: usize = 600;
-/// Number of names above which they take each other's places.
-const MANY_NAMES: usize = 16;
 
-/// Cost of a step without the name: more than between two bars.
+/// Cost of a step without the name: more than any seat costs.
 const HIDDEN: i32 = 600;
-/// Cost of a step on a bar.
-const ON_BAR: i32 = 2 * HIDDEN;
 /// Cost of a step on a side without a seat.
-const NO_SEAT: i32 = 5 * HIDDEN;
+const NO_SEAT: i32 = 2 * HIDDEN;
+/// Minimum number of steps over which a name is shown, and number of steps before and after those
+/// without a seat over which it is left out.
+const MIN_SHOWN: usize = 8;
+const GAP_MARGIN: usize = 3;
 /// Cost of a move on a side.
 const MOVE: i32 = 40;
 /// Cost of a change of sides.
 const CHANGE: i32 = 300;
 /// Cost of another seat than the one that is shown when the plan begins.
 const OTHER_THAN_SHOWN: i32 = 400;
-/// Cost that the planned seat saves: almost as much as touching something costs.
+/// Cost that the planned seat saves: almost as much as the selected name touching something costs.
 const PLANNED: i32 = TOUCHING - 50;
-/// Number of steps around those without a place for a name, over which it is left out.
-const AROUND: usize = 4;
 /// Number of times that each name is planned, with the other names in place.
 const ROUNDS: usize = 3;
 
@@ -95,30 +95,29 @@ impl Side {
     fn of_seat(seat: usize) -> Side {
         SIDES[SEAT_SIDES[seat]]
     }
+}
 
-    /// Returns the best place of a name on this side: a free one, or one on bars. The planned seat
-    /// is taken unless the name would touch something there.
-    pub(super) fn best_place(
-        self,
-        raster: &Raster,
-        point: (i32, i32),
-        text: &str,
-        planned: Option<usize>,
-    ) -> LabelPlace {
-        if raster.cell(point.0, point.1).is_none() {
-            return LabelPlace::Hidden;
-        }
-        let seats = (0..SEATS.len()).filter(|seat| Side::of_seat(*seat) == self);
-        let width = width(text);
-        let priced = seats.filter_map(|seat| {
-            let (col, row) = origin(&SEATS[seat], point, width);
-            let cover = cover_for(raster, col, row, width, Some(ON_BAR))?;
-            let gain = i32::from(planned == Some(seat)) * PLANNED;
-            Some((cover + SEATS[seat].cost - gain, seat))
-        });
-        let best = priced.min();
-        best.map_or(LabelPlace::Hidden, |(_, seat)| LabelPlace::Seat(seat))
-    }
+/// Returns the best place of a name on the side of its planned seat: this seat if it is free.
+pub(super) fn best_place(
+    raster: &Raster,
+    point: (i32, i32),
+    text: &str,
+    is_selected: bool,
+    planned: Option<usize>,
+) -> LabelPlace {
+    let Some(planned) = planned.filter(|_| raster.cell(point.0, point.1).is_some()) else {
+        return LabelPlace::Hidden;
+    };
+    let seats = (0..SEATS.len()).filter(|seat| SEAT_SIDES[*seat] == SEAT_SIDES[planned]);
+    let width = width(text);
+    let priced = seats.filter_map(|seat| {
+        let (col, row) = origin(&SEATS[seat], point, width);
+        let cover = cover(raster, col, row, width, is_selected)?;
+        let gain = i32::from(planned == seat) * PLANNED;
+        Some((cover + SEATS[seat].cost - gain, seat))
+    });
+    let best = priced.min();
+    best.map_or(LabelPlace::Hidden, |(_, seat)| LabelPlace::Seat(seat))
 }
 
 /// The places of names along the motion.
@@ -127,14 +126,8 @@ pub(super) struct LabelPlan {
     view: WorldView,
     /// The share of the motion before the current place, from 0 to 1.
     share: f64,
-    names: Vec<PlannedName>,
-}
-
-/// The sides of a name, and its seat at each step: `None` without one.
-#[derive(Clone, Debug)]
-struct PlannedName {
-    sides: PlannedSides,
-    seats: Vec<Option<usize>>,
+    /// The seat of each name at each step; `None` where it is left out.
+    names: Vec<Vec<Option<usize>>>,
 }
 
 /// A side for the whole motion, and another one from a step up to a later one, or beyond the end and
@@ -162,29 +155,6 @@ impl PlannedSides {
             !(self.to..self.from).contains(&step)
         };
         if is_other { self.other } else { self.main }
-    }
-
-    /// Plans to leave the name out where other names take all its seats, and returns `true` if there
-    /// are such steps. It would appear and disappear. A name with a single side is left out over the
-    /// part of the motion that contains these steps, and any other one throughout.
-    fn leave_out_crowded(&mut self, costs: &SeatCosts, seats: &[Option<usize>]) -> bool {
-        let is_crowded = |step: &usize| {
-            let is_shown = self.side(*step) != Side::Hidden && costs.names[*step].is_some();
-            is_shown && seats[*step].is_none()
-        };
-        let mut steps = (0..seats.len()).filter(is_crowded);
-        let Some(first) = steps.next() else {
-            return false;
-        };
-        let last = steps.next_back().unwrap_or(first);
-        if self.main == self.other && last - first < seats.len() / 4 {
-            self.from = first.saturating_sub(AROUND);
-            self.to = (last + 1 + AROUND).min(seats.len());
-        } else {
-            self.main = Side::Hidden;
-        }
-        self.other = Side::Hidden;
-        true
     }
 }
 
@@ -218,7 +188,7 @@ impl Labels {
         view: &WorldView,
         glyphs: Glyphs,
         figures: impl Iterator<Item = Figure>,
-    ) -> Vec<PlannedName> {
+    ) -> Vec<Vec<Option<usize>>> {
         let mut figures = figures.peekable();
         let Some(first) = figures.peek() else {
             return Vec::new();
@@ -243,26 +213,20 @@ impl Labels {
             }
         }
         let planning = Planning { closed: is_closed };
-        let none = PlannedName {
-            sides: PlannedSides::HIDDEN,
-            seats: vec![None; names[0].names.len()],
-        };
-        let mut planned = vec![none; count];
+        let mut planned = vec![vec![None; names[0].names.len()]; count];
         for _ in 0..ROUNDS {
             for (name, costs) in names.iter().enumerate() {
-                planned[name].seats.fill(None);
+                planned[name].fill(None);
                 let taken = |step: usize| {
                     let others = names.iter().zip(&planned);
-                    others.filter_map(move |(other, planned)| {
-                        Some(span(other.names[step].as_ref()?, planned.seats[step]?))
+                    others.filter_map(move |(other, seats)| {
+                        Some(span(other.names[step].as_ref()?, seats[step]?))
                     })
                 };
-                let mut sides = planning.best(&costs.with_others(taken));
+                let sides = planning.best(&costs.with_others(taken));
                 let mut seats = costs.seats(&sides, taken);
-                if sides.leave_out_crowded(costs, &seats) {
-                    seats = costs.seats(&sides, taken);
-                }
-                planned[name] = PlannedName { sides, seats };
+                avoid_blinking(&mut seats, is_closed);
+                planned[name] = seats;
             }
         }
         planned
@@ -286,30 +250,58 @@ impl Labels {
         }
     }
 
-    /// Plans to leave out one of many names that has no place between two steps. It would disappear
-    /// again at the same place of every cycle.
+    /// Plans to leave a name out around the current step, because it has no place between two steps.
     pub(super) fn leave_out(&mut self, name: usize) {
-        let plan = self.plan.as_mut();
-        let plan = plan.filter(|plan| plan.names.len() > MANY_NAMES);
-        if let Some(name) = plan.and_then(|plan| plan.names.get_mut(name)) {
-            name.sides = PlannedSides::HIDDEN;
+        let Some(plan) = &mut self.plan else { return };
+        if let Some(seats) = plan.names.get_mut(name) {
+            let step = step_of(plan.share, seats.len());
+            let last = (step + GAP_MARGIN + 1).min(seats.len());
+            seats[step.saturating_sub(GAP_MARGIN)..last].fill(None);
         }
     }
 
-    /// Returns the planned side and seat of a name; `None` without a plan for this window.
-    pub(super) fn planned(&self, name: usize, view: &WorldView) -> Option<(Side, Option<usize>)> {
+    /// Returns the planned seat of a name, which may be none; `None` without a plan for this window.
+    pub(super) fn planned(&self, name: usize, view: &WorldView) -> Option<Option<usize>> {
         let plan = self.plan.as_ref().filter(|plan| plan.view == *view)?;
-        let name = plan.names.get(name)?;
-        let step = step_of(plan.share, name.seats.len());
-        let seat = name.seats.get(step).copied().flatten();
-        Some((name.sides.side(step), seat))
+        let seats = plan.names.get(name)?;
+        Some(
+            seats
+                .get(step_of(plan.share, seats.len()))
+                .copied()
+                .flatten(),
+        )
     }
 }
 
+/// Widens the gaps without a seat by `GAP_MARGIN`, and joins those with fewer steps than
+/// `MIN_SHOWN` between them, so that the name does not blink.
+fn avoid_blinking(seats: &mut [Option<usize>], is_closed: bool) {
+    let gaps: Vec<bool> = seats.iter().map(Option::is_none).collect();
+    let wide = spread(&gaps, MIN_SHOWN / 2 + GAP_MARGIN, is_closed);
+    let shown: Vec<bool> = wide.iter().map(|is_gap| !is_gap).collect();
+    let shown = spread(&shown, MIN_SHOWN / 2, is_closed);
+    for (seat, _) in seats.iter_mut().zip(shown).filter(|(_, shown)| !shown) {
+        *seat = None;
+    }
+}
+
+/// Returns, for each step, whether one of those up to `by` steps before or after it is marked.
+fn spread(marked: &[bool], by: usize, is_closed: bool) -> Vec<bool> {
+    let count = marked.len();
+    let is_near = |step: usize| {
+        let near = (step..=step + 2 * by).map(|at| at + count);
+        let mut near = near.filter_map(|at| match at.checked_sub(by)? {
+            at if is_closed => Some(marked[at % count]),
+            at => marked.get(at.checked_sub(count)?).copied(),
+        });
+        near.any(|is_marked| is_marked)
+    };
+    (0..count).map(is_near).collect()
+}
+
 /// Returns the names of a figure without the sizes of forces, which are placed last in each frame.
-fn own_names(figure: &Figure) -> impl Iterator<Item = (crate::Vec2, &str)> {
-    let own = names(figure).filter(|(_, _, role)| *role != Role::Force);
-    own.map(|(at, text, _)| (at, text))
+fn own_names(figure: &Figure) -> impl Iterator<Item = (crate::Vec2, &str, Role)> {
+    names(figure).filter(|(_, _, role)| *role != Role::Force)
 }
 
 /// Returns the step, of this many, at a share of the motion.
@@ -347,8 +339,9 @@ type SideCosts = [i32; SIDES.len()];
 
 impl SeatCosts {
     /// Adds a step.
-    fn add(&mut self, name: Option<(crate::Vec2, &str)>, view: &WorldView, raster: &Raster) {
-        let name = name.map(|(at, text)| NameAt {
+    fn add(&mut self, name: Option<(crate::Vec2, &str, Role)>, view: &WorldView, raster: &Raster) {
+        let is_selected = name.is_some_and(|(_, _, role)| role == Role::Lit);
+        let name = name.map(|(at, text, _)| NameAt {
             point: cell_of(view.cell(at)),
             width: width(text),
         });
@@ -357,7 +350,7 @@ impl SeatCosts {
         if let Some(NameAt { point, width }) = name {
             for (seat, cost) in SEATS.iter().zip(&mut costs) {
                 let (col, row) = origin(seat, point, width);
-                let cover = cover_for(raster, col, row, width, Some(ON_BAR));
+                let cover = cover(raster, col, row, width, is_selected);
                 *cost = cover.map(|cover| (cover + seat.cost).min(ON_BAR));
             }
         }

@@ -12,7 +12,7 @@ mod sequence;
 use super::rate_limit::ANSWER;
 use crate::tui::commands::key::Key;
 use crate::tui::commands::mouse::Mouse;
-use sequence::{control, csi, ground, mouse, ss3};
+use sequence::{colour, control, csi, mouse, ss3};
 use std::time::{Duration, Instant};
 
 /// Timeout after a lone ESC. The rest of an arrow key arrives within a millisecond, even at 9,600
@@ -60,7 +60,16 @@ pub(crate) enum TerminalInput {
     Mouse(Mouse),
     /// The answer to krank's own query: everything sent before it has been drawn.
     Answer,
-    /// The colour of the terminal's background, in red, green and blue.
+    /// A colour of the terminal.
+    Colour(TerminalColour),
+}
+
+/// A colour that the terminal reports, in red, green and blue.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TerminalColour {
+    /// The colour of plain text.
+    Text([u8; 3]),
+    /// The colour of the background.
     Ground([u8; 3]),
 }
 
@@ -82,7 +91,7 @@ enum PendingInput {
     Skipped(u8),
     /// A UTF-8 character with this number of bytes missing.
     Character(u8),
-    /// OSC: a string that may be the answer about the background.
+    /// OSC: a string that may be the answer about a colour.
     Report,
     /// DCS, APC, PM or SOS: a string that krank did not request.
     Text,
@@ -106,8 +115,8 @@ pub(crate) struct Keyboard {
     /// once.
     alone: Vec<u8>,
     last_byte: Option<Instant>,
-    /// The answer about the background, up to the backslash that ends it.
-    reported: Option<[u8; 3]>,
+    /// The answer about a colour, up to the backslash that ends it.
+    reported: Option<TerminalColour>,
 }
 
 impl Keyboard {
@@ -269,7 +278,7 @@ impl Keyboard {
                 _ => PendingInput::Skipped(rest - 1),
             }),
             PendingInput::Report | PendingInput::Text if byte == BELL => {
-                inputs.extend(self.report().map(TerminalInput::Ground));
+                inputs.extend(self.report().map(TerminalInput::Colour));
                 self.start_sequence(PendingInput::Ground);
             }
             PendingInput::Report => self.hold(byte),
@@ -324,7 +333,7 @@ impl Keyboard {
     fn escape(&mut self, byte: u8, inputs: &mut Vec<TerminalInput>) {
         // ESC and a backslash end a string.
         let reported = self.reported.take().filter(|_| byte == b'\\');
-        inputs.extend(reported.map(TerminalInput::Ground));
+        inputs.extend(reported.map(TerminalInput::Colour));
         match byte {
             b'[' => self.start_sequence(PendingInput::Csi),
             b'O' => self.start_sequence(PendingInput::Ss3),
@@ -370,9 +379,9 @@ impl Keyboard {
         }
     }
 
-    /// Returns the colour if the string is the answer about the background.
-    fn report(&self) -> Option<[u8; 3]> {
-        (self.state == PendingInput::Report).then(|| ground(&self.held))?
+    /// Returns the colour if the string is the answer about one.
+    fn report(&self) -> Option<TerminalColour> {
+        (self.state == PendingInput::Report).then(|| colour(&self.held))?
     }
 
     /// Stores a parameter byte, up to a maximum number.

@@ -1,5 +1,6 @@
 //! Maps control sequences to keys and mouse events.
 
+use super::TerminalColour;
 use crate::tui::commands::key::Key;
 use crate::tui::commands::mouse::{Mouse, MouseEventKind};
 use ratatui::layout::Position;
@@ -145,11 +146,16 @@ fn of_code(code: u32, modifiers: u32) -> Option<Key> {
     };
     Some(key)
 }
-/// Parses the answer about the background, `11;rgb:2b2b/3636/0000`: one to four hexadecimal digits
-/// of red, green and blue. Returns `None` for another string.
-pub(super) fn ground(report: &[u8]) -> Option<[u8; 3]> {
-    let report = std::str::from_utf8(report).ok()?;
-    let colour = report.strip_prefix("11;rgb")?;
+/// Parses the answer about the text or the background, `10;` or `11;rgb:2b2b/3636/0000`: one to four
+/// hexadecimal digits of red, green and blue. Returns `None` for another string.
+pub(super) fn colour(report: &[u8]) -> Option<TerminalColour> {
+    let (number, report) = std::str::from_utf8(report).ok()?.split_once(';')?;
+    let kind = match number {
+        "10" => TerminalColour::Text,
+        "11" => TerminalColour::Ground,
+        _ => return None,
+    };
+    let colour = report.strip_prefix("rgb")?;
     let colour = colour.strip_prefix("a:").or(colour.strip_prefix(":"))?;
     let mut parts = colour.split('/').map(|digits| {
         let maximum = (1..=4)
@@ -159,5 +165,5 @@ pub(super) fn ground(report: &[u8]) -> Option<[u8; 3]> {
         u8::try_from(value * 255 / maximum).ok()
     });
     let mut part = || parts.next().flatten();
-    Some([part()?, part()?, part()?])
+    Some(kind([part()?, part()?, part()?]))
 }

@@ -27,7 +27,7 @@ fn key(key: Key) -> Vec<TerminalInput> {
 #[test]
 fn answers_about_the_background_are_decoded() {
     let ground = |bytes: &[u8]| match keys_of(&[bytes])[..] {
-        [TerminalInput::Ground(colour)] => Some(colour),
+        [TerminalInput::Colour(TerminalColour::Ground(colour))] => Some(colour),
         [] => None,
         ref other => panic!("{other:?}"),
     };
@@ -41,7 +41,8 @@ fn answers_about_the_background_are_decoded() {
         Some([255, 0, 128])
     );
     for other in [
-        &b"\x1b]10;rgb:ffff/ffff/ffff\x07"[..],
+        &b"\x1b]12;rgb:ffff/ffff/ffff\x07"[..],
+        b"\x1b]rgb:ffff/ffff/ffff\x07",
         b"\x1b]11;rgb:ffff/ffff\x07",
         b"\x1b]11;rgb:fffff/0/0\x07",
         b"\x1b]11;?\x07",
@@ -50,11 +51,14 @@ fn answers_about_the_background_are_decoded() {
     ] {
         assert_eq!(ground(other), None, "{other:?}");
     }
+    let text = keys_of(&[b"\x1b]10;rgb:8383/9494/9696\x1b\\"]);
+    let colour = TerminalColour::Text([0x83, 0x94, 0x96]);
+    assert_eq!(text, [TerminalInput::Colour(colour)]);
     // Keys around the answer arrive.
     let inputs = keys_of(&[b"a\x1b]11;rgb:0/0", b"/0\x1b\\b"]);
     let expected = [
         TerminalInput::Key(Key::Char('a')),
-        TerminalInput::Ground([0; 3]),
+        TerminalInput::Colour(TerminalColour::Ground([0; 3])),
         TerminalInput::Key(Key::Char('b')),
     ];
     assert_eq!(inputs, expected);

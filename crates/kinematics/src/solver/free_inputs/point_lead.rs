@@ -88,6 +88,17 @@ pub struct LedReach {
     pub singular: Vec<(f64, LeadSingularity)>,
 }
 
+/// A position on a path, with the inputs there.
+#[derive(Clone, Debug)]
+pub struct LedPosition {
+    /// The time in s.
+    pub time: f64,
+    /// The inputs.
+    pub leader: PointLeader,
+    /// Their position, without rates.
+    pub pose: LedPose,
+}
+
 /// A position on a path.
 #[derive(Clone, Debug)]
 struct PathSample {
@@ -260,6 +271,17 @@ impl PointLeader {
         }
     }
 
+    /// Solves the position at a time on a path with the rates of all inputs.
+    pub fn solve_rates(
+        &mut self,
+        pose: LedPose,
+        path: &PointPath,
+        time: f64,
+        order: Order,
+    ) -> LedPose {
+        self.with_rates(pose, path.at(time), order)
+    }
+
     /// Solves a position with the rates of the inputs, if they exist.
     fn with_rates(&mut self, pose: LedPose, led: [Vec2; 3], order: Order) -> LedPose {
         let [_, speed, acceleration] = led.map(|v| DVector::from_column_slice(&[v.x, v.y]));
@@ -311,9 +333,24 @@ impl PointLeader {
     /// Follows a whole path from where the scene opens, in so many equal pieces, and returns how far
     /// the inputs can follow. The end of the reach and the singular positions are found between the
     /// pieces.
-    pub fn reach(mut self, path: &PointPath, pieces: u16) -> LedReach {
-        let [first, last] = path.span();
-        let at = |piece: u16| first + (last - first) * f64::from(piece) / f64::from(pieces);
+    pub fn reach(self, path: &PointPath, pieces: u16) -> LedReach {
+        let [_, last] = path.span();
+        self.positions(path, last, pieces).0
+    }
+
+    /// Follows a path up to a time as [`PointLeader::reach`], and returns the positions at the ends of
+    /// the pieces as well, solved without rates.
+    pub fn positions(
+        mut self,
+        path: &PointPath,
+        end: f64,
+        pieces: u16,
+    ) -> (LedReach, Vec<LedPosition>) {
+        let [first, _] = path.span();
+        let at = |piece: u16| match piece == pieces {
+            true => end,
+            false => first + (end - first) * f64::from(piece) / f64::from(pieces),
+        };
         let mut reach = LedReach {
             until: first,
             is_complete: true,
@@ -323,48 +360,54 @@ impl PointLeader {
         let mut samples: Vec<PathSample> = Vec::with_capacity(usize::from(pieces) + 1);
         for piece in 0..=pieces {
             let from = self.clone();
-            let mut found = self.sample(path, at(piece), from.clone());
+            let mut time = at(piece);
+            let mut found = self.sample(path, time);
             if found.is_none() {
                 reach.is_complete = false;
                 if let Some(last) = samples.last() {
-                    let until = from.last_reached(path, last.time, at(piece));
-                    found = self.sample(path, until, from);
+                    time = from.last_reached(path, last.time, time);
+                    self.clone_from(&from);
+                    found = self.sample(path, time);
                 }
             }
-            let Some(found) = found else { break };
-            reach.until = found.time;
+            let Some((pose, margins)) = found else {
+                self = from;
+                break;
+            };
+            reach.until = time;
             let inputs = self.lead.inputs.iter().zip(&mut reach.ranges);
             for (&index, range) in inputs {
-                let here = found
-                    .pose
-                    .inputs
-                    .get(index)
-                    .map_or(f64::NAN, |input| input.at);
+                let here = pose.inputs.get(index).map_or(f64::NAN, |input| input.at);
                 *range = [range[0].min(here), range[1].max(here)];
             }
-            samples.push(found);
+            samples.push(PathSample {
+                time,
+                from,
+                pose,
+                margins,
+            });
             if !reach.is_complete {
                 break;
             }
         }
         reach.singular = singular_positions(path, &samples);
-        reach
+        let parts = samples.into_iter().map(|s| ((s.time, s.pose), s.from));
+        let (poses, leaders): (Vec<_>, Vec<_>) = parts.unzip();
+        let leaders = leaders.into_iter().skip(1).chain([self]);
+        let positions = poses.into_iter().zip(leaders);
+        let positions = positions.map(|((time, pose), leader)| LedPosition { time, leader, pose });
+        (reach, positions.collect())
     }
 
-    /// Returns the position of `from` at a time.
-    fn sample(&mut self, path: &PointPath, time: f64, from: PointLeader) -> Option<PathSample> {
-        self.clone_from(&from);
+    /// Returns the position at a time and its margins.
+    fn sample(&mut self, path: &PointPath, time: f64) -> Option<(LedPose, [f64; 2])> {
         let pose = self.follow(path, time, Order::Position)?;
         let limit = self
             .free
             .nearest_limit()
             .map_or(1.0, |(_, measure)| measure);
-        Some(PathSample {
-            time,
-            from,
-            margins: [pose.mobility, limit],
-            pose,
-        })
+        let margins = [pose.mobility, limit];
+        Some((pose, margins))
     }
 
     /// Returns the last time that can be reached, between one that can and one that cannot.
@@ -578,13 +621,13 @@ fn singular_positions(path: &PointPath, samples: &[PathSample]) -> Vec<(f64, Lea
                 continue;
             }
             let margin = |time: f64| {
-                let sample = low.from.clone().sample(path, time, low.from.clone())?;
-                Some(sample.margins[kind])
+                let (_, margins) = low.from.clone().sample(path, time)?;
+                Some(margins[kind])
             };
             let minimum = lowest(margin, [low.time, high.time], (middle.time, b));
             let (time, _) = minimum.unwrap_or_else(MinimumError::best);
-            let sample = low.from.clone().sample(path, time, low.from.clone());
-            if let Some(singularity) = sample.and_then(|sample| sample.pose.singularity) {
+            let sample = low.from.clone().sample(path, time);
+            if let Some(singularity) = sample.and_then(|(pose, _)| pose.singularity) {
                 found.push((time, singularity));
             }
         }
