@@ -31,6 +31,7 @@ impl Scene {
                 behind: after,
             } => vague(self, *point, choices, after),
             Fault::ChangePoint { group, has_sides } => change_point(self, *group, *has_sides),
+            Fault::FastInput { number } => fast_input(self, *number),
             Fault::BeyondStop { limit, value } => beyond_stop(self, *limit, *value),
             Fault::HeldByStops { down, up } => held_by_stops(self, *down, *up),
             Fault::NoChoice { group, found } => no_choice(self, *group, *found),
@@ -328,6 +329,18 @@ fn change_point(scene: &Scene, group: ElementId, has_sides: bool) -> Diagnostic 
     } else {
         item.help(words().open_elsewhere_in_motion())
     }
+}
+
+fn fast_input(scene: &Scene, number: usize) -> Diagnostic {
+    let timed = number.checked_sub(1);
+    let timed = timed.and_then(|index| scene.mechanism.timed().get(index));
+    let element = timed.map_or(ElementId::Driver, |timed| match timed.input {
+        Input::Turn(link) => ElementId::Link(link),
+        Input::Push(slide) => ElementId::Slide(slide),
+    });
+    Diagnostic::new(words().input_too_fast(&element_name(scene, element)))
+        .at(scene.place(element), words().too_fast_to_follow())
+        .help(words().drive_the_fast_input())
 }
 
 fn beyond_stop(scene: &Scene, limit: LimitId, value: f64) -> Diagnostic {

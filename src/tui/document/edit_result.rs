@@ -125,6 +125,7 @@ fn fault_line(scene: &Scene, fault: &Fault) -> String {
         | Fault::Vague { .. }
         | Fault::ChangePoint { .. }
         | Fault::BeyondStop { .. }
+        | Fault::FastInput { .. }
         | Fault::HeldByStops { .. }
         | Fault::NoChoice { .. }
         | Fault::NotAssembled { .. }

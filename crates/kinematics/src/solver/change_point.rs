@@ -146,6 +146,26 @@ impl ChangePointCrossings {
         ours.any(|p| engine.difference(p.at, at).abs() <= within)
     }
 
+    /// Returns `true` if a group's assemblies meet within a distance of a coordinate, in radians or
+    /// scaled lengths. The coordinates of the crossings are those of one period.
+    pub(super) fn has_change(
+        &self,
+        engine: &Engine,
+        (group, at): (usize, f64),
+        within: f64,
+    ) -> bool {
+        let mut changes = self.of_group(group).filter(|p| !p.is_led_through);
+        changes.any(|p| {
+            let by = p.at - at;
+            let turns = if self.period > 0.0 {
+                (by / self.period).round()
+            } else {
+                0.0
+            };
+            engine.difference(0.0, by - turns * self.period).abs() <= within
+        })
+    }
+
     /// Returns the distance of a coordinate from the group's nearest other change point, in radians
     /// or scaled lengths. Returns `None` if there is no other.
     pub(super) fn distance(&self, engine: &Engine, group: usize, at: f64) -> Option<f64> {

@@ -20,6 +20,9 @@ use std::sync::Arc;
 /// error that accumulates in a long chain of groups, and no more.
 const MISFIT: f64 = 1e-11;
 
+/// Number of parts of a step, at whose ends the rate of a table is read.
+const RATES: u8 = 4;
+
 /// A program and its inputs: computes a state from the driver's coordinate.
 #[derive(Clone, Debug)]
 pub(super) struct Engine {
@@ -30,10 +33,10 @@ pub(super) struct Engine {
     reads_angle: bool,
     /// The further inputs, needed to find when they return to their start.
     timed: Vec<TimedInput>,
+    /// The laws of the further inputs.
+    laws: Vec<Following>,
     /// The inputs that follow a table.
     tables: Vec<Following>,
-    /// The largest ratio of an input's rate to that of the driver, in radians or scaled lengths.
-    pub largest_ratio: f64,
     /// The sign of each group's assembly at the start.
     pub signs: Vec<f64>,
     /// The elements left out because no value of theirs is read.
@@ -56,9 +59,7 @@ impl Engine {
         };
         let driver_rates = driver_rates(mechanism, &frame);
         let laws = Following::all(mechanism, &frame);
-        let ratios = laws.iter().filter_map(Following::ratio);
         let mut engine = Engine {
-            largest_ratio: ratios.fold(0.0, |largest, ratio| ratio.abs().max(largest)),
             signs: vec![1.0; program.group_starts.len()],
             left_out: None,
             carriers: carriers(mechanism, &program),
@@ -67,7 +68,8 @@ impl Engine {
             is_rotary: driver.turns(),
             reads_angle: !mechanism.timed().is_empty() || mechanism.elbows().next().is_some(),
             timed: mechanism.timed().to_vec(),
-            tables: laws.into_iter().filter(Following::is_table).collect(),
+            tables: laws.iter().filter(|law| law.is_table()).cloned().collect(),
+            laws,
             driven,
             accepted: frame.length(mechanism.misfit()),
             driver_rates,
@@ -100,7 +102,7 @@ impl Engine {
             driven: None,
             timed: Vec::new(),
             tables: Vec::new(),
-            largest_ratio: 0.0,
+            laws: Vec::new(),
             driver_rates: [Constant::exactly(1.0), Constant::default()],
             ..self
         }
@@ -347,6 +349,27 @@ impl Engine {
             }
         }
         workspace.condition
+    }
+
+    /// Returns the travel of the fastest further input between two coordinates, in radians or scaled
+    /// lengths. The rate of a table is read at some places.
+    pub(super) fn largest_travel(&self, from: f64, to: f64) -> f64 {
+        let unit = if self.is_rotary {
+            1.0
+        } else {
+            1.0 / self.frame.scale
+        };
+        let places = (0..=RATES).map(|k| from + (to - from) * (f64::from(k) / f64::from(RATES)));
+        let rates = places.flat_map(|at| self.laws.iter().map(move |law| law.at(at * unit).w));
+        let fastest = rates.fold(0.0, |fastest: f64, rate: f64| rate.abs().max(fastest));
+        fastest * self.difference(from, to).abs()
+    }
+
+    /// Returns the number of the first further input that moves faster than `ratio` times the driver,
+    /// in radians or scaled lengths.
+    pub(super) fn input_faster_than(&self, ratio: f64) -> Option<usize> {
+        let is_fast = |law: &&Following| law.ratio().is_some_and(|own| own.abs() > ratio);
+        self.laws.iter().find(is_fast).map(|law| law.number)
     }
 
     /// Returns `true` if all further inputs return to their start after `turns` turns.

@@ -62,6 +62,12 @@ pub enum Fault {
         /// Whether the group is a dyad, of which a side can be chosen.
         has_sides: bool,
     },
+    /// A further input that moves so much faster than the driver that it cannot be followed.
+    #[error("input {number} moves too fast to be followed")]
+    FastInput {
+        /// The number of the input, from 1 in the order of the scene.
+        number: usize,
+    },
     /// An assembly that opens beyond a stop.
     #[error("it opens beyond a stop, at {value}")]
     BeyondStop {

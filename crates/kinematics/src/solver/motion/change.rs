@@ -1,6 +1,7 @@
 //! Crosses the change points of dyads: finds the first dyad at an extreme of its reach, its exact
 //! coordinate, and the motion beyond it with all groups that are singular there.
 
+use super::CHANGE_POINT_DISTANCE;
 use super::junction::{DyadSingularity, Junction, PairFound};
 use super::tracking::Walker;
 use crate::Double;
@@ -270,7 +271,7 @@ impl Walker<'_> {
             self.crossings.truncate(known);
             return None;
         };
-        if !self.joins_equations(known, beyond) {
+        if !self.joins_equations(junction, known, beyond) {
             self.crossings.truncate(known);
             return None;
         }
@@ -287,7 +288,7 @@ impl Walker<'_> {
         for (crossing, is_led) in self.crossings.latest(known).iter_mut().zip(guided) {
             crossing.is_led_through |= is_led;
         }
-        self.forget_misses(junction, beyond);
+        self.forget_misses(junction);
         for missed in &junction.missed {
             self.note_miss(missed.group, missed.sine, junction.at.hi);
         }
@@ -296,32 +297,29 @@ impl Walker<'_> {
         Some(beyond)
     }
 
-    /// Removes the near misses directly before the crossing of a coupled group that was passed, up to
-    /// `beyond`. The groups behind it were on the wrong side at the last samples.
-    fn forget_misses(&mut self, junction: &Junction, beyond: f64) {
-        let Some(group) = junction.groups().next().filter(|_| self.has_path()) else {
+    /// Removes the near misses beyond the crossing of a coupled group that was passed, and those
+    /// directly before it. The groups behind it were on the wrong side at the last samples.
+    fn forget_misses(&mut self, junction: &Junction) {
+        let (engine, sense) = (self.engine, self.sense);
+        let is_coupled = |group: &usize| {
+            let mut coupled = engine.program.coupled.iter();
+            coupled.any(|c| c.group == *group)
+        };
+        let Some(first) = junction.groups().find(is_coupled) else {
             return;
         };
-        let (engine, sense) = (self.engine, self.sense);
-        let by = engine.difference(junction.at.hi, beyond);
-        let before = engine.moved(junction.at.hi, -by);
+        let before = engine.moved(junction.at.hi, -sense * CHANGE_POINT_DISTANCE);
         self.misses.retain(|miss| {
-            let is_passed = (miss.at - before) * sense > 0.0;
-            !is_passed || miss.group.index() < group
+            let is_near = (miss.at - before) * sense > 0.0;
+            !is_near || miss.group.index() < first
         });
     }
 
     /// Returns `true` if the equations of the coupled groups hold directly outside the zones of the
     /// single crossings from index `known` on, up to `beyond`. Directly before a fold, doubles may not
     /// solve them there.
-    fn joins_equations(&mut self, known: usize, beyond: f64) -> bool {
+    fn joins_equations(&mut self, junction: &Junction, known: usize, beyond: f64) -> bool {
         let (engine, sense) = (self.engine, self.sense);
-        let is_turned = |step: &usize| {
-            let latest = &mut self.crossings.latest(known).iter();
-            let group = engine.group_of(*step);
-            latest.any(|c| c.is_rotary && group == Some(c.group))
-        };
-        let turned: Vec<usize> = (0..engine.program.steps.len()).filter(is_turned).collect();
         let mut places: Vec<(usize, f64, bool)> = Vec::new();
         for (step, of) in engine.program.steps.iter().enumerate() {
             if of.coupled().is_none() {
@@ -347,7 +345,7 @@ impl Walker<'_> {
         let joined = places.into_iter().all(|(step, at, is_before)| {
             self.state.clone_from(&saved);
             if is_before {
-                turned.iter().for_each(|&step| self.flip(step));
+                junction.turning().for_each(|step| self.flip(step));
             }
             self.predict_nearest(at);
             self.run_some(0..step + 1, at, Order::Position) == Condition::Ok

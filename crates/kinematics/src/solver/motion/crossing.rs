@@ -36,6 +36,9 @@ const OPENED: f64 = 1e-13;
 /// singularity is close.
 const CORRECTIONS: usize = 5;
 
+/// Measure of a coupled group, relative to its maximum so far, below which its solutions may cross
+/// within the widest step.
+const MAX_CROSSING_MEASURE: f64 = 1e-2;
 /// Maximum distance of a crossing from an end of the range that it causes, in radians or scaled
 /// lengths.
 const MAX_END_DISTANCE: f64 = 1e-6;
@@ -132,6 +135,8 @@ impl Walker<'_> {
                 continue;
             }
             let found = match changes.first() {
+                // A regular group keeps its distance from a crossing.
+                Some(_) if !self.is_near_crossing(step, saved) => None,
                 Some(change) => {
                     let at = change.at;
                     let series = self.series_before(step, at, &changes);
@@ -168,6 +173,16 @@ impl Walker<'_> {
         }
         self.state = reached?;
         Some(changes)
+    }
+
+    /// Returns `true` if the measure of a coupled group is small in a state.
+    fn is_near_crossing(&mut self, step: usize, state: &Workspace) -> bool {
+        self.state.clone_from(state);
+        self.engine.measure_coupled(state.at, &mut self.state);
+        let group = self.engine.group_of(step);
+        group.is_some_and(|group| {
+            self.state.measures[group].abs() < MAX_CROSSING_MEASURE * self.peaks[group]
+        })
     }
 
     /// Crosses crossings of coupled groups' solutions. Close to a fold, a series of few terms holds
@@ -395,6 +410,9 @@ impl Walker<'_> {
             let Workspace { state, scratch, .. } = &mut twice;
             let dq = group.unfold(&mut unfolding, q, state, scratch);
             at = self.moved_exactly(at, Double::exactly(dq));
+        }
+        if !unfolding.by.hi.is_finite() && step > exact.closed {
+            return Some(in_doubles);
         }
         // An error of a length shifts an equation by at most twice that error.
         let unknowns = unfolding.unknowns() as f64;

@@ -24,7 +24,7 @@ use super::plan::GroupId;
 use super::workspace::Workspace;
 use crate::angle::TURN;
 use proved_ends::BoundedEnd;
-use tracking::{MAX_SLIDE_TRAVEL, MAX_TURNS, Walker};
+use tracking::{MAX_RATIO, MAX_SLIDE_TRAVEL, MAX_TURNS, Walker};
 
 /// The range that the driver can cover from the scene's assembly.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -170,7 +170,7 @@ pub(super) struct Folded {
 pub(super) const ONE_MISS: f64 = 1e-6;
 /// Distance from a change point of a coupled group, in radians or scaled lengths, within which a
 /// minimum of its measure is that change point.
-const BESIDE: f64 = 1e-4;
+pub(super) const CHANGE_POINT_DISTANCE: f64 = 1e-4;
 /// Rounding error of a coordinate written with 12 decimals.
 const WRITTEN_ROUNDING: f64 = 6e-13;
 /// Distance from a dead point, in radians or scaled lengths, within which states are computed in
@@ -244,6 +244,9 @@ pub(super) fn explore<'e>(
     start: f64,
     state: &Workspace,
 ) -> Result<Motion, Fault> {
+    if let Some(number) = engine.input_faster_than(MAX_RATIO) {
+        return Err(Fault::FastInput { number });
+    }
     let buffers = |exact: &'e Exact| (exact, exact.state(state.travels.len()));
     let mut state = state.clone();
     engine.measure_coupled(start, &mut state);
@@ -372,7 +375,7 @@ fn near_misses(
     misses.retain(|miss| {
         let group = miss.group.index();
         let is_coupled = engine.program.coupled.iter().any(|c| c.group == group);
-        !is_coupled || !crossings.has(engine, (group, miss.at), BESIDE)
+        !is_coupled || !crossings.has_change(engine, (group, miss.at), CHANGE_POINT_DISTANCE)
     });
     misses.sort_by(|a, b| a.at.total_cmp(&b.at));
     misses.dedup_by(|a, b| a.group == b.group && (a.at - b.at).abs() < ONE_MISS);

@@ -52,9 +52,13 @@ const PUSH_STEP: f64 = 1.0 / 128.0;
 pub(super) const MAX_SLIDE_TRAVEL: f64 = 64.0;
 /// Maximum number of steps for one degree or one push: a hundred halvings and as many doublings.
 const MAX_STEPS: usize = 400;
-/// Maximum number of parts of a step with a fast input: one that turns 11,000 times as fast as the
-/// driver.
+/// Maximum number of parts of a step with a fast input.
 const MAX_PARTS: f64 = 1000.0;
+/// Maximum ratio of an input's rate to that of the driver, in radians or scaled lengths: a degree of
+/// the driver then has [`MAX_PARTS`].
+pub(super) const MAX_RATIO: f64 = 11_000.0;
+/// Maximum travel of an input in a step, relative to [`TURN_STEP`]: a part of a step is rounded.
+const ROUNDED_PART: f64 = 1.001;
 /// Maximum number of halvings between two doubles.
 const MAX_HALVINGS: usize = 1100;
 /// Number of turns after which tracking is cut if the motion has not closed.
@@ -480,7 +484,7 @@ impl Walker<'_> {
         let spare = self.spare.take();
         let mut saved = spare.unwrap_or_else(|| Box::new(self.state.clone()));
         // A fast input could turn by whole turns in one step, which no direction shows.
-        let travel = self.engine.difference(from, to).abs() * self.engine.largest_ratio;
+        let travel = self.engine.largest_travel(from, to);
         let parts = (travel / TURN_STEP).ceil().max(1.0);
         let end = if parts > MAX_PARTS {
             Err(Stop::Barrier {
@@ -584,6 +588,9 @@ impl Walker<'_> {
         (from, to): (f64, f64),
         before: &State,
     ) -> bool {
+        if self.engine.largest_travel(from, to) > TURN_STEP * ROUNDED_PART {
+            return false;
+        }
         let dq = self.engine.difference(from, to);
         let mut planned = Vec::new();
         for group in &self.engine.program.coupled {

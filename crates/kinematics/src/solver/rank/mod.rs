@@ -63,6 +63,7 @@ impl Fault {
             Fault::Vague { .. }
             | Fault::ChangePoint { .. }
             | Fault::BeyondStop { .. }
+            | Fault::FastInput { .. }
             | Fault::HeldByStops { .. }
             | Fault::NoChoice { .. } => false,
         }

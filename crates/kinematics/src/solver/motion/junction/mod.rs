@@ -212,8 +212,8 @@ impl Walker<'_> {
         at: Double,
         changes: &[Change],
     ) -> Option<Workspace<Series>> {
-        let junction = self.junction_before(steps, at, changes, self.terms).ok()?;
-        Some(junction.series)
+        let junction = self.junction_before(steps, at, changes, self.terms);
+        Some(junction.ok()?.series)
     }
 
     /// Places steps in series, with all groups that are singular at the junction.
@@ -240,10 +240,9 @@ impl Walker<'_> {
                         SingularGroup::tolerances_at((i, group), SingularShift::default(), 2);
                     junction.fold(fold, self.sense);
                 }
-                let is_followed = self.follow(i, at.hi, q, crossing, &mut junction.series);
-                // Its solutions cross here, too: another junction passes all groups.
-                let is_free = crossing.is_some() || !self.is_singular_at(junction, i);
-                is_followed && is_free
+                // If its solutions cross here, too, another junction passes all groups.
+                self.follow(i, at.hi, q, crossing, &mut junction.series)
+                    && (crossing.is_some() || !self.is_singular_at(junction, i))
             } else {
                 let series = &mut junction.series.state;
                 step.run::<Series, POSITION>(q, direction, series) == StepOutcome::Done
