@@ -429,8 +429,8 @@ mod tests {
         assert_eq!(value.literal, "2.0");
         let mut moved = value.clone();
         moved.number = 2.02;
-        assert_eq!(moved.moved(-0.02), "2");
-        let text = editor.in_file_notation(&value, moved.moved(-0.02));
+        assert_eq!(moved.moved(-1.0, 0.02), "2");
+        let text = editor.in_file_notation(&value, moved.moved(-1.0, 0.02));
         assert_eq!(scene.with_value(&value, &text), scene.text());
     }
 }
