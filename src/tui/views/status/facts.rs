@@ -1,6 +1,7 @@
 //! The facts of the status line.
 
 use crate::Input;
+use crate::angle;
 use crate::report::fixed;
 use crate::report::{singularity_text, stop_name};
 use crate::solver::Condition;
@@ -82,9 +83,10 @@ pub(super) fn driver(open_scene: &OpenScene) -> String {
         let text = shortest(at);
         return format!("{text:>7} {unit}");
     }
-    let turns = (at / crate::angle::TURN).floor();
-    // Subtracting whole turns from a decimal number leaves rounding noise in its last digits.
-    let within = rounded(at - turns * crate::angle::TURN, 9);
+    // The remainder is exact, but that of a decimal number has rounding noise in its last digits.
+    let within = angle::wrapped(at);
+    let turns = ((at - within) / angle::TURN).round();
+    let within = rounded(within, 9);
     let text = shortest(within);
     if turns == 0.0 {
         format!("{text:>6} {unit}")
