@@ -95,6 +95,8 @@ pub(crate) fn part_of(value: &Value) -> &str {
 pub(crate) struct Editor {
     /// The text as last opened or saved.
     saved: String,
+    /// `true` if the file was last seen with other contents, or not at all.
+    pub(crate) is_file_other: bool,
     /// The values of the saved text, by name.
     file_values: HashMap<String, Value>,
     /// The values of the shown scene.
@@ -117,6 +119,7 @@ impl Editor {
     pub(crate) fn new(scene: &Scene) -> Editor {
         Editor {
             saved: scene.text().to_owned(),
+            is_file_other: false,
             file_values: HashMap::new(),
             values: Vec::new(),
             cursor: 0,
@@ -153,6 +156,7 @@ impl Editor {
     /// Notes that the file holds `text` now.
     pub(crate) fn filed(&mut self, text: &str) {
         text.clone_into(&mut self.saved);
+        self.is_file_other = false;
         self.file_values.clear();
     }
 

@@ -56,6 +56,7 @@ pub(in crate::tui::views) fn mode(app: &App) -> &'static str {
     }
 }
 
+/// Returns the name of the scene, with `*` for unsaved edits and `!` for a file with other contents.
 pub(super) fn scene(app: &App) -> String {
     let name = match app.open_scene().origin() {
         Origin::Preset(name) | Origin::New(name) => name.clone(),
@@ -65,8 +66,9 @@ pub(super) fn scene(app: &App) -> String {
         }
         Origin::Stdin => "stdin".into(),
     };
-    let mark = if app.is_unsaved() { "*" } else { "" };
-    format!("{}{mark}", shown(&name, app.glyphs()))
+    let edited = if app.is_unsaved() { "*" } else { "" };
+    let other = if app.editor().is_file_other { "!" } else { "" };
+    format!("{}{edited}{other}", shown(&name, app.glyphs()))
 }
 
 /// Returns the driver coordinate: an angle within one turn, and the number of whole turns.
