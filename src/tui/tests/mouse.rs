@@ -230,7 +230,7 @@ fn dragged_pin_has_decimals_of_its_step() {
     let mut workbench = bench_of(opened, "M 6", Size::new(120, 40), Colours::Sixteen);
     let (from, _) = cell(&workbench, Vec2::new(400.3, -0.7));
     point(&mut workbench, MouseEventKind::Press, from);
-    workbench.press("[ [ [ [ [");
+    workbench.press("{ { { { {");
     point(&mut workbench, MouseEventKind::Press, from);
     let step = workbench.app().editor().notch().size();
     assert!(step < 0.1 && step >= 0.01, "{step}");
@@ -239,7 +239,9 @@ fn dragged_pin_has_decimals_of_its_step() {
         point(&mut workbench, MouseEventKind::Drag, to);
         for name in ["D x", "D y"] {
             let text = workbench.app().editor().named(name).unwrap().text();
-            let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+            let decimals = text
+                .split_once('.')
+                .map_or(0, |(_, decimals)| decimals.len());
             assert!(decimals <= 2, "{name} = {text}");
         }
     }
