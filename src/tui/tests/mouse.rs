@@ -233,7 +233,7 @@ fn dragged_pin_has_decimals_of_its_step() {
     workbench.press("{ { { { {");
     point(&mut workbench, MouseEventKind::Press, from);
     let step = workbench.app().editor().notch().size();
-    assert!(step < 0.1 && step >= 0.01, "{step}");
+    assert!((0.01..0.1).contains(&step), "{step}");
     for right in 1..=12 {
         let to = Position::new(from.x + right % 4, from.y - right);
         point(&mut workbench, MouseEventKind::Drag, to);
