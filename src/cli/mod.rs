@@ -161,7 +161,7 @@ fn obey(cli: &Cli, screen: TextScreen) -> Result<(), Failure> {
     match &cli.command {
         #[cfg(feature = "tui")]
         None if cli.workbench.diagnose => workbench::diagnose(&cli.workbench, cli.language),
-        None => workbench::open(&cli.workbench, cli.language),
+        None => workbench::open(&cli.workbench, cli.language, screen),
         Some(command) => command.run(screen, Cli::command),
     }
 }

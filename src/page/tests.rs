@@ -138,4 +138,7 @@ fn markdown_has_every_cell_and_fact() {
     let expected = "| point | x | y | z |\n| --- | ---: | ---: | ---: |\n| A | 1.000 | 20.00 | 3 |\n\
                     | long | 4 | 5 |  |\n\n- **links**: r\\_2; r3\n";
     assert_eq!(page.to_markdown(true), expected);
+    let mut page = Page::default();
+    page.title("A &amp; *B*");
+    assert_eq!(page.to_markdown(true), "# A \\&amp; \\*B\\*\n");
 }

@@ -191,3 +191,11 @@ fn poles_and_dwells_are_reported() {
     );
     assert!(text.contains("none: it dwells at an extreme"), "{text}");
 }
+
+#[test]
+fn state_alone_has_no_cycle() {
+    let why = refused(2, &["cycle", "four-bar", "--columns", "state"]);
+    assert!(why.contains("`state` is a word"), "{why}");
+    let text = run_ok(&["cycle", "four-bar", "--columns", "state,C.x"]);
+    assert!(text.contains("C.x [mm]"), "{text}");
+}

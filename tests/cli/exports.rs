@@ -659,3 +659,29 @@ fn root_mean_square_of_huge_differences_does_not_overflow() {
         "{report}"
     );
 }
+
+/// Outside the range of motion a cell is empty, as in a sweep. Arguments may have a decimal comma.
+#[test]
+fn python_scripts_leave_missing_positions_empty() {
+    let script = folder("exports-range").join("boom.py");
+    let script = script.to_str().unwrap();
+    run_ok(&[
+        "export",
+        "excavator-boom",
+        "--format",
+        "python",
+        "-o",
+        script,
+    ]);
+    let Some(found) = python(script, &["99,5", "99,5", "1"]) else {
+        return;
+    };
+    let [head, row] = found.lines().collect::<Vec<_>>()[..] else {
+        panic!("{found}");
+    };
+    let cells: Vec<&str> = row.split(',').collect();
+    assert_eq!(cells.len(), head.split(',').count(), "{found}");
+    assert_eq!(cells[0], "99.5");
+    assert!(cells[1..].iter().any(|cell| cell.is_empty()), "{found}");
+    assert!(!found.contains("nan"), "{found}");
+}

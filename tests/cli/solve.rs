@@ -277,3 +277,51 @@ fn resumed_search_starts_from_the_written_design() {
         assert!(output.err.contains(words), "{}", output.err);
     }
 }
+
+/// Numbers on the command line have a point or a comma, also within lists.
+#[test]
+fn decimal_commas_are_numbers_in_goals_and_ranges() {
+    let found = |vary: &str, goal: &str| {
+        let range = ["solve", "slider-crank", "--vary", vary, "--starts", "1"];
+        json(&run_ok(
+            &[&range[..], &["--format", "json", "--goal", goal]].concat(),
+        ))
+    };
+    let comma = found(
+        "r2.length=5,5..7,5,r3.length=20,5..30",
+        "r4.length.stroke = 12,5",
+    );
+    let point = found(
+        "r2.length=5.5..7.5,r3.length=20.5..30",
+        "r4.length.stroke = 12.5",
+    );
+    assert_eq!(comma["solutions"], point["solutions"]);
+    assert!(comma["solutions"][0]["values"]["r2.length"].is_number());
+    let study = |vary: &str, columns: &str| {
+        run_ok(&[
+            "study",
+            "slider-crank",
+            "--vary",
+            vary,
+            "--columns",
+            columns,
+        ])
+    };
+    let comma = study("r2.length=1,5..2,5/3", "C.x@60,5,C.x.stroke");
+    assert_eq!(comma, study("r2.length=1.5..2.5/3", "C.x@60.5,C.x.stroke"));
+    assert_eq!(comma.lines().count(), 4, "{comma}");
+    let run = krank(&[
+        "solve",
+        "slider-crank",
+        "--vary",
+        "r2.length=1,500..2",
+        "--goal",
+        "C.x.stroke = 2",
+    ]);
+    assert_eq!(run.code, 2);
+    assert!(
+        run.err.contains("1,500: leave out the thousands separator"),
+        "{}",
+        run.err
+    );
+}

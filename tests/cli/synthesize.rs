@@ -184,7 +184,7 @@ fn function_scenes_have_the_reported_structural_error() {
     let printed = json(&printed.out);
     let candidates = printed["candidates"].as_array().unwrap();
     assert!(!candidates.is_empty());
-    let misses: Vec<f64> = candidates.iter().map(|c| number(&c["rms"])).collect();
+    let misses: Vec<f64> = candidates.iter().map(|c| number(&c["miss"])).collect();
     assert!(misses.is_sorted(), "the smallest first: {misses:?}");
     for (k, candidate) in (1..).zip(candidates) {
         let scene = WrittenFourBar::read(&out.join(format!("candidate-{k}.toml")));

@@ -627,3 +627,16 @@ fn named_formula_has_a_sensitivity() {
     assert!(worst > 0.1, "{csv}");
     assert!(run_ok(&args).contains("swing [deg]"));
 }
+
+/// A printed screen never shows another coordinate than the typed one.
+#[cfg(feature = "tui")]
+#[test]
+fn printed_screen_refuses_coordinate_outside_the_range() {
+    let table = refused(1, &["table", "excavator-boom", "--at", "99"]);
+    assert_eq!(
+        refused(1, &["excavator-boom", "--print", "--at", "99"]),
+        table
+    );
+    let screen = run_ok(&["excavator-boom", "--print", "--at", "2,1"]);
+    assert!(screen.contains("2.1"), "{screen}");
+}

@@ -8,6 +8,21 @@ fn four_bar(glyphs: Glyphs, cols: u16, rows: u16) -> Session {
     Session::new(preset("four-bar"), glyphs, cols, rows)
 }
 
+/// The status line has the angle of the tables, also where a double has no decimals.
+#[test]
+fn angle_within_turn_is_exact_far_away() {
+    for (typed, angle) in [
+        ("1 e 1 8", "280.00 deg"),
+        ("- 1 e 1 8", "80.00 deg"),
+        ("1 0 8 0 . 5", "0.50 deg +3 turns"),
+    ] {
+        let mut session = four_bar(Glyphs::Ascii, 120, 40);
+        session.press("g").press(typed);
+        let line = session.press("Enter").last_line();
+        assert!(line.contains(&format!(" {angle}")), "{typed}: {line}");
+    }
+}
+
 #[test]
 fn go_to_reaches_typed_angle_or_reports_range() {
     let mut session = four_bar(Glyphs::Ascii, 80, 24);

@@ -93,6 +93,10 @@ fn external_changes_are_reloaded_but_never_over_edits() {
     let output = "mine.toml invalid, not shown: ";
     assert!(screen.contains(output), "{screen}");
     assert_eq!(session.row(), "> r2 length 120.25 mm");
+    // The name is marked until the file is valid, also when the message is gone.
+    session.workbench.pass(Duration::from_secs(60));
+    let line = session.press("] Esc").last_line();
+    assert!(line.contains("mine.toml! "), "{line}");
     std::fs::write(
         &file,
         text("four-bar").replace("length = 100", "length = 90"),
@@ -101,6 +105,8 @@ fn external_changes_are_reloaded_but_never_over_edits() {
     wait(&mut session);
     session.press("[");
     assert_eq!(session.row(), "> r2 length 90 mm");
+    let line = session.press("Esc").last_line();
+    assert!(line.contains("mine.toml ") && !line.contains('!'), "{line}");
     // A reload never overwrites unsaved edits.
     session.press(">");
     let edited = session.row();

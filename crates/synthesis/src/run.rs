@@ -170,11 +170,16 @@ fn evaluate_all(task: &Task, proposals: &[Proposal], threads: usize) -> Vec<Cand
 }
 
 /// Compares candidates: fewer defects first, then fewer unmet preferences, then the smaller miss
-/// above rounding, then the larger transmission angle.
+/// above rounding, then the larger transmission angle. The miss is the root mean square if the points
+/// of a path have weights.
 fn better(task: &Task, one: &Candidate, other: &Candidate) -> Ordering {
     let count = |c: &Candidate| (c.defects.len(), c.missed.len());
     let floor = 1e-9 * task.size();
-    let miss = |c: &Candidate| c.figures.rms.max(floor);
+    let is_weighted = matches!(&task.kind, TaskKind::Path(path) if !path.weights.is_empty());
+    let miss = |c: &Candidate| match is_weighted {
+        true => c.figures.rms.max(floor),
+        false => c.figures.miss.max(floor),
+    };
     count(one)
         .cmp(&count(other))
         .then(miss(one).total_cmp(&miss(other)))

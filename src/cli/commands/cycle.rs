@@ -70,5 +70,12 @@ fn named_columns(scene: &Scene, patterns: &[String]) -> Result<Vec<Quantity>, Fa
     let driver = all
         .any(|pattern| pattern.trim() == driver.name)
         .then(|| driver.clone());
-    Ok(driver.into_iter().chain(found).collect())
+    let columns: Vec<Quantity> = driver.into_iter().chain(found).collect();
+    match columns.is_empty() {
+        true => {
+            let why = words().of_option("--columns", &words().state_has_no_cycle());
+            Err(Failure::Usage(why))
+        }
+        false => Ok(columns),
+    }
 }

@@ -51,8 +51,8 @@ pub(in crate::cli) struct ExplainArgs {
     #[arg(long, value_parser = one_of(&METHODS), default_value = "closed")]
     method: PositionMethod,
     #[arg(help = words().guess_of_vectors())]
-    #[arg(long, value_name = "NAME=VALUE", value_delimiter = ',')]
-    guess: Vec<Guess>,
+    #[arg(long, value_name = "NAME=VALUE")]
+    guess: Vec<String>,
     #[arg(help = words().notation_of_working())]
     #[arg(long, value_parser = one_of(&NOTATIONS), default_value = "krank")]
     notation: WorkingNotation,
@@ -80,9 +80,10 @@ pub(in crate::cli) fn explain(args: &ExplainArgs, screen: TextScreen) -> Result<
     let working = Working::new(&scene, &solver);
     let (method, digits) = (args.method, usize::from(args.digits));
     let driver_state = (&scene, &solver, state.state());
-    let computed = working.by(method, driver_state, &args.guess, digits, args.notation);
-    let WorkedMethod { mut page, curves } =
-        computed.map_err(|why| Failure::Usage(format!("--guess: {why}")))?;
+    let wrong = |why: String| Failure::Usage(format!("--guess: {why}"));
+    let guesses = Guess::listed(&args.guess.join(",")).map_err(|why| wrong(why.to_string()))?;
+    let computed = working.by(method, driver_state, &guesses, digits, args.notation);
+    let WorkedMethod { mut page, curves } = computed.map_err(wrong)?;
     if !curves.is_empty() {
         let (cols, rows) = CHART;
         let chart = convergence(&curves)

@@ -1,5 +1,6 @@
 //! `krank solve`: finds values of a scene that meet goals, or optimal ones.
 
+use super::study::named_axes;
 use crate::cli::failure::{Failure, note};
 use crate::cli::formats::TextOrJson;
 use crate::cli::output::{self, OutputArgs, write_scene, write_text};
@@ -21,13 +22,8 @@ pub(in crate::cli) struct SolveArgs {
     #[command(flatten)]
     scene: SceneArgs,
     #[arg(help = words().values_to_vary())]
-    #[arg(
-        long,
-        value_name = "NAME[=LOW..HIGH]",
-        value_delimiter = ',',
-        required = true
-    )]
-    vary: Vec<PlanAxis>,
+    #[arg(long, value_name = "NAME[=LOW..HIGH]", required = true)]
+    vary: Vec<String>,
     #[arg(help = words().goal_to_meet())]
     #[arg(long, value_name = "GOAL")]
     goal: Vec<String>,
@@ -67,7 +63,8 @@ const SHOWN_DECIMALS: usize = 4;
 
 pub(in crate::cli) fn solve(args: &SolveArgs, screen: TextScreen) -> Result<(), Failure> {
     let SolvableScene { scene, solver } = args.scene.open()?;
-    let space = DesignSpace::of_axes(&scene, &solver, &args.vary)
+    let vary = named_axes(&args.vary)?;
+    let space = DesignSpace::of_axes(&scene, &solver, &vary)
         .map_err(|why| Failure::Usage(words().of_option("--vary", &why)))?;
     let catalogue = Catalogue::new(&scene);
     let goals = |texts: &[String], option| goals(texts, option, &catalogue);
@@ -80,13 +77,14 @@ pub(in crate::cli) fn solve(args: &SolveArgs, screen: TextScreen) -> Result<(), 
         None => meet(
             args,
             &space,
+            &vary,
             requested.into_iter().chain(kept).collect(),
             screen,
         ),
         Some(name) => {
             let of = |why: &dyn std::fmt::Display| Failure::Usage(why.to_string());
             let figure = CycleFigure::parse(name, &catalogue).map_err(|why| of(&why))?;
-            optimise(args, &space, figure, &kept, screen)
+            optimise(args, &space, &vary, (figure, &kept), screen)
         }
     }
 }
@@ -101,13 +99,14 @@ fn goals(texts: &[String], option: &str, catalogue: &Catalogue) -> Result<Vec<Go
 fn meet(
     args: &SolveArgs,
     space: &DesignSpace,
+    vary: &[PlanAxis],
     goals: Vec<Goal>,
     screen: TextScreen,
 ) -> Result<(), Failure> {
     let figures = goals.iter().map(|goal| goal.figure.clone()).collect();
     let mut figures = DesignFigures::new(space, figures, None);
     let given = figures.of(&space.given()).ok();
-    let search = GoalSearch::new(figures, goals.clone(), &args.vary);
+    let search = GoalSearch::new(figures, goals.clone(), vary);
     let count = u64::from(args.starts) + 1;
     let progress = Progress::new(count, words().starts_counted(), screen, false);
     let mut progress = progress.stoppable();
@@ -141,11 +140,11 @@ fn meet(
 fn optimise(
     args: &SolveArgs,
     space: &DesignSpace,
-    figure: CycleFigure,
-    kept: &[Goal],
+    vary: &[PlanAxis],
+    (figure, kept): (CycleFigure, &[Goal]),
     screen: TextScreen,
 ) -> Result<(), Failure> {
-    if let Some(axis) = args.vary.iter().find(|axis| axis.ends.is_none()) {
+    if let Some(axis) = vary.iter().find(|axis| axis.ends.is_none()) {
         return Err(Failure::Usage(words().free_without_ends(&axis.name)));
     }
     let known = known_designs(args, space)?;
@@ -163,7 +162,7 @@ fn optimise(
     let generations = u64::from(args.generations);
     let progress = Progress::new(generations, words().generations_counted(), screen, false);
     let mut progress = progress.stoppable();
-    let best = BestDesign::find_from(&known, &figures, kept, &args.vary, order, &mut |state| {
+    let best = BestDesign::find_from(&known, &figures, kept, vary, order, &mut |state| {
         if let Some(best) = state.best {
             let best = format!("{best:.SHOWN_DECIMALS$} {}", figure.unit());
             let best = best.trim_end();

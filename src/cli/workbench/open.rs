@@ -6,8 +6,11 @@ use crate::cli::choice::OrAuto;
 use crate::cli::failure::Failure;
 use crate::cli::output::write_text;
 use crate::cli::picture::{self, Size};
+use crate::cli::place::{normalize_coordinate, out_of_reach};
+use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneSource, SolvableScene, find, is_foreign, load};
-use crate::scene::stem;
+use crate::scene::{Scene, stem};
+use crate::solver::{Condition, Order, Solver};
 use crate::tui::{self, Options, Origin, TaskOrder};
 use crate::wording::Language;
 use std::path::Path;
@@ -16,6 +19,7 @@ use std::path::Path;
 pub(in crate::cli) fn open(
     args: &WorkbenchArgs,
     language: OrAuto<Language>,
+    screen: TextScreen,
 ) -> Result<(), Failure> {
     let options = options(args, language)?;
     let named = args.scene.as_deref();
@@ -39,10 +43,27 @@ pub(in crate::cli) fn open(
         origin,
     };
     if args.print {
+        if let Some(typed) = options.at {
+            check_reach(&opened.scene, &opened.solver, typed, screen)?;
+        }
         let Size { cols, rows } = args.size.unwrap_or(picture::DEFAULT_SIZE);
         return write_text(None, &tui::picture(opened, &options, cols, rows));
     }
     run(opened, &options)
+}
+
+/// Returns an error if the driver cannot reach a typed coordinate: the printed screen would show another state.
+fn check_reach(
+    scene: &Scene,
+    solver: &Solver,
+    typed: f64,
+    screen: TextScreen,
+) -> Result<(), Failure> {
+    let at = normalize_coordinate(typed, scene, solver, screen);
+    match solver.solve(at, Order::Position, &mut solver.state()) {
+        Condition::NoAssembly => Err(out_of_reach(scene, solver, at)),
+        _ => Ok(()),
+    }
 }
 
 /// Opens the default scene, with the list of linkages for a task over it.

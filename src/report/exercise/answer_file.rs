@@ -196,7 +196,10 @@ impl AnswerFile {
     pub fn given(&self, key: &AnswerKey) -> Vec<(String, GivenAnswer)> {
         let quantities = key.figures.iter().map(|figure| &figure.quantity);
         let given = quantities.map(|quantity| match self.row(&quantity.name) {
-            Some(row) => (row.answer.clone(), row.given(&quantity.unit)),
+            Some(row) => {
+                let given = row.given(&quantity.unit);
+                (row.written(&given), given)
+            }
             None => (String::new(), GivenAnswer::Empty),
         });
         given.collect()
@@ -277,6 +280,18 @@ impl AnsweredRow {
         let written = [after, self.unit.clone()];
         let mut strange = written.into_iter().filter(|own| !own.is_empty());
         strange.find(|own| unit_factor(own, unit).is_none())
+    }
+
+    /// Returns the answer as written, with the unit of its cell if that is not the requested one.
+    fn written(&self, given: &GivenAnswer) -> String {
+        let has_unit =
+            || WrittenFigure::read(&self.answer).is_some_and(|(_, after)| !after.is_empty());
+        match given {
+            GivenAnswer::Converted { .. } if !has_unit() => {
+                format!("{} {}", self.answer, self.unit)
+            }
+            _ => self.answer.clone(),
+        }
     }
 
     /// Returns the answer in the requested unit. A unit after the number takes precedence over the

@@ -330,6 +330,19 @@ fn unit_column_applies_to_answer() {
             lines[0].ends_with(&format!(": {verdict}")),
             "{row}: {lines:?}"
         );
+        // The table shows the unit of an answer next to the exact value in another unit.
+        let written = graded
+            .figures
+            .iter()
+            .find(|figure| !figure.written.is_empty());
+        let written = &written.unwrap().written;
+        let unit = match row {
+            "C.v;mm/s;0,77277" | "C.v;furlong/s;772,77" => "",
+            "C.v;mm/s;0,77277 m/s" => " m/s",
+            _ => row.split(';').nth(1).unwrap(),
+        };
+        assert!(written.ends_with(unit.trim_start()), "{written}");
+        assert_eq!(written.contains(' '), !unit.is_empty(), "{written}");
         let strange: Vec<_> = graded
             .remarks
             .strange_units

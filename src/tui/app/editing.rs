@@ -58,12 +58,12 @@ impl App {
         let Some(value) = self.document.editor.value().cloned() else {
             return;
         };
-        let by = steps * self.document.editor.notch().size();
+        let size = self.document.editor.notch().size();
         let gathered = self.document.editor.staged.as_ref();
         let waiting = gathered.and_then(|gathered| gathered.text(&value.name));
         let waiting = waiting.map(|text| value.with_text(text));
         let from = waiting.as_ref().unwrap_or(&value);
-        if from.formula.is_none() && self.stage_edit(&value, from.moved(by)) {
+        if from.formula.is_none() && self.stage_edit(&value, from.moved(steps, size)) {
             return;
         }
         if value.formula.is_some() {
@@ -72,7 +72,7 @@ impl App {
         }
         self.replace_value(
             &value,
-            value.moved(by),
+            value.moved(steps, size),
             Deed::Nudge(value.name.clone()),
             now,
         );

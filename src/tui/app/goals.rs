@@ -116,9 +116,7 @@ impl App {
             .map(str::to_owned)
             .or_else(under_cursor)
             .unwrap_or_default();
-        let axes = names.split(',').map(str::parse::<PlanAxis>);
-        let axes = axes.collect::<Result<Vec<_>, _>>();
-        let axes = axes.map_err(|why| why.to_string())?;
+        let axes = PlanAxis::listed(&names).map_err(|why| why.to_string())?;
         Ok(GoalRequest {
             typed: typed.to_owned(),
             goals: goals.map_err(|why| why.to_string())?,

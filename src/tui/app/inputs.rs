@@ -111,15 +111,15 @@ impl App {
             // An edit or undo has removed its value: the step is one of the driver.
             self.player.reset_steps();
         }
-        let by = sense * self.player.steps.size();
+        let size = self.player.steps.size();
         let Some((_, value)) = held else {
-            return self.step(by, now);
+            return self.step(sense * size, now);
         };
         if value.formula.is_some() {
             return self.report_dependencies(&value);
         }
         let step = Deed::Nudge(value.name.clone());
-        self.replace_value(&value, value.moved(by), step, now);
+        self.replace_value(&value, value.moved(sense, size), step, now);
     }
 
     /// Moves the input named on a line, `r7 45`, or selects it for the step keys, `r7`. Returns

@@ -162,7 +162,7 @@ mod tests {
             let size = before.iter().map(|p| p.norm()).fold(0.0, f64::max);
             let values = open_scene.scene().values();
             for value in values.iter().filter(|v| v.measure == Measure::Length) {
-                let text = value.moved(value.number * 1e-4);
+                let text = value.moved(1.0, value.number * 1e-4);
                 let text = open_scene.scene().with_value(value, &text);
                 // Overconstrained linkages close only with their own lengths.
                 let Ok(edited) = keeping(&open_scene, &text) else {
@@ -261,7 +261,7 @@ mod nudges {
                     continue;
                 }
                 for sense in [1.0, -1.0] {
-                    let text = value.moved(sense * nudge(&value, size));
+                    let text = value.moved(sense, nudge(&value, size));
                     let text = first.scene().with_value(&value, &text);
                     let Ok(edited) = keeping(&first, &text) else {
                         continue;

@@ -95,6 +95,8 @@ pub(crate) fn part_of(value: &Value) -> &str {
 pub(crate) struct Editor {
     /// The text as last opened or saved.
     saved: String,
+    /// `true` if the file was last seen with other contents, or not at all.
+    pub(crate) is_file_other: bool,
     /// The values of the saved text, by name.
     file_values: HashMap<String, Value>,
     /// The values of the shown scene.
@@ -117,6 +119,7 @@ impl Editor {
     pub(crate) fn new(scene: &Scene) -> Editor {
         Editor {
             saved: scene.text().to_owned(),
+            is_file_other: false,
             file_values: HashMap::new(),
             values: Vec::new(),
             cursor: 0,
@@ -153,6 +156,7 @@ impl Editor {
     /// Notes that the file holds `text` now.
     pub(crate) fn filed(&mut self, text: &str) {
         text.clone_into(&mut self.saved);
+        self.is_file_other = false;
         self.file_values.clear();
     }
 
@@ -429,8 +433,8 @@ mod tests {
         assert_eq!(value.literal, "2.0");
         let mut moved = value.clone();
         moved.number = 2.02;
-        assert_eq!(moved.moved(-0.02), "2");
-        let text = editor.in_file_notation(&value, moved.moved(-0.02));
+        assert_eq!(moved.moved(-1.0, 0.02), "2");
+        let text = editor.in_file_notation(&value, moved.moved(-1.0, 0.02));
         assert_eq!(scene.with_value(&value, &text), scene.text());
     }
 }

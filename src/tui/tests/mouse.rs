@@ -221,6 +221,33 @@ fn dragging_ground_pin_is_one_undo_step() {
     assert_eq!(workbench.app().open_scene().scene().text(), text);
 }
 
+/// Each place of the mouse stores a multiple of the step, without binary rounding.
+#[test]
+fn dragged_pin_has_decimals_of_its_step() {
+    let text = presets::find("four-bar").unwrap().text;
+    let text = text.replace("D = [400, 0]", "D = [400.3, -0.7]");
+    let opened = opening::text(&text, Origin::New("pin".into())).unwrap();
+    let mut workbench = bench_of(opened, "M 6", Size::new(120, 40), Colours::Sixteen);
+    let (from, _) = cell(&workbench, Vec2::new(400.3, -0.7));
+    point(&mut workbench, MouseEventKind::Press, from);
+    workbench.press("{ { { { {");
+    point(&mut workbench, MouseEventKind::Press, from);
+    let step = workbench.app().editor().notch().size();
+    assert!((0.01..0.1).contains(&step), "{step}");
+    for right in 1..=12 {
+        let to = Position::new(from.x + right % 4, from.y - right);
+        point(&mut workbench, MouseEventKind::Drag, to);
+        for name in ["D x", "D y"] {
+            let text = workbench.app().editor().named(name).unwrap().text();
+            let decimals = text
+                .split_once('.')
+                .map_or(0, |(_, decimals)| decimals.len());
+            assert!(decimals <= 2, "{name} = {text}");
+        }
+    }
+    assert_ne!(workbench.app().open_scene().scene().text(), text);
+}
+
 /// The viewport stays fixed under the pointer, although each step extends the scene.
 #[test]
 fn dragged_pin_stays_under_pointer() {

@@ -555,7 +555,7 @@ mod tests {
             ("b + 1", "unknown parameter `b`"),
             (
                 "5 mm + 3 deg",
-                "`5 mm` is in inch and `3 deg` is in deg: the units do not match",
+                "`5 mm` is in `in` and `3 deg` is in deg: the units do not match",
             ),
             (
                 "5 mm * 2 mm",
@@ -564,9 +564,9 @@ mod tests {
             ("(5 mm)^2", "`(5 mm)^2` multiplies one unit by another"),
             (
                 "sqrt(4 mm)",
-                "sqrt() takes a plain number, but this is in inch: divide it by a value of that unit",
+                "sqrt() takes a plain number, but this is in `in`: divide it by a value of that unit",
             ),
-            ("sin(4 mm)", "sin() takes an angle, but this is in inch"),
+            ("sin(4 mm)", "sin() takes an angle, but this is in `in`"),
         ] {
             assert_eq!(evaluate_text(text), Err(message.to_owned()), "{text}");
         }

@@ -78,7 +78,7 @@ pub(crate) use numbers::dependents::DependentValues;
 pub use numbers::figures::NamedFormula;
 pub use numbers::measure::Measure;
 #[doc(hidden)]
-pub use numbers::numeral::{are_thousands, with_point};
+pub use numbers::numeral::{are_thousands, entries_with_numbers, with_point};
 pub use numbers::parameters::Parameter;
 #[doc(hidden)]
 pub use numbers::rate::Degree;

@@ -55,6 +55,7 @@ pub(crate) fn resolve<'t>(reader: &mut Reader<'_>, draft: &SceneDraft<'t>) -> Op
     resolver.view();
     if !(draft.lost_points || draft.lost_references) {
         resolver.unused();
+        resolver.loose_pins();
     }
     resolver.finish()
 }
@@ -404,6 +405,66 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
                     .at(name.span.clone(), words().nothing_names_it())
                     .help(help),
             );
+        }
+    }
+
+    /// Reports pins in a single slot that no link carries: usually the link's end has another name. A pin without a
+    /// link may be at the crossing of two slots, or on a driven slide.
+    fn loose_pins(&mut self) {
+        let draft = self.draft;
+        let carried = draft.links.iter().flat_map(DraftLink::point_names);
+        let mut slots = HashMap::new();
+        for name in carried {
+            *slots.entry(name.text).or_insert(0) += 2;
+        }
+        let pins = draft.slides.iter().filter_map(|slide| match &slide.slider {
+            Some(DraftSlider::Pin(point)) => Some((slide, point)),
+            Some(DraftSlider::Link { .. }) | None => None,
+        });
+        for (_, point) in pins.clone() {
+            *slots.entry(point.text).or_insert(0) += 1;
+        }
+        let driven = draft
+            .driver
+            .iter()
+            .filter_map(|driver| match &driver.input {
+                DraftInput::Slide(name) => Some(name.text),
+                DraftInput::Link(_) => None,
+            });
+        let timed = draft.timed.iter().map(|timed| timed.name.text);
+        let driven: HashSet<&str> = driven.chain(timed).collect();
+        for (slide, point) in pins {
+            let is_placed = self.ground.contains_key(point.text) || slots[point.text] > 1;
+            if is_placed || driven.contains(slide.name.text) {
+                continue;
+            }
+            let of = words().slide_called(&slide.name.to_string());
+            let mut fault = Diagnostic::new(words().no_link_has(&of, &point.to_string()))
+                .at(point.span.clone(), words().no_link_names_it());
+            let moving = self.names.points().map(|(name, _)| name);
+            let moving =
+                moving.filter(|name| *name != point.text && !self.ground.contains_key(name));
+            let near = (!self.reader.is_full())
+                .then(|| nearest(point.text, moving))
+                .flatten();
+            // An end of one link and of nothing else probably belongs in the slot.
+            let ends = draft.links.iter().filter_map(|link| link.ends.as_ref());
+            let ends = ends.flat_map(|ends| [&ends.from, &ends.to]);
+            let mut loose = ends.filter(|end| {
+                slots[end.text] == 2
+                    && !self.ground.contains_key(end.text)
+                    && near.is_none_or(|near| near == end.text)
+            });
+            if let (Some(end), None) = (loose.next(), loose.next()) {
+                fault = fault
+                    .and(end.span.clone(), words().named_nowhere_else())
+                    .help(words().did_you_mean(end.text));
+            } else {
+                let help = near.map(|near| words().did_you_mean(near));
+                fault = fault
+                    .help(help.unwrap_or_else(|| words().carry_it_by_a_link(&point.to_string())));
+            }
+            self.reader.report(fault);
         }
     }
 

@@ -363,13 +363,13 @@ pub(super) fn no_input_named(name: &str, names: &str, meant: Option<&str>) -> St
     format!("the scene has no input `{name}`; its inputs: {names}{meant}")
 }
 
-/// Returns a unit for use after a preposition: `in` becomes `inch`.
+/// Returns a unit for use after a preposition, with `in` as code.
 fn unit_word(unit: &str) -> String {
     let is_inch = unit
         .strip_prefix("in")
         .is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric()));
     match is_inch {
-        true => format!("inch{}", &unit["in".len()..]),
+        true => format!("`{unit}`"),
         false => unit.to_owned(),
     }
 }

@@ -24,7 +24,7 @@ use crate::drawing::{
 };
 use crate::nearest::nearest;
 use crate::quantity::Catalogue;
-use crate::scene::Scene;
+use crate::scene::{Scene, with_point};
 use crate::solver::{Condition, Order, Solver, State, Workspace};
 use crate::wording::words;
 use clap::builder::PossibleValue;
@@ -49,10 +49,8 @@ impl FromStr for PaperScale {
     fn from_str(text: &str) -> Result<Self, String> {
         let sides = text.split_once(':');
         let side = |text: &str| {
-            text.trim()
-                .parse()
-                .ok()
-                .filter(|n: &f64| n.is_normal() && *n > 0.0)
+            let number = with_point(text)?.parse().ok();
+            number.filter(|n: &f64| n.is_normal() && *n > 0.0)
         };
         let factor = sides.and_then(|(paper, linkage)| Some(side(paper)? / side(linkage)?));
         let factor = factor.filter(|factor| (1.0 / MAX_SCALE..=MAX_SCALE).contains(factor));

@@ -16,6 +16,7 @@ use crate::files::{AppendFile, Output, ResumableFile, WriteError};
 use crate::parallel;
 use crate::quantity::Catalogue;
 use crate::report::{DesignSummary, DesignTable, MAX_ROWS};
+use crate::scene::entries_with_numbers;
 use crate::study::{
     CycleFigure, DesignFigures, DesignPlan, DesignRow, DesignRun, DesignSpace, PlanAxis,
 };
@@ -80,10 +81,10 @@ pub(in crate::cli) struct StudyArgs {
     #[command(flatten)]
     scene: SceneArgs,
     #[arg(help = words().values_of_study())]
-    #[arg(long, value_name = "AXES", required = true, value_delimiter = ',')]
+    #[arg(long, value_name = "AXES", required = true)]
     vary: Vec<String>,
     #[arg(help = words().columns_of_study())]
-    #[arg(long, value_name = "FIGURES", required = true, value_delimiter = ',')]
+    #[arg(long, value_name = "FIGURES", required = true)]
     columns: Vec<String>,
     #[arg(help = words().designs_of_hypercube())]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
@@ -184,18 +185,23 @@ pub(in crate::cli) fn study(args: &StudyArgs, screen: TextScreen) -> Result<(), 
     report_invalid_designs(&rows.summary, &rows.reason, is_whole, screen)
 }
 
-/// Parses the varied values.
+/// Parses the values of `--vary`, each text a list.
+pub(super) fn named_axes(vary: &[String]) -> Result<Vec<PlanAxis>, Failure> {
+    let lists: Result<Vec<_>, _> = vary.iter().map(|list| PlanAxis::listed(list)).collect();
+    let wrong = |why| Failure::Usage(words().of_option("--vary", &why));
+    Ok(lists.map_err(wrong)?.concat())
+}
+
+/// Parses the varied values, each with a range.
 fn axes(args: &StudyArgs) -> Result<Vec<PlanAxis>, Failure> {
     let wrong = |why: String| Failure::Usage(words().of_option("--vary", &why));
-    let axes = args.vary.iter().map(|text| {
-        let axis: PlanAxis = text.parse().map_err(|e| wrong(format!("{e}")))?;
-        match axis.ends {
-            None => Err(wrong(words().axis_without_ends(&axis.name))),
-            Some(_) if args.latin.is_some() && axis.count.is_some() => {
-                Err(wrong(words().hypercube_has_places(&axis.name)))
-            }
-            Some(_) => Ok(axis),
+    let axes = named_axes(&args.vary)?;
+    let axes = axes.into_iter().map(|axis| match axis.ends {
+        None => Err(wrong(words().axis_without_ends(&axis.name))),
+        Some(_) if args.latin.is_some() && axis.count.is_some() => {
+            Err(wrong(words().hypercube_has_places(&axis.name)))
         }
+        Some(_) => Ok(axis),
     });
     axes.collect()
 }
@@ -203,8 +209,9 @@ fn axes(args: &StudyArgs) -> Result<Vec<PlanAxis>, Failure> {
 fn ready(args: &StudyArgs, axes: &[PlanAxis], space: DesignSpace) -> Result<ReadyStudy, Failure> {
     let catalogue = Catalogue::new(space.scene());
     let mut figures: Vec<CycleFigure> = Vec::new();
-    for name in &args.columns {
-        let figure = CycleFigure::parse(name, &catalogue)
+    let names = args.columns.iter();
+    for name in names.flat_map(|list| entries_with_numbers(list)) {
+        let figure = CycleFigure::parse(&name, &catalogue)
             .map_err(|e| Failure::Usage(words().of_option("--columns", &e)))?;
         if !figures.contains(&figure) {
             figures.push(figure);

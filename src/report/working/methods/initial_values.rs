@@ -8,7 +8,7 @@ use super::PositionMethod;
 use super::problem::kind;
 use crate::expression::plain_unit;
 use crate::nearest::did_you_mean;
-use crate::scene::{Unit, with_point};
+use crate::scene::{Unit, entries_with_numbers, with_point};
 use crate::solver::{Order, Workspace};
 use crate::study::UnknownKind;
 use crate::wording::words;
@@ -54,7 +54,8 @@ impl Guess {
     /// # Errors
     /// Returns an error if one of them cannot be parsed.
     pub fn listed(text: &str) -> Result<Vec<Guess>, GuessError> {
-        let all = text.split(',').map(str::trim);
+        let all = entries_with_numbers(text);
+        let all = all.iter().map(|guess| guess.trim());
         all.filter(|guess| !guess.is_empty())
             .map(str::parse)
             .collect()

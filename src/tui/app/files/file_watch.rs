@@ -84,9 +84,9 @@ impl App {
         let Some(name) = self.document.file_name() else {
             return;
         };
+        self.compare_file(&news);
         match news {
-            FileStatus::Written(bytes)
-                if unmarked(&bytes) == self.document.editor.saved().as_bytes() => {}
+            _ if !self.document.editor.is_file_other => {}
             FileStatus::Written(_) if self.is_changed() => {
                 let key = |action| self.shell.keymap.key_label(action);
                 let [reload, elsewhere] = [Action::Reload, Action::SaveAs].map(key);
@@ -100,6 +100,16 @@ impl App {
                     .set_message(words().name_cannot_be_read(&name, &error));
             }
         }
+    }
+
+    /// Records whether the file has other contents than the text last opened or saved. The status
+    /// line then marks its name.
+    fn compare_file(&mut self, news: &FileStatus) {
+        let editor = &mut self.document.editor;
+        editor.is_file_other = match news {
+            FileStatus::Written(bytes) => unmarked(bytes) != editor.saved().as_bytes(),
+            FileStatus::Gone | FileStatus::Unreadable(_) => true,
+        };
     }
 
     /// Rereads the file on request; replaces unsaved edits only if `over`.
@@ -118,6 +128,7 @@ impl App {
         let Some(name) = self.document.file_name() else {
             return;
         };
+        self.compare_file(&news);
         match news {
             FileStatus::Written(_) if self.is_changed() && !over => {
                 self.prompt_about_edits(Unsaved::Reload);

@@ -222,5 +222,5 @@ fn in_frame(scene: &Scene, state: &State, link: Option<&str>, position: Vec2) ->
 fn moved_to(value: &Value, to: f64, step: f64) -> Option<String> {
     let present: f64 = value.text().parse().ok()?;
     let steps = ((to - present) / step).round();
-    steps.is_finite().then(|| value.moved(steps * step))
+    steps.is_finite().then(|| value.moved(steps, step))
 }

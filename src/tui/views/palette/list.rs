@@ -69,7 +69,7 @@ impl CommandList {
         words_of(self.line.text()).1
     }
 
-    /// Lists the matching commands: exact names, then beginnings of words, then the closest, then
+    /// Lists the matching commands: exact names and keys, then words of names, then beginnings of words, then the closest, then
     /// the shortest, and in the table's order if they are equal. Presets and tasks precede commands
     /// that merely contain the letters. Commands that the text spells out, such as `w` or `135`, come
     /// first. A text longer than all names lists only these.
@@ -85,6 +85,13 @@ impl CommandList {
                 .iter()
                 .filter_map(|text| Some((cost(&typed, text)?, text.chars().count())));
             let query = || keyword_cost(&typed, keywords(row.action));
+            if row
+                .keys
+                .iter()
+                .any(|key| key.to_string() == self.line.text().trim())
+            {
+                return Some((NameRank::Name, (0, 0), at));
+            }
             let rank = NameRank::of(typed.trim(), row.name, &texts);
             Some((rank, costs.min().or_else(query)?, at))
         });
@@ -205,8 +212,10 @@ fn named(typed: &str) -> impl Iterator<Item = ListEntry> {
 /// How a command's name or description matches the typed text, the best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum NameRank {
-    /// The text is the command's name.
+    /// The text is the command's name or its key.
     Name,
+    /// The text is a word of the name.
+    WholeWord,
     /// The text begins the name or the description.
     Start,
     /// The text begins a word.
@@ -224,6 +233,8 @@ impl NameRank {
         };
         if typed == name {
             NameRank::Name
+        } else if name.split('-').any(|word| word == typed) {
+            NameRank::WholeWord
         } else if texts.iter().any(|text| text.starts_with(typed)) {
             NameRank::Start
         } else if texts.iter().any(begins_word) {
@@ -406,6 +417,9 @@ mod tests {
             ("theme d", ListEntry::Theme(Theme::Dark)),
             ("theme", ListEntry::Theme(Theme::Auto)),
             ("tema l", ListEntry::Theme(Theme::Light)),
+            ("g", ListEntry::Command(Action::GoTo)),
+            ("go", ListEntry::Command(Action::GoTo)),
+            ("u", ListEntry::Command(Action::Undo)),
         ] {
             assert_eq!(first(typed), Some(listed), "{typed}");
         }

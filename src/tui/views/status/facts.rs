@@ -1,6 +1,7 @@
 //! The facts of the status line.
 
 use crate::Input;
+use crate::angle;
 use crate::report::fixed;
 use crate::report::{singularity_text, stop_name};
 use crate::solver::Condition;
@@ -55,6 +56,7 @@ pub(in crate::tui::views) fn mode(app: &App) -> &'static str {
     }
 }
 
+/// Returns the name of the scene, with `*` for unsaved edits and `!` for a file with other contents.
 pub(super) fn scene(app: &App) -> String {
     let name = match app.open_scene().origin() {
         Origin::Preset(name) | Origin::New(name) => name.clone(),
@@ -64,8 +66,9 @@ pub(super) fn scene(app: &App) -> String {
         }
         Origin::Stdin => "stdin".into(),
     };
-    let mark = if app.is_unsaved() { "*" } else { "" };
-    format!("{}{mark}", shown(&name, app.glyphs()))
+    let edited = if app.is_unsaved() { "*" } else { "" };
+    let other = if app.editor().is_file_other { "!" } else { "" };
+    format!("{}{edited}{other}", shown(&name, app.glyphs()))
 }
 
 /// Returns the driver coordinate: an angle within one turn, and the number of whole turns.
@@ -82,9 +85,10 @@ pub(super) fn driver(open_scene: &OpenScene) -> String {
         let text = shortest(at);
         return format!("{text:>7} {unit}");
     }
-    let turns = (at / crate::angle::TURN).floor();
-    // Subtracting whole turns from a decimal number leaves rounding noise in its last digits.
-    let within = rounded(at - turns * crate::angle::TURN, 9);
+    // The remainder is exact, but that of a decimal number has rounding noise in its last digits.
+    let within = angle::wrapped(at);
+    let turns = ((at - within) / angle::TURN).round();
+    let within = rounded(within, 9);
     let text = shortest(within);
     if turns == 0.0 {
         format!("{text:>6} {unit}")

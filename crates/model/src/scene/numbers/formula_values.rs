@@ -153,12 +153,23 @@ pub(crate) fn measures_fit(reader: &mut Reader<'_>, scene: &Scene) -> bool {
                 "" => "1",
                 unit => unit,
             };
-            let message = words().value_measures_other(&value.name, &found, wanted);
+            let message = words().value_measures_other(&described(scene, &value), &found, wanted);
             let fault = Diagnostic::new(message).at(value.place.clone(), "");
-            reader.report(fault.maybe_help(value.named.units_in(&value, wanted)));
+            let units = || words().unit_does_not_fit(&found, &value.units().join(", "));
+            reader.report(fault.help(value.named.units_in(&value, wanted).unwrap_or_else(units)));
         }
     }
     reader.found.len() == before
+}
+
+/// Returns the name of a value in messages: a key of a link is named as in all other messages on it.
+fn described(scene: &Scene, value: &Value) -> String {
+    let links = scene.mechanism.link_ids().map(|id| scene.link_name(id));
+    let mut keys = links.filter_map(|link| {
+        let key = value.name.strip_prefix(link)?.strip_prefix(' ')?;
+        Some(words().key_of(key, &words().link_called(&format!("`{link}`"))))
+    });
+    keys.next().unwrap_or_else(|| value.name.clone())
 }
 
 fn fits(found: Dimension, wanted: Dimension) -> bool {

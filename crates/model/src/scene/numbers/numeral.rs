@@ -20,6 +20,35 @@ pub fn with_point(text: &str) -> Option<Cow<'_, str>> {
     })
 }
 
+/// Splits a list at its commas, except at decimal commas: `a=1,5..2,5/3, b` has two entries. A
+/// comma is a decimal one if a digit follows and a number after `=`, `@` or `..` precedes.
+#[must_use]
+pub fn entries_with_numbers(list: &str) -> Vec<String> {
+    let mut entries: Vec<String> = Vec::new();
+    for part in list.split(',') {
+        match entries.last_mut() {
+            Some(last) if ends_with_number(last) && continues_number(part) => {
+                last.push(',');
+                last.push_str(part);
+            }
+            _ => entries.push(part.to_owned()),
+        }
+    }
+    entries
+}
+
+fn ends_with_number(entry: &str) -> bool {
+    let head = entry.trim_end_matches(|c: char| c.is_ascii_digit());
+    let head = head.strip_suffix(['+', '-']).unwrap_or(head).trim_end();
+    head.ends_with(['=', '@']) || head.ends_with("..")
+}
+
+fn continues_number(part: &str) -> bool {
+    let rest = part.trim_start_matches(|c: char| c.is_ascii_digit());
+    let is_unit = || rest.trim().chars().all(|c| c.is_alphabetic() || c == '°');
+    rest.len() < part.len() && (rest.starts_with("..") || rest.starts_with('/') || is_unit())
+}
+
 /// Returns `true` if the comma of a number could separate thousands.
 pub fn are_thousands(number: &str) -> bool {
     let digits = number.trim_start_matches(['+', '-']);
@@ -103,6 +132,23 @@ mod tests {
         let tenth = typed("0.1").unwrap();
         assert!(tenth.hi == 0.1 && tenth.lo < 0.0);
         assert_eq!(typed("141.42135623730951"), None);
+    }
+
+    #[test]
+    fn lists_are_split_at_commas_that_are_not_decimal() {
+        for (list, entries) in [
+            ("a=1,5..2,5/3, b", &["a=1,5..2,5/3", " b"][..]),
+            ("a=-0,5..2,b=1..1,25", &["a=-0,5..2", "b=1..1,25"]),
+            ("C.x@60,5,C.y@90", &["C.x@60,5", "C.y@90"]),
+            ("r3=20,5 deg,r4=280", &["r3=20,5 deg", "r4=280"]),
+            ("r3=20,4=280", &["r3=20", "4=280"]),
+            ("a=1..2,4.length", &["a=1..2", "4.length"]),
+            ("r2,3", &["r2", "3"]),
+            ("a=1..2, 5", &["a=1..2", " 5"]),
+            ("", &[""]),
+        ] {
+            assert_eq!(entries_with_numbers(list), entries, "{list}");
+        }
     }
 
     #[test]

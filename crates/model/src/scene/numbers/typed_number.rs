@@ -176,12 +176,12 @@ impl Value {
         }
     }
 
-    /// Returns the text to store for this value moved by a step in its own unit. Rounding adds no
-    /// decimals beyond those of the value and the step.
+    /// Returns the text to store for this value moved by a number of steps in its own unit. Rounding
+    /// adds no decimals beyond those of the value and one step.
     #[must_use]
-    pub fn moved(&self, by: f64) -> String {
-        let sum = self.number + by;
-        let decimals = decimals(self.number).max(decimals(by));
+    pub fn moved(&self, steps: f64, step: f64) -> String {
+        let sum = self.number + steps * step;
+        let decimals = decimals(self.number).max(decimals(step));
         let sum = format!("{sum:.decimals$}").parse().unwrap_or(sum);
         self.written(&shortest(sum))
     }
@@ -467,17 +467,25 @@ mod tests {
 
     #[test]
     fn moved_adds_no_extra_decimals() {
-        let moved = |literal: &str, by: f64| {
+        let moved_by = |literal: &str, steps: f64, step: f64| {
             let text = TEXT.replace("length = 100", &format!("length = {literal}"));
-            value_in(&text, "r2 length").moved(by)
+            value_in(&text, "r2 length").moved(steps, step)
         };
+        let moved = |literal: &str, step: f64| moved_by(literal, 1.0, step);
         assert_eq!(moved("100.1", 0.2), "100.3");
         assert_eq!(moved("0.1", 0.2), "0.3");
         assert_eq!(moved("99.9", 0.1), "100");
-        assert_eq!(moved("1_00", -1.0), "99");
+        assert_eq!(moved_by("1_00", -1.0, 1.0), "99");
         assert_eq!(moved("1e-7", 1e-9), "1.01e-7");
         assert_eq!(moved("1e73", 1e72), "1.1e73");
-        assert_eq!(value_in(TEXT, "driver speed").moved(0.5), "15.5 rad/s");
+        let speed = value_in(TEXT, "driver speed");
+        assert_eq!(speed.moved(1.0, 0.5), "15.5 rad/s");
+        // Products of steps and a decimal step have more digits than either.
+        for steps in 1..400_i32 {
+            let exact = format!("{}.{}", 12 + steps / 10, steps % 10);
+            let exact = exact.trim_end_matches('0').trim_end_matches('.');
+            assert_eq!(moved_by("12", f64::from(steps), 0.1), exact, "{steps}");
+        }
     }
 
     /// The expected values were computed with 60 digits. Products of doubles differ in the last

@@ -184,7 +184,7 @@ fn with_value_changes_loads_springs_and_motor_in_place() {
             "{}",
             value.name
         );
-        let other = value.moved(0.25);
+        let other = value.moved(1.0, 0.25);
         let changed = scene.with_value(&value, &other);
         let Ok(again) = Scene::parse(&changed, "test") else {
             // Two knots at the same coordinate, or a point off its guide.
@@ -234,7 +234,7 @@ fn polar_places_are_changed_in_polar_form() {
     let values = scene.values();
     let value = |name: &str| values.iter().find(|v| v.name == name).unwrap();
     let turned = value("r3 E angle").typed("1.2 rad").unwrap();
-    let longer = value("r3 E length").moved(0.5);
+    let longer = value("r3 E length").moved(1.0, 0.5);
     let changed = scene.with_values(&[
         (value("r3 E angle").clone(), turned),
         (value("r3 E length").clone(), longer),
@@ -314,8 +314,8 @@ proptest! {
         let scene = Scene::parse(&text.replace("A = [0, 0]", &format!("A = [{number:?}, 0]")), "t").unwrap();
         let value = &scene.values()[0];
         let step: f64 = format!("2e{exponent}").parse().unwrap();
-        let there = Value { number: value.moved(step).parse().unwrap(), ..value.clone() };
-        prop_assert_eq!(there.moved(-step).parse::<f64>().unwrap(), number);
+        let there = Value { number: value.moved(1.0, step).parse().unwrap(), ..value.clone() };
+        prop_assert_eq!(there.moved(-1.0, step).parse::<f64>().unwrap(), number);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::expression::converted;
 use crate::quantity::Catalogue;
+use crate::scene::with_point;
 use crate::study::{CycleFigure, UnknownCycleFigure};
 use crate::wording::words;
 use thiserror::Error;
@@ -48,6 +49,9 @@ pub enum MistypedGoal {
     /// The text is not a figure, a sign and a number.
     #[error("{}", words().no_goal(.0))]
     Form(String),
+    /// The decimal mark of the number is ambiguous.
+    #[error("{}", words().typed_two_marks(.0))]
+    TwoMarks(String),
     /// The figure does not exist.
     #[error(transparent)]
     Figure(#[from] UnknownCycleFigure),
@@ -77,6 +81,9 @@ impl Goal {
         let form = || MistypedGoal::Form(text.to_owned());
         let (sense, figure, typed) = found.ok_or_else(form)?;
         let figure = CycleFigure::parse(figure, catalogue)?;
+        let unclear = || MistypedGoal::TwoMarks(typed.to_owned());
+        let typed = with_point(typed).ok_or_else(unclear)?;
+        let typed = typed.as_ref();
         let split = typed.find(char::is_whitespace).unwrap_or(typed.len());
         let (plain, unit) = typed.split_at(split);
         let (plain, unit) = (plain.parse::<f64>().ok(), unit.trim());

@@ -2,6 +2,7 @@
 //! plan can be computed separately and repeated.
 
 use crate::numeric::SeededRng;
+use crate::scene::{entries_with_numbers, with_point};
 use crate::wording::words;
 use std::str::FromStr;
 use thiserror::Error;
@@ -19,22 +20,35 @@ pub struct PlanAxis {
 
 /// An error in the text of an axis.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
-#[error("{}", words().no_axis(text))]
-pub struct MistypedAxis {
-    /// The text.
-    pub text: String,
+pub enum MistypedAxis {
+    /// The text is not a range.
+    #[error("{}", words().no_axis(.0))]
+    Form(String),
+    /// The decimal mark of a number is ambiguous.
+    #[error("{}", words().typed_two_marks(.0))]
+    TwoMarks(String),
+}
+
+impl PlanAxis {
+    /// Parses a list, separated by commas. Numbers may have a decimal comma: `a=1,5..2,5/3, b`.
+    ///
+    /// # Errors
+    /// Returns an error if one of them is not a range.
+    pub fn listed(list: &str) -> Result<Vec<PlanAxis>, MistypedAxis> {
+        let entries = entries_with_numbers(list);
+        entries.iter().map(|entry| entry.parse()).collect()
+    }
 }
 
 impl FromStr for PlanAxis {
     type Err = MistypedAxis;
 
     fn from_str(text: &str) -> Result<PlanAxis, MistypedAxis> {
-        let wrong = || MistypedAxis {
-            text: text.to_owned(),
-        };
-        let number = |text: &str| {
-            let number = text.trim().parse::<f64>().ok();
-            number.filter(|v| v.is_finite()).ok_or_else(wrong)
+        let wrong = || MistypedAxis::Form(text.to_owned());
+        let number = |typed: &str| {
+            let unclear = || MistypedAxis::TwoMarks(typed.trim().to_owned());
+            let number = with_point(typed).ok_or_else(unclear)?.parse::<f64>();
+            number.ok().filter(|v| v.is_finite()).ok_or_else(wrong)
         };
         let Some((name, rest)) = text.split_once('=') else {
             let name = text.trim().to_owned();

@@ -57,6 +57,12 @@ fn goals_are_converted_to_unit_of_their_value() {
     let scene = crate::scene::Scene::parse(preset.text, "test").unwrap();
     let catalogue = Catalogue::new(&scene);
     let number = |text: &str| Goal::parse(text, &catalogue).map(|goal| goal.number);
+    assert_eq!(number("C.x.stroke = 3,5"), Ok(3.5));
+    assert_eq!(number("C.x@60,5 <= -0,25 in"), Ok(-0.635));
+    let named = Goal::parse("C.x@60,5 = 1", &catalogue).unwrap().figure;
+    assert_eq!(named.name(), "C.x@60.5");
+    let unclear = number("C.x.stroke = 1,500").unwrap_err().to_string();
+    assert!(unclear.starts_with("1,500: leave out"), "{unclear}");
     // The scene is in cm.
     for (text, expected) in [
         ("r4.length.stroke = 120 mm", 12.0),
@@ -311,6 +317,11 @@ fn grid_and_latin_hypercube_have_expected_points() {
     for text in ["", "=1..2", "a=1", "a=1..x", "a=1..2/0", "a=1..2/x"] {
         assert!(text.parse::<PlanAxis>().is_err(), "{text}");
     }
+    let listed = PlanAxis::listed("a=0,5..1,25/4, b").unwrap();
+    assert_eq!(listed[0].ends, Some([0.5, 1.25]));
+    assert_eq!((listed[0].count, listed.len()), (Some(4), 2));
+    let unclear = PlanAxis::listed("a=1,500..2").unwrap_err().to_string();
+    assert!(unclear.starts_with("1,500: leave out"), "{unclear}");
 }
 
 /// Changing a parameter changes every value whose formula uses it. A scene scaled by s has its

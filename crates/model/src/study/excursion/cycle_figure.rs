@@ -7,6 +7,7 @@
 use crate::expression::DirectionCut;
 use crate::nearest::nearest;
 use crate::quantity::{Catalogue, Quantity, QuantitySource, Subject, demand, rate_unit};
+use crate::scene::with_point;
 use crate::wording::words;
 use thiserror::Error;
 
@@ -105,6 +106,10 @@ impl CycleFigure {
     /// Returns an error if the name is unknown; the error holds the most similar one.
     pub fn parse(text: &str, catalogue: &Catalogue) -> Result<CycleFigure, UnknownCycleFigure> {
         let name = text.trim();
+        // A name has a decimal point, as in all other columns.
+        let marked = name.rsplit_once('@').filter(|(_, at)| at.contains(','));
+        let pointed = marked.and_then(|(column, at)| Some(format!("{column}@{}", with_point(at)?)));
+        let name = pointed.as_deref().unwrap_or(name);
         let (source, unit) = motion_figure(name, catalogue)
             .or_else(|| at_place(name, catalogue))
             .or_else(|| of_column(name, catalogue))
