@@ -515,13 +515,17 @@ fn reversal_at_a_step_of_the_walk_is_found_far_from_the_origin() {
 /// ends.
 #[test]
 fn fast_second_input_ends_the_motion() {
-    for (ratio, expected) in [
-        (360, [-146.952369451447, 157.99019490157]),
-        (720, [-146.480529339003, 157.995040812559]),
+    for (law, expected) in [
+        ("ratio = 360", [-146.952369451447, 157.99019490157]),
+        (
+            "over = [[0, 0], [360, 129600]]",
+            [-146.952369451447, 157.99019490157],
+        ),
+        ("ratio = 720", [-146.480529339003, 157.995040812559]),
     ] {
         let text = format!(
             "[ground]\nA = [0, 0]\nE = [12.5, 1.25]\n[driver]\nlink = \"r2\"\nangle = 37.5\n\
-             [inputs]\nr5 = {{ ratio = {ratio} }}\n[links]\n\
+             [inputs]\nr5 = {{ {law} }}\n[links]\n\
              r2 = {{ from = \"A\", to = \"B\", length = 4.1 }}\nr3 = {{ from = \"B\", to = \"P\", length = 10.3 }}\n\
              r4 = {{ from = \"P\", to = \"D\", length = 11 }}\nr5 = {{ from = \"E\", to = \"D\", length = 5 }}\n\
              [start]\nP = [5, 11]\n"
@@ -529,12 +533,12 @@ fn fast_second_input_ends_the_motion() {
         let scene = Scene::parse(&text, "fast input").unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
         let Range::Limited { low, high } = solver.motion().range else {
-            panic!("ratio {ratio}: it does not turn fully");
+            panic!("{law}: it does not turn fully");
         };
         for (found, expected) in [low, high].into_iter().zip(expected) {
             assert!(
                 (found - expected).abs() < 1e-9,
-                "ratio {ratio}: {found} is not {expected}"
+                "{law}: {found} is not {expected}"
             );
         }
     }
