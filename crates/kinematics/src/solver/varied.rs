@@ -23,8 +23,9 @@ const DEGREES: u16 = 360;
 /// The minimum of the squared sine at these places. At a spacing of 1 degree it could reach zero in
 /// between if it were below some thousandths.
 const MIN_MEASURE: f64 = 0.04;
-/// The maximum ratio of an input's rate to that of the driver, in radians or scaled lengths.
-const MAX_RATIO: f64 = 10.0;
+/// The maximum ratio of an input's rate to that of the driver, in radians or scaled lengths, at which
+/// these places show its motion.
+const MAX_SHOWN_RATIO: f64 = 10.0;
 /// The maximum change of the squared sine from one place to the next.
 const MAX_MEASURE_CHANGE: f64 = 0.1;
 
@@ -289,8 +290,7 @@ impl Varied {
             && motion.crossings.is_empty()
             && motion.near_misses.is_empty()
             && self.engine.program.coupled.is_empty()
-            // A fast input is at about the same place at every whole degree.
-            && self.engine.input_faster_than(MAX_RATIO).is_none();
+            && self.engine.input_faster_than(MAX_SHOWN_RATIO).is_none();
         if !is_plain || !self.keeps_clear() {
             return None;
         }

@@ -52,7 +52,8 @@ const PUSH_STEP: f64 = 1.0 / 128.0;
 pub(super) const MAX_SLIDE_TRAVEL: f64 = 64.0;
 /// Maximum number of steps for one degree or one push: a hundred halvings and as many doublings.
 const MAX_STEPS: usize = 400;
-/// Maximum number of parts of a step with a fast input.
+/// Maximum number of parts of a step with a fast input. Only a steep part of a table needs more, and
+/// is halved further.
 const MAX_PARTS: f64 = 1000.0;
 /// Maximum ratio of an input's rate to that of the driver, in radians or scaled lengths: a degree of
 /// the driver then has [`MAX_PARTS`].
@@ -485,20 +486,13 @@ impl Walker<'_> {
         let mut saved = spare.unwrap_or_else(|| Box::new(self.state.clone()));
         // A fast input could turn by whole turns in one step, which no direction shows.
         let travel = self.engine.largest_travel(from, to);
-        let parts = (travel / TURN_STEP).ceil().max(1.0);
-        let end = if parts > MAX_PARTS {
-            Err(Stop::Barrier {
-                good: from,
-                bad: to,
-            })
-        } else {
-            let place = |part: u32| match f64::from(part) {
-                part if part == parts => to,
-                part => from + (to - from) * (part / parts),
-            };
-            (1..=parts as u32)
-                .try_for_each(|part| self.advance_with(place(part - 1), place(part), &mut saved))
+        let parts = (travel / TURN_STEP).ceil().clamp(1.0, MAX_PARTS);
+        let place = |part: u32| match f64::from(part) {
+            part if part == parts => to,
+            part => from + (to - from) * (part / parts),
         };
+        let end = (1..=parts as u32)
+            .try_for_each(|part| self.advance_with(place(part - 1), place(part), &mut saved));
         self.spare = Some(saved);
         end
     }
