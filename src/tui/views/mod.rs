@@ -23,7 +23,6 @@ pub(crate) mod motor;
 mod page;
 pub(crate) mod palette;
 mod pane;
-pub(crate) mod placement;
 pub(crate) mod plots;
 pub(crate) mod polygons;
 mod popup;

@@ -3,11 +3,11 @@
 
 use super::accuracy::MethodWatch;
 use super::accuracy::study_run::{StudyRun, Ticker};
+use super::layout::placement::Placement;
 use super::lengths::LengthsStudy;
 use super::motion::tracked_points::FollowedPoints;
 use super::motion::viewport::Viewport;
 use super::motor::study::MotorStudy;
-use super::placement::Placement;
 use super::plots::curves::Plots;
 use super::polygons::LoopPolygons;
 use super::{View, forces};

@@ -12,6 +12,8 @@
 //!
 //! The drawing is always at the upper left; a larger screen only adds content.
 
+pub(crate) mod placement;
+
 use crate::tui::commands::view::View;
 use ratatui::layout::{Rect, Size};
 

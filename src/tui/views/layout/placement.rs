@@ -1,12 +1,12 @@
 //! Places the panes by the space that their contents need. The result is kept until something that
 //! it depends on changes.
 
-use super::layout::{Composition, PaneNeeds, PlacedView};
-use super::{pane_area, tables};
+use super::{Composition, PaneNeeds, PlacedView};
 use crate::drawing::Glyphs;
 use crate::tui::app::{App, View};
 use crate::tui::figures::sheet::SheetPart;
 use crate::tui::player::scene_version::SceneRevision;
+use crate::tui::views::{pane_area, tables};
 use crate::wording::Language;
 use ratatui::layout::{Rect, Size};
 use std::cell::RefCell;
@@ -59,7 +59,7 @@ impl PlacementKey {
 
 impl Placement {
     /// Returns the shown views and their areas.
-    pub(super) fn of(&self, app: &App) -> Vec<PlacedView> {
+    pub(in crate::tui::views) fn of(&self, app: &App) -> Vec<PlacedView> {
         let key = PlacementKey::of(app);
         if let Some((of, placed)) = &*self.kept.borrow()
             && *of == key
