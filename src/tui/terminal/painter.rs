@@ -2,8 +2,8 @@
 //!
 //! The painter knows the terminal's contents, compares them with the wanted screen, and writes the
 //! differences: one frame is one block of bytes, or none at all. It uses only sequences of a VT100
-//! (CUP, CUF, EL, SGR), sends no queries, and never relies on the cursor position after the last
-//! column. Every cell is one column wide; the views exclude wider characters.
+//! (CUP, CUU, CUD, CUF, CUB, EL, SGR), sends no queries, and never relies on the cursor position
+//! after the last column. Every cell is one column wide; the views exclude wider characters.
 //!
 //! Differences are written row by row, or style by style if that is shorter, as for a drawing in
 //! true colours.
@@ -336,6 +336,22 @@ mod tests {
         assert_eq!(frame.escape_ascii().to_string(), r"\x1b[1;11H5\r\nA");
         let erased = painter.full_frame(text(&["", "Alpha"])).to_vec();
         assert_eq!(erased.escape_ascii().to_string(), r"\x1b[1;1H\x1b[K");
+    }
+
+    /// Regression: each step to another row took an absolute position, a fifth of all bytes.
+    #[test]
+    fn cursor_moves_by_shortest_sequence() {
+        let mut painter = painter(Colours::Sixteen, false);
+        painter.full_frame(text(&[]));
+        let frame = painter
+            .full_frame(text(&["     ab", "    cd", "         e"]))
+            .to_vec();
+        let moves = r"\x1b[1;6Hab\n\x08\x08\x08cd\n\x1b[3Ce";
+        assert_eq!(frame.escape_ascii().to_string(), moves);
+        let frame = painter
+            .full_frame(text(&["     ac", "    cd", "         f"]))
+            .to_vec();
+        assert_eq!(frame.escape_ascii().to_string(), r"\x1b[1;7Hc\n\n\x1b[2Cf");
     }
 
     #[test]

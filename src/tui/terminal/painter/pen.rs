@@ -1,10 +1,10 @@
 //! Writes changes in a given order, with the shortest cursor movements between them.
 
 use super::super::queue;
-use super::super::sgr::{CellStyle, Sgr};
+use super::super::sgr::{CellStyle, Sgr, escape};
 use super::MAX_FRAME_START;
 use super::changes::{CellChange, Screens, ToWrite};
-use crossterm::cursor::{MoveRight, MoveTo};
+use crossterm::cursor::MoveTo;
 use crossterm::terminal::{Clear, ClearType};
 use ratatui::buffer::Cell;
 
@@ -143,7 +143,7 @@ impl CellPen {
                         self.bytes.extend_from_slice(cell.symbol().as_bytes());
                     }
                 } else {
-                    queue(&mut self.bytes, MoveRight(x - cx));
+                    self.step(x - cx, None, 'C');
                 }
             }
             Some((cx, cy)) => self.move_cursor((cx, cy), (x, y)),
@@ -152,31 +152,41 @@ impl CellPen {
         self.cursor = Some((x, y));
     }
 
-    /// Moves to another row, or back in this one: by backspaces, returns and line feeds if they are
-    /// shorter than an absolute position.
+    /// Moves by the shortest of an absolute position, steps from the cursor, and steps from the
+    /// start of its row.
     fn move_cursor(&mut self, (cx, cy): (u16, u16), (x, y): (u16, u16)) {
         let start = self.bytes.len();
         queue(&mut self.bytes, MoveTo(x, y));
-        let direct = self.bytes.len() - start;
-        if y < cy {
-            return;
-        }
-        let (down, back) = (usize::from(y - cy), usize::from(cx.saturating_sub(x)));
-        let across = match x {
-            0 => 0,
-            1..10 => 4,
-            _ => 5 + usize::from(x >= 100),
-        };
-        if down == 0 && back < direct && back <= 1 + across {
-            self.bytes.truncate(start);
-            self.bytes.resize(start + back, b'\x08');
-        } else if 1 + down + across < direct {
-            self.bytes.truncate(start);
-            self.bytes.push(b'\r');
-            self.bytes.resize(start + 1 + down, b'\n');
-            if x > 0 {
-                queue(&mut self.bytes, MoveRight(x));
+        for returns in [false, true] {
+            let end = self.bytes.len();
+            let from = if returns { 0 } else { cx };
+            self.bytes.extend(returns.then_some(b'\r'));
+            match y >= cy {
+                true => self.step(y - cy, Some(b'\n'), 'B'),
+                false => self.step(cy - y, None, 'A'),
             }
+            match x >= from {
+                true => self.step(x - from, None, 'C'),
+                false => self.step(from - x, Some(b'\x08'), 'D'),
+            }
+            if self.bytes.len() - end < end - start {
+                self.bytes.drain(start..end);
+            } else {
+                self.bytes.truncate(end);
+            }
+        }
+    }
+
+    /// Moves the cursor by some cells in a direction: by a sequence, or by control characters if they
+    /// are shorter.
+    fn step(&mut self, count: u16, control: Option<u8>, direction: char) {
+        match (count, control) {
+            (0, _) => {}
+            (1..4, Some(control)) => self
+                .bytes
+                .resize(self.bytes.len() + usize::from(count), control),
+            (1, None) => escape(&mut self.bytes, format_args!("\x1b[{direction}")),
+            (_, _) => escape(&mut self.bytes, format_args!("\x1b[{count}{direction}")),
         }
     }
 
