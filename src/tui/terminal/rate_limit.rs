@@ -111,6 +111,8 @@ pub(super) struct RateLimit {
     /// The time until which an answer may belong to an abandoned query and so does not measure the
     /// line.
     doubtful_until: Option<Instant>,
+    /// The time until which no frame is sent, so that abandoned answers arrive before the next query.
+    silent_until: Option<Instant>,
     rate: LineRate,
 }
 
@@ -138,6 +140,7 @@ impl RateLimit {
             late: None,
             abandoned: 0,
             doubtful_until: None,
+            silent_until: None,
             rate: LineRate {
                 set,
                 measured: None,
@@ -150,12 +153,16 @@ impl RateLimit {
     /// it.
     pub(super) fn send(&mut self, bytes: usize, now: Instant) -> bool {
         self.give_up(now);
+        if self.silent_until.take().is_some_and(|until| until <= now) {
+            // What has not arrived by now is lost.
+            (self.abandoned, self.doubtful_until) = (0, None);
+        }
         self.last = Some(now);
         self.bytes_since_query = self.bytes_since_query.saturating_add(bytes);
         let ask = self.manner != TerminalBehaviour::Mute && self.asked.is_none();
         if ask {
             let bytes = std::mem::take(&mut self.bytes_since_query) + QUESTION.len();
-            let is_doubtful = self.doubtful_until.is_some_and(|until| now < until);
+            let is_doubtful = self.doubtful_until.is_some();
             let is_whole = !std::mem::take(&mut self.has_other_output) && !is_doubtful;
             self.asked = Some(FrameInFlight {
                 at: now,
@@ -192,8 +199,14 @@ impl RateLimit {
             return;
         }
         self.lost = 0;
-        if self.asked.is_some() && self.abandoned == 0 {
-            self.doubtful_until = None;
+        if self.asked.is_none() {
+            self.abandoned = self.abandoned.saturating_sub(1);
+        }
+        if self.abandoned == 0 {
+            (self.doubtful_until, self.silent_until) = (None, None);
+        } else if self.doubtful_until.is_some_and(|until| until <= now) {
+            // Each answer may be that to the query before.
+            self.silent_until = Some(now + 2 * FRAME);
         }
         if let Some(requested) = self.asked.take() {
             #[expect(clippy::cast_precision_loss, reason = "no frame has 2^52 bytes")]
@@ -235,7 +248,8 @@ impl RateLimit {
             (TerminalBehaviour::Answers, Some(requested)) => {
                 Some(requested.at + self.patience(requested))
             }
-            (TerminalBehaviour::Unknown | TerminalBehaviour::Answers, None) => None,
+            (TerminalBehaviour::Answers, None) => self.silent_until,
+            (TerminalBehaviour::Unknown, None) => None,
             (TerminalBehaviour::Mute, _) => Some(last + self.fixed(MUTE)),
         }
     }
