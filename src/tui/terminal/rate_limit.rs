@@ -657,6 +657,44 @@ mod tests {
         assert!(rate_limit.max_frame_len() > space);
     }
 
+    /// Regression: after a stall each answer was that to the query before. Four seconds later they
+    /// counted again, and a long frame seemed to take as long as a short one.
+    #[test]
+    fn stalled_line_does_not_raise_limit() {
+        for stall in 1..30 {
+            let line = Line {
+                rate: 960.0,
+                way: 0.0,
+            };
+            let mut rate_limit = RateLimit::new(None);
+            line.frames(&mut rate_limit, 20, 3000);
+            let start = Instant::now();
+            let (mut now, mut answers) = (start, std::collections::VecDeque::new());
+            let mut free = start + stall * Duration::from_millis(100);
+            while now < start + Duration::from_secs(12) {
+                let is_due = rate_limit.ready_at().is_none_or(|at| at <= now);
+                if answers.front().is_some_and(|at| *at <= now) {
+                    answers.pop_front();
+                    rate_limit.answered(now);
+                } else if is_due {
+                    let is_short = now < start + Duration::from_secs(7);
+                    let bytes = rate_limit
+                        .max_frame_len()
+                        .min(if is_short { 24 } else { 220 });
+                    let is_asked = rate_limit.send(bytes, now);
+                    let sent = bytes + if is_asked { QUESTION.len() } else { 0 };
+                    free = free.max(now) + Duration::from_secs_f64(line.time(sent));
+                    answers.extend(is_asked.then_some(free));
+                } else {
+                    let next = [rate_limit.ready_at(), answers.front().copied()];
+                    now = next.into_iter().flatten().min().unwrap();
+                }
+                let space = rate_limit.max_frame_len();
+                assert!(space <= 480, "{stall}: {space} after {:?}", now - start);
+            }
+        }
+    }
+
     #[test]
     fn silent_terminal_is_no_longer_queried() {
         let mut now = Instant::now();
