@@ -26,6 +26,17 @@ fn assert_translates(scene: &Scene, solver: &Solver, shift: Vec2) {
 
 /// Asserts that a point keeps a constant offset from another one over the whole motion.
 fn assert_keeps_offset(scene: &Scene, solver: &Solver, points: [&str; 2], shift: Vec2) {
+    assert_keeps_offset_within(scene, solver, (points, shift), 1e-8);
+}
+
+/// Asserts that a point keeps a constant offset from another one over the whole motion, within a
+/// distance.
+fn assert_keeps_offset_within(
+    scene: &Scene,
+    solver: &Solver,
+    (points, shift): ([&str; 2], Vec2),
+    distance: f64,
+) {
     let [b, c] = points.map(|name| point(scene, name));
     let (low, high) = solver.motion().range.ends();
     let mut workspace = solver.state();
@@ -38,7 +49,7 @@ fn assert_keeps_offset(scene: &Scene, solver: &Solver, points: [&str; 2], shift:
         );
         let [b, c] = [b, c].map(|p| workspace.state().position(p).unwrap());
         let off = (c - b - shift).norm();
-        assert!(off < 1e-8, "at {at} {points:?} are off by {off:e}");
+        assert!(off < distance, "at {at} {points:?} are off by {off:e}");
     }
 }
 
@@ -559,5 +570,134 @@ fn dyad_and_coupled_groups_in_line_together_pass() {
     for (points, shift) in plates {
         assert_keeps_offset(&scene, &solver, points, shift);
     }
+    assert!(solver.motion().near_misses.is_empty());
+}
+
+/// Asserts that the second point of each pair keeps the offset from the first that it has at `opening`.
+/// Several coupled groups in a row have fewer digits: their other assemblies are much further away.
+fn assert_keep_offsets(scene: &Scene, solver: &Solver, opening: f64, pairs: &[[&str; 2]]) {
+    let mut workspace = solver.state();
+    solver.solve(opening, Order::Position, &mut workspace);
+    let place = |name: &str| workspace.state().position(point(scene, name)).unwrap();
+    for &[from, to] in pairs {
+        let offset = ([from, to], place(to) - place(from));
+        assert_keeps_offset_within(scene, solver, offset, 1e-6);
+    }
+}
+
+/// The angle between coupler and crank of a parallelogram is driven, and a slider-crank behind it is in
+/// line where the parallelogram is. The first coefficient of the series was accurate to doubles only,
+/// so that the slider-crank seemed to miss its change point: the range ended there.
+#[test]
+fn slider_behind_parallelogram_with_relative_driver_passes() {
+    for opening in [126.0, 30.0, 60.0, 90.0, -45.0, 100.5, 12.3456, -120.0] {
+        let place = |angle: f64| {
+            let (s, c) = (90.0 - angle).to_radians().sin_cos();
+            let b = Vec2::new(48.0 * c, 48.0 * s);
+            let p = b + Vec2::new(-37.0, -9.4);
+            let reach = (64.0 - (p.y - 6.6)) * (64.0 + (p.y - 6.6));
+            // The rod is vertical at 180 and 540 deg, and passes to the other side.
+            let side = (0.5 * angle).to_radians().cos().signum();
+            let e = Vec2::new(p.x - side * reach.max(0.0).sqrt(), 6.6);
+            (b, p, e)
+        };
+        let (b, p, e) = place(opening);
+        let text = format!(
+            r#"
+ground = {{ A = [0, 0], D = [0, 19] }}
+driver = {{ link = "t", from = "k", angle = {opening} }}
+[links]
+k = {{ from = "A", to = "B", length = 48 }}
+h = {{ from = "D", to = "C", length = 48 }}
+t = {{ from = "B", to = "C", length = 19, points = {{ P = [-9.4, 37] }} }}
+r = {{ from = "P", to = "E", length = 64 }}
+[slides]
+s = {{ point = "E", on = "ground", through = [-42.7, 6.6], angle = 180 }}
+[start]
+B = [{}, {}]
+C = [{}, {}]
+P = [{}, {}]
+E = [{}, {}]
+"#,
+            b.x,
+            b.y,
+            b.x,
+            b.y + 19.0,
+            p.x,
+            p.y,
+            e.x,
+            e.y
+        );
+        let (scene, solver) = open(&text);
+        let motion = solver.motion();
+        assert_eq!(motion.range, Range::Full { period: 720.0 }, "{opening}");
+        assert_eq!(motion.change_points, [0.0, 180.0, 360.0, 540.0]);
+        assert!(motion.near_misses.is_empty(), "{opening}");
+        let pin = point(&scene, "E");
+        let mut workspace = solver.state();
+        for k in 0..720 {
+            let angle = opening + f64::from(k) + 0.25;
+            let condition = solver.solve(angle, Order::Position, &mut workspace);
+            assert_eq!(condition, Condition::Ok, "{angle}");
+            let off = workspace.state().position(pin).unwrap() - place(angle).2;
+            assert!(off.norm() < 1e-8, "E is off by {off:?} at {angle}");
+        }
+    }
+}
+
+/// Two plates that copy the motion of a parallelogram, whose angle between coupler and crank is driven.
+/// All three are in line together.
+#[test]
+fn plates_behind_parallelogram_with_relative_driver_pass() {
+    let (scene, solver) = open(include_str!("scenes/plates_behind_relative_crank.toml"));
+    assert_places(&solver, None, &[0.0, 180.0]);
+    let pairs = [["B0", "C0"], ["B52", "X66"], ["B13", "X37"], ["B52", "B13"]];
+    assert_keep_offsets(&scene, &solver, -58.0, &pairs);
+    assert!(solver.motion().near_misses.is_empty());
+}
+
+/// Three coupled plates and two dyads are in line together. Each multiplies the rounding error, so that
+/// doubles do not follow the last one within 1e-3 rad.
+#[test]
+fn three_coupled_groups_in_line_together_pass() {
+    let (scene, solver) = open(include_str!("scenes/three_coupled_groups_in_line.toml"));
+    assert_places(&solver, None, &[180.0, 360.0]);
+    let plates = [["B0", "C0"], ["B52", "X67"], ["B81", "X44"], ["B55", "X86"]];
+    assert_keep_offsets(&scene, &solver, -9.0, &plates);
+    assert!(solver.motion().near_misses.is_empty());
+}
+
+/// A plate has a change point so close to the end of the cylinder in front that the motion beyond is
+/// shorter than the widest step.
+#[test]
+fn plate_passes_close_to_the_end_of_the_cylinder_in_front() {
+    let (scene, solver) = open(include_str!(
+        "scenes/crossing_before_the_cylinders_end.toml"
+    ));
+    let middle = f64::hypot(82.0, 56.0);
+    let changes = [
+        f64::hypot(48.4, 30.8),
+        f64::hypot(56.8, 22.4),
+        f64::hypot(124.0, 56.0),
+    ];
+    assert_places(&solver, Some([middle - 42.0, middle + 42.0]), &changes);
+    let pairs = [["B0", "C0"], ["B51", "C70"], ["B67", "C58"]];
+    assert_keep_offsets(&scene, &solver, 93.9, &pairs);
+}
+
+/// Three parallelograms and a kite are in line together, and a cylinder turns the crank at a short arm.
+/// The arm multiplies the rounding error, so that the first parallelogram seems to be open.
+#[test]
+fn four_dyads_in_line_behind_cylinder_pass() {
+    let (scene, solver) = open(include_str!("scenes/four_dyads_in_line.toml"));
+    let middle = f64::hypot(23.7, 86.4);
+    let change = f64::hypot(15.24, 86.4);
+    assert_places(&solver, Some([middle - 8.46, middle + 8.46]), &[change]);
+    assert_keep_offsets(
+        &scene,
+        &solver,
+        96.9,
+        &[["B0", "C0"], ["P47", "C18"], ["P8", "C88"]],
+    );
     assert!(solver.motion().near_misses.is_empty());
 }

@@ -138,7 +138,8 @@ impl Unfolding {
     }
 }
 
-fn product(row: &[Double], v: &[Double]) -> Double {
+/// Returns the dot product of two vectors.
+pub(super) fn product(row: &[Double], v: &[Double]) -> Double {
     let terms = row.iter().zip(v);
     terms.fold(Double::ZERO, |sum, (&a, &b)| sum + a * b)
 }

@@ -7,6 +7,7 @@
 //! order determines s: w.r_(k+1) = 0. For k = 1 this is the quadratic of the second-order tangents,
 //! with one root for each of the branches that meet. For larger k it is linear.
 
+use super::exact_meeting::product;
 use super::{Coupled, GroupScratch, Scratch};
 use crate::arithmetic::Series;
 use crate::solver::lu::{self, dot};
@@ -73,7 +74,6 @@ impl Null {
     /// be orthogonal to them. Returns `None` if the bordered matrix is singular.
     pub(super) fn of(matrix: &[f64], n: usize) -> Option<Null> {
         let any: Vec<f64> = (0..n).map(|i| (1.7 * i as f64 + 0.3).cos()).collect();
-        let transposed: Vec<f64> = (0..n * n).map(|k| matrix[k % n * n + k / n]).collect();
         let null = |matrix: &[f64]| {
             let mut x =
                 BorderedMatrix::new(matrix, n, Some((&any, &any)))?.solve(&vec![0.0; n], 1.0);
@@ -84,9 +84,14 @@ impl Null {
         };
         Some(Null {
             v: null(matrix)?,
-            w: null(&transposed)?,
+            w: null(&transposed(matrix, n))?,
         })
     }
+}
+
+/// Returns the transpose of a square matrix.
+fn transposed(matrix: &[f64], n: usize) -> Vec<f64> {
+    (0..n * n).map(|k| matrix[k % n * n + k / n]).collect()
 }
 
 impl Coupled {
@@ -205,9 +210,11 @@ impl<'a> Path<'a> {
         };
         let border = null.as_ref().map(|null| (&null.w[..], &null.v[..]));
         let solver = BorderedMatrix::new(matrix, n, border)?;
-        if null.is_some() {
+        let mut left = Vec::new();
+        if let Some(null) = &null {
             // The last coefficient of a singular group would need one more order.
             self.known = self.known.saturating_sub(1);
+            left = self.left_null(null, matrix, state, scratch)?;
         }
         let mut slope = None;
         for k in 0..self.known {
@@ -216,59 +223,100 @@ impl<'a> Path<'a> {
                 let right = self.coefficients(k, state, scratch);
                 let found = solver.solve(&right, 0.0);
                 self.add(k, &found[..n], -1.0);
-            }
-            if let (Some(null), Some(toward), 1..) = (&null, toward, k) {
-                let steep = match slope {
-                    Some(steep) => steep,
+                let (Some(null), Some(toward), 1..) = (&null, toward, k) else {
+                    continue;
+                };
+                let share = match slope {
+                    // In every order, the slope with respect to s equals the first order's slope at
+                    // the tangent.
+                    Some(steep) => {
+                        let next = self.exact_coefficients(k + 1, state, scratch);
+                        -product(&left, &next).hi / steep
+                    }
                     None => {
-                        let (share, steep) = self.tangent(null, toward, state, scratch)?;
-                        self.add(k, &null.v, share);
-                        steep
+                        let both = (null, &left[..]);
+                        let (share, steep) = self.tangent(both, toward, state, scratch)?;
+                        slope = Some(steep);
+                        share
                     }
                 };
-                // In every order, the slope with respect to s equals the first order's slope at the
-                // tangent.
-                for _ in 0..CORRECTIONS {
-                    let next = self.coefficients(k + 1, state, scratch);
-                    self.add(k, &null.v, -dot(&null.w, &next) / steep);
-                }
-                slope = Some(steep);
+                self.add(k, &null.v, share);
             }
         }
         let is_finite = |u: &Series| u.c.iter().all(|c| c.hi.is_finite());
         self.unknowns.iter().all(is_finite).then_some(())
     }
 
+    /// Returns the left null vector of the matrix at the first coefficients, in double-double. That of
+    /// the matrix in doubles would add its rounding error, times the next coefficients, to s.
+    fn left_null(
+        &self,
+        null: &Null,
+        matrix: &[f64],
+        state: &State<Series>,
+        scratch: &mut Scratch<Series>,
+    ) -> Option<Vec<Double>> {
+        let n = self.group.unknowns();
+        let transposed = transposed(matrix, n);
+        let solver = BorderedMatrix::new(&transposed, n, Some((&null.v, &null.w)))?;
+        let mut buffers = self.group.open(scratch);
+        self.fill(1, &mut buffers);
+        self.group.jacobian(self.q, state, &mut buffers);
+        let mut left: Vec<Double> = null.w.iter().map(|&w| Double::exactly(w)).collect();
+        for _ in 0..CORRECTIONS {
+            let column = |j: usize| -> Vec<Double> {
+                let rows = buffers.matrix.chunks(n);
+                rows.map(|row| row[j].c[0]).collect()
+            };
+            let right: Vec<f64> = (0..n).map(|j| product(&left, &column(j)).hi).collect();
+            for (w, by) in left.iter_mut().zip(solver.solve(&right, 0.0)) {
+                *w += Double::exactly(-by);
+            }
+        }
+        Some(left)
+    }
+
     /// Returns the share s of the null vector in the first coefficients on the motion's branch, and
     /// the slope of the next order's equations by s there. Returns `None` if the branches touch.
     fn tangent(
         &mut self,
-        null: &Null,
+        (null, left): (&Null, &[Double]),
         toward: &[f64],
         state: &State<Series>,
         scratch: &mut Scratch<Series>,
     ) -> Option<(f64, f64)> {
         let mut at = |share: f64| {
             self.add(1, &null.v, share);
-            let next = self.coefficients(2, state, scratch);
+            let next = self.exact_coefficients(2, state, scratch);
             self.add(1, &null.v, -share);
-            dot(&null.w, &next)
+            product(left, &next).hi
         };
         let values = [at(0.0), at(1.0), at(-1.0)];
         tangent(values, dot(toward, &null.v))
     }
 
-    /// Returns the k-th coefficients of the equations.
+    /// Returns the k-th coefficients of the equations, in doubles.
     pub(super) fn coefficients(
         &self,
         k: usize,
         state: &State<Series>,
         scratch: &mut Scratch<Series>,
     ) -> Vec<f64> {
+        let exact = self.exact_coefficients(k, state, scratch);
+        exact.iter().map(|c| c.hi).collect()
+    }
+
+    /// Returns the k-th coefficients of the equations.
+    fn exact_coefficients(
+        &self,
+        k: usize,
+        state: &State<Series>,
+        scratch: &mut Scratch<Series>,
+    ) -> Vec<Double> {
         let mut buffers = self.group.open(scratch);
         self.fill(k + 1, &mut buffers);
         self.group.residuals(self.q, state, &mut buffers);
-        buffers.right.iter().map(|r| r.c[k].hi).collect()
+        buffers.right.iter().map(|r| r.c[k]).collect()
     }
 
     pub(super) fn add(&mut self, k: usize, change: &[f64], times: f64) {

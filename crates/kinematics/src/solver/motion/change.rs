@@ -15,13 +15,19 @@ use crate::solver::state::Condition;
 const GAP: f64 = 1e-28;
 /// Half the width of the single step across a change point, in radians or scaled lengths. The dyad
 /// has enough digits at this distance on both sides.
-const PASSING: f64 = 1e-3;
+pub(super) const PASSING: f64 = 1e-3;
 /// Ratio between successive half widths, for links that rotate too fast for the widest step. An
 /// almost square antiparallelogram turns its follower hundreds of times as fast as its crank, and
 /// several of them in series turn it many times more.
 const HALF_WIDTH_RATIO: f64 = 0.1;
 /// Number of half widths. At the smallest one, only the series can locate the points and links.
 const HALF_WIDTH_COUNT: i32 = 11;
+/// Further half widths, for several coupled groups that are singular together. Each multiplies the
+/// rounding error of those before it by the inverse of the distance.
+pub(super) const FURTHER: [f64; 2] = [3e-3, 1e-2];
+/// Distance before a change point, in radians or scaled lengths, within which a minimum of a group that
+/// changes there is that change point.
+const ONE_CHANGE_POINT: f64 = 3e-3;
 /// Distance beyond a change point at which the redundant constraints are checked with the other
 /// assembly.
 const CHECK_DISTANCE: f64 = 1e-4;
@@ -153,7 +159,9 @@ impl Walker<'_> {
         });
         if !is_stretched {
             let hidden = is_hidden.then(|| self.pass_hidden(&flat, limit)).flatten();
-            return hidden.or_else(|| self.cross(limit));
+            return hidden
+                .or_else(|| self.cross(limit))
+                .or_else(|| self.cross_near(limit));
         }
         // A coupled group may cross first, and with it a dyad behind it.
         passed.or_else(|| self.has_path().then(|| self.cross(limit)).flatten())
@@ -266,6 +274,7 @@ impl Walker<'_> {
             .widths()
             .chain(approaches())
             .chain((spread > 0.0).then_some(spread))
+            .chain(FURTHER)
             .filter(|&by| spread <= by && by < buffers);
         let Some(beyond) = closer.find_map(|by| self.pass_at(junction, by)) else {
             self.crossings.truncate(known);
@@ -297,21 +306,27 @@ impl Walker<'_> {
         Some(beyond)
     }
 
-    /// Removes the near misses beyond the crossing of a coupled group that was passed, and those
-    /// directly before it. The groups behind it were on the wrong side at the last samples.
+    /// Removes the near misses directly before a junction that was passed, and those beyond it. A group
+    /// has lost digits there, or was on the wrong side at the last samples.
     fn forget_misses(&mut self, junction: &Junction) {
         let (engine, sense) = (self.engine, self.sense);
         let is_coupled = |group: &usize| {
             let mut coupled = engine.program.coupled.iter();
             coupled.any(|c| c.group == *group)
         };
-        let Some(first) = junction.groups().find(is_coupled) else {
-            return;
-        };
-        let before = engine.moved(junction.at.hi, -sense * CHANGE_POINT_DISTANCE);
+        let groups: Vec<usize> = junction.groups().collect();
+        let first = groups.iter().copied().find(is_coupled);
         self.misses.retain(|miss| {
-            let is_near = (miss.at - before) * sense > 0.0;
-            !is_near || miss.group.index() < first
+            let group = miss.group.index();
+            let distance = if groups.contains(&group) {
+                ONE_CHANGE_POINT
+            } else if first.is_some_and(|first| first <= group) {
+                CHANGE_POINT_DISTANCE
+            } else {
+                return true;
+            };
+            let before = engine.moved(junction.at.hi, -sense * distance);
+            (miss.at - before) * sense <= 0.0
         });
     }
 
@@ -473,7 +488,9 @@ impl Walker<'_> {
             self.extreme_stretch(step, (a, rates.0), (b, rates.1))
         })?;
         self.stretch_rate(step, at)?;
-        self.is_stretched(step, group, at).then_some(at)
+        // Inputs with rounding errors may open it. Double-double decides.
+        let is_in_line = self.state.measures[group].abs() < IN_LINE;
+        (is_in_line || self.is_stretched(step, group, at)).then_some(at)
     }
 
     /// Returns the coordinate where a dyad's stretch is extreme, between two coordinates at which

@@ -1,7 +1,7 @@
 //! Crosses the change points of coupled groups: finds where two solutions cross, its exact
 //! coordinate, and the motion beyond it.
 
-use super::change::{Change, approaches};
+use super::change::{Change, FURTHER, PASSING, approaches};
 use super::group_inputs::GroupInputs;
 use super::junction::{CHANGE_POINT_TOLERANCE, MORE};
 use super::tracking::Walker;
@@ -58,7 +58,7 @@ impl Walker<'_> {
         // If the motion is shorter than the widest step, its anchors are restored for the next
         // step.
         let anchors = self.anchors.clone();
-        let passed = approaches().take(WAYS).find_map(|by| {
+        let passed = approaches().take(WAYS).chain(FURTHER).find_map(|by| {
             let passed = self.cross_at(limit, by);
             if passed.is_none() {
                 self.anchors.clone_from(&anchors);
@@ -66,6 +66,26 @@ impl Walker<'_> {
             passed
         });
         passed.or_else(|| self.cross_twice(limit, f64::INFINITY))
+    }
+
+    /// Crosses a crossing of a coupled group's solutions that is further from a limit than the motion
+    /// continues behind it. Directly before a crossing, doubles may not solve the equations.
+    pub(super) fn cross_near(&mut self, limit: f64) -> Option<f64> {
+        let engine = self.engine;
+        let anchors = self.anchors.clone();
+        let steps = 0..engine.program.steps.len();
+        let mut coupled = steps.filter(|&i| engine.program.steps[i].coupled().is_some());
+        coupled.find_map(|step| {
+            let before = engine.moved(limit, -self.sense * PASSING);
+            self.anchors.forget_beyond(engine, before, self.sense);
+            let found = self.step_to(before).then(|| {
+                let saved = self.state.clone();
+                self.crossing(step, (limit, PASSING), GroupInputs::Steps, &saved)
+            });
+            self.anchors.clone_from(&anchors);
+            let Meeting { at, .. } = found.flatten().filter(|found| found.at.hi != limit)?;
+            self.cross(at.hi)
+        })
     }
 
     /// Crosses a limit as [`Walker::cross`] does, from a distance `by` before it to the same
@@ -236,15 +256,9 @@ impl Walker<'_> {
             let Some(index) = of.coupled() else {
                 continue;
             };
-            self.state.clone_from(last);
-            let dq = engine.difference(last.at, limit);
-            let group = &engine.program.coupled[index];
-            group.predict(&mut group.open(&mut self.state.scratch), dq);
             let near = (limit, MAX_END_DISTANCE);
-            let found = self.nearest_crossing(step, near, GroupInputs::Steps);
-            let meets =
-                found.and_then(|(crossing, at)| self.meets(step, at, crossing, GroupInputs::Steps));
-            let group = GroupId::new(group.group);
+            let meets = self.crossing(step, near, GroupInputs::Steps, last);
+            let group = GroupId::new(engine.program.coupled[index].group);
             if meets.is_some() && !self.unproved.contains(&group) {
                 self.unproved.push(group);
             }
@@ -417,6 +431,8 @@ impl Walker<'_> {
         // An error of a length shifts an equation by at most twice that error.
         let unknowns = unfolding.unknowns() as f64;
         let is_met = unfolding.by.hi.abs() <= 2.0 * unknowns * exact.typed_slack();
+        let is_zero = at.hi.abs() < f64::EPSILON * f64::EPSILON * self.engine.finest();
+        let at = if is_zero { Double::ZERO } else { at };
         let z = group.open(&mut twice.scratch).z.to_vec();
         is_met.then_some(Meeting { at, z })
     }
