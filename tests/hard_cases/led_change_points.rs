@@ -577,7 +577,8 @@ fn dyad_and_coupled_groups_in_line_together_pass() {
 /// Several coupled groups in a row have fewer digits: their other assemblies are much further away.
 fn assert_keep_offsets(scene: &Scene, solver: &Solver, opening: f64, pairs: &[[&str; 2]]) {
     let mut workspace = solver.state();
-    solver.solve(opening, Order::Position, &mut workspace);
+    let condition = solver.solve(opening, Order::Position, &mut workspace);
+    assert_eq!(condition, Condition::Ok);
     let place = |name: &str| workspace.state().position(point(scene, name)).unwrap();
     for &[from, to] in pairs {
         let offset = ([from, to], place(to) - place(from));

@@ -15,7 +15,7 @@ use crate::solver::state::Condition;
 const GAP: f64 = 1e-28;
 /// Half the width of the single step across a change point, in radians or scaled lengths. The dyad
 /// has enough digits at this distance on both sides.
-pub(super) const PASSING: f64 = 1e-3;
+const PASSING: f64 = 1e-3;
 /// Ratio between successive half widths, for links that rotate too fast for the widest step. An
 /// almost square antiparallelogram turns its follower hundreds of times as fast as its crank, and
 /// several of them in series turn it many times more.
@@ -159,9 +159,7 @@ impl Walker<'_> {
         });
         if !is_stretched {
             let hidden = is_hidden.then(|| self.pass_hidden(&flat, limit)).flatten();
-            return hidden
-                .or_else(|| self.cross(limit))
-                .or_else(|| self.cross_near(limit));
+            return hidden.or_else(|| self.cross(limit));
         }
         // A coupled group may cross first, and with it a dyad behind it.
         passed.or_else(|| self.has_path().then(|| self.cross(limit)).flatten())

@@ -1,7 +1,7 @@
 //! Crosses the change points of coupled groups: finds where two solutions cross, its exact
 //! coordinate, and the motion beyond it.
 
-use super::change::{Change, FURTHER, PASSING, approaches};
+use super::change::{Change, FURTHER, approaches};
 use super::group_inputs::GroupInputs;
 use super::junction::{CHANGE_POINT_TOLERANCE, MORE};
 use super::tracking::Walker;
@@ -66,26 +66,6 @@ impl Walker<'_> {
             passed
         });
         passed.or_else(|| self.cross_twice(limit, f64::INFINITY))
-    }
-
-    /// Crosses a crossing of a coupled group's solutions that is further from a limit than the motion
-    /// continues behind it. Directly before a crossing, doubles may not solve the equations.
-    pub(super) fn cross_near(&mut self, limit: f64) -> Option<f64> {
-        let engine = self.engine;
-        let anchors = self.anchors.clone();
-        let steps = 0..engine.program.steps.len();
-        let mut coupled = steps.filter(|&i| engine.program.steps[i].coupled().is_some());
-        coupled.find_map(|step| {
-            let before = engine.moved(limit, -self.sense * PASSING);
-            self.anchors.forget_beyond(engine, before, self.sense);
-            let found = self.step_to(before).then(|| {
-                let saved = self.state.clone();
-                self.crossing(step, (limit, PASSING), GroupInputs::Steps, &saved)
-            });
-            self.anchors.clone_from(&anchors);
-            let Meeting { at, .. } = found.flatten().filter(|found| found.at.hi != limit)?;
-            self.cross(at.hi)
-        })
     }
 
     /// Crosses a limit as [`Walker::cross`] does, from a distance `by` before it to the same
@@ -338,10 +318,12 @@ impl Walker<'_> {
         before: &Workspace,
     ) -> Option<Meeting> {
         let engine = self.engine;
-        let group = &engine.program.coupled[engine.program.steps[step].coupled()?];
         self.state.clone_from(before);
         let dq = engine.difference(before.at, limit);
-        group.predict(&mut group.open(&mut self.state.scratch), dq);
+        // The groups before it give its inputs.
+        for group in &engine.program.coupled {
+            group.predict(&mut group.open(&mut self.state.scratch), dq);
+        }
         let (crossing, at) = self.nearest_crossing(step, (limit, by), inputs)?;
         let Meeting { at, z } = self.meets(step, at, crossing, inputs)?;
         let GroupInputs::Series { about, .. } = inputs else {

@@ -392,9 +392,17 @@ impl Walker<'_> {
     /// there.
     fn measure(&mut self, group: usize, at: f64) -> f64 {
         self.predict_nearest(at);
-        let condition = self.run(at, Order::Position);
-        if condition == Condition::Ok && self.is_coupled(group) {
+        let mut condition = self.run(at, Order::Position);
+        if condition == Condition::NoAssembly && self.has_path() {
+            // A sample beyond a crossing may be on the other branch, which may not reach back to here.
+            let Walker { anchors, state, .. } = self;
+            anchors.predict_from_before(self.engine, at, self.sense, state);
+            condition = self.run(at, Order::Position);
+        }
+        // Another group may be at its limit.
+        if condition != Condition::NoAssembly && self.is_coupled(group) {
             self.engine.measure_coupled(at, &mut self.state);
+            return self.state.measures[group];
         }
         let measure = self.state.measures[group];
         match condition {
