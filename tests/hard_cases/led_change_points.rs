@@ -702,3 +702,21 @@ fn four_dyads_in_line_behind_cylinder_pass() {
     );
     assert!(solver.motion().near_misses.is_empty());
 }
+
+/// Two plates copy a parallelogram, and all are in line 6e-6 rad beside the opening. Doubles have no
+/// digits for the rates of the second plate there: the range used to end at the opening, or the motion
+/// did not close.
+#[test]
+fn plates_that_open_beside_their_change_point_turn_fully() {
+    let scenes = [
+        include_str!("scenes/plates_open_beside_their_change_point.toml"),
+        include_str!("scenes/plates_open_before_their_change_point.toml"),
+    ];
+    for text in scenes {
+        let (scene, solver) = open(text);
+        assert_eq!(solver.motion().range, Range::Full { period: 360.0 });
+        // Away from the opening, the state has all digits.
+        let pairs = [["B0", "C0"], ["B1", "C1"]];
+        assert_keep_offsets(&scene, &solver, 30.0, &pairs);
+    }
+}

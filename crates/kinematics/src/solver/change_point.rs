@@ -134,6 +134,12 @@ impl ChangePointCrossings {
         self.sort_groups();
     }
 
+    /// Removes the crossings at these coordinates.
+    pub(super) fn remove(&mut self, is_removed: impl Fn(f64) -> bool) {
+        self.list.retain(|crossing| !is_removed(crossing.at));
+        self.sort_groups();
+    }
+
     /// Returns the crossings from index `from` on.
     pub(super) fn latest(&mut self, from: usize) -> &mut [ChangePointCrossing] {
         self.list.get_mut(from..).unwrap_or_default()

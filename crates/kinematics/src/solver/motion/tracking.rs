@@ -43,6 +43,8 @@ const SHARP: f64 = 0.3;
 /// Condition of a coupled group, times its speed, below which the group is singular within rounding:
 /// at a distance of about 1e-7 from a change point.
 pub(super) const MAX_SINGULAR_CONDITION: f64 = 1e-7;
+/// Condition of a coupled group at the start below which its rates are computed in double-double.
+const MAX_REFINED_CONDITION: f64 = 1e-3;
 /// Measure of a coupled group, relative to its maximum so far, below which its condition is computed.
 const MAX_CHECKED_MEASURE: f64 = 1e-6;
 /// Step of a linear driver, in the solver's unit length. The step of a turning driver is one
@@ -77,6 +79,8 @@ const PARTS: [f64; 3] = [0.5, 0.6, 0.7];
 const STEPPING: f64 = 1e-12;
 /// Number of samples taken before a limit, each at a tenth of the distance of the last.
 const HALF_WIDTH_COUNT: i32 = 6;
+/// Number of steps after the start at which a motion is compared as well.
+const LATER: usize = 3;
 /// Maximum difference between z and its start in a closed motion.
 const CLOSURE_TOLERANCE: f64 = 1e-7;
 
@@ -194,12 +198,13 @@ impl Walker<'_> {
         } else {
             (MAX_SLIDE_TRAVEL / PUSH_STEP) as usize
         };
-        let first_z = self.state.scratch.numbers.clone();
         let opened = self.state.clone();
         if self.run(start, Order::Acceleration) != Condition::Ok {
-            self.state = opened;
+            self.state.clone_from(&opened);
         }
+        self.refine_start();
         self.sample_behind_start(step);
+        let mut later = None;
         let (mut from, mut closed, mut k) = (start, None, 1);
         let mut passed = f64::NEG_INFINITY;
         while k <= maximum {
@@ -215,10 +220,7 @@ impl Walker<'_> {
                 };
                 // Limits beyond a closed turn were found at its beginning.
                 if let Some(turns) = closed.filter(|&t| self.ahead(limit) > angle_turn(t)) {
-                    let (start, sense, end) = (self.start, self.sense, angle_turn(turns));
-                    self.misses
-                        .retain(|miss| (miss.at - start) * sense < end + ONE_MISS);
-                    return Ok(WalkEnd::Closed(turns));
+                    return Ok(self.closed(turns));
                 }
                 self.check_fit_between(from, limit)?;
                 let last = self.state.clone();
@@ -268,7 +270,7 @@ impl Walker<'_> {
                 let turns = (k - 1) / per_turn;
                 if turns > 0 && skipped.contains(&(turns * per_turn)) {
                     let at = start + sense * step * (turns * per_turn) as f64;
-                    closed = self.closes_at(at, turns, &first_z).then_some(turns);
+                    closed = self.closes_at(at, turns, &opened).then_some(turns);
                 }
                 continue;
             }
@@ -278,12 +280,63 @@ impl Walker<'_> {
                 return Ok(WalkEnd::Closed(turns));
             }
             let turns = k / per_turn;
-            if k % per_turn == 0 && self.has_closed(turns, &first_z) {
+            if k % per_turn == 0 && self.has_closed(turns, &opened) {
                 closed = Some(turns);
+            }
+            if k == LATER {
+                later = Some(self.state.clone());
+            } else if k % per_turn == LATER {
+                // Close to a change point, the state at the start has too few digits.
+                let has_closed = |first: &Workspace| self.has_closed(turns, first);
+                if later.as_ref().is_some_and(has_closed) {
+                    return Ok(self.closed(turns));
+                }
             }
             (from, k) = (to, k + 1);
         }
         Ok(WalkEnd::Cut(from))
+    }
+
+    /// Ends a walk that has closed, and removes what it found beyond.
+    fn closed(&mut self, turns: usize) -> WalkEnd {
+        let (start, sense, end) = (self.start, self.sense, angle_turn(turns));
+        self.misses
+            .retain(|miss| (miss.at - start) * sense < end + ONE_MISS);
+        self.crossings.remove(|at| (at - start) * sense > end);
+        WalkEnd::Closed(turns)
+    }
+
+    /// Computes the unknowns of the coupled groups at the start, and their rates, in double-double if a
+    /// group is close to a change point. Doubles have no digits there from which a state could be
+    /// predicted.
+    fn refine_start(&mut self) {
+        let Some(exact) = self.exact.filter(|_| self.has_path()) else {
+            return;
+        };
+        let (q, _) = self.engine.coordinate(self.start);
+        let Workspace { state, scratch, .. } = &mut self.state;
+        let mut groups = self.engine.program.coupled.iter();
+        let is_close = groups.any(|group| {
+            let condition = condition(group, q, state, scratch);
+            condition.is_none_or(|condition| condition < MAX_REFINED_CONDITION)
+        });
+        let mut twice = exact.twice(self.state.travels.len());
+        let (steps, at) = (self.engine.program.steps.len(), Double::exactly(self.start));
+        if !is_close || !exact.run_twice(steps, at, &self.state, &mut twice) {
+            return;
+        }
+        let groups = self.engine.program.coupled.iter();
+        for (group, exact) in groups.zip(&exact.engine.program.coupled) {
+            let to = group.open(&mut self.state.scratch);
+            let from = exact.open(&mut twice.scratch);
+            for (to, from) in [
+                (to.z, from.z),
+                (to.first, from.first),
+                (to.second, from.second),
+            ] {
+                to.iter_mut().zip(from).for_each(|(to, from)| *to = from.hi);
+            }
+        }
     }
 
     /// Returns the last coordinate at which a dyad is clear of its limit, if rounding hides where
@@ -411,7 +464,7 @@ impl Walker<'_> {
 
     /// Returns `true` if every group is back at its start after some turns, at this coordinate of a
     /// passage through a change point. Keeps the state.
-    fn closes_at(&mut self, at: f64, turns: usize, first: &[f64]) -> bool {
+    fn closes_at(&mut self, at: f64, turns: usize, first: &Workspace) -> bool {
         let beyond = self.state.clone();
         self.predict_nearest(at);
         let closes =
@@ -420,17 +473,15 @@ impl Walker<'_> {
         closes
     }
 
-    /// Returns `true` if every group is back at its start after some turns.
-    fn has_closed(&self, turns: usize, first: &[f64]) -> bool {
-        let now = &self.state.scratch.numbers;
+    /// Returns `true` if every group is back at its first state after some turns.
+    fn has_closed(&self, turns: usize, first: &Workspace) -> bool {
+        let (now, then) = (&self.state.scratch.numbers, &first.scratch.numbers);
         self.engine.repeats_after(turns)
-            && self.state.signs == self.engine.signs
+            && self.state.signs == first.signs
             && self.engine.program.coupled.iter().all(|group| {
                 let z = group.offset..group.offset + group.width();
-                now[z.clone()]
-                    .iter()
-                    .zip(&first[z])
-                    .all(|(a, b)| (a - b).abs() < CLOSURE_TOLERANCE)
+                let mut both = now[z.clone()].iter().zip(&then[z]);
+                both.all(|(a, b)| (a - b).abs() < CLOSURE_TOLERANCE)
             })
     }
 
