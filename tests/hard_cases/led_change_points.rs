@@ -586,32 +586,34 @@ fn assert_keep_offsets(scene: &Scene, solver: &Solver, opening: f64, pairs: &[[&
     }
 }
 
-/// The angle between coupler and crank of a parallelogram is driven, and a slider-crank behind it is in
-/// line where the parallelogram is. The first coefficient of the series was accurate to doubles only,
-/// so that the slider-crank seemed to miss its change point: the range ended there.
-#[test]
-fn slider_behind_parallelogram_with_relative_driver_passes() {
-    for opening in [126.0, 30.0, 60.0, 90.0, -45.0, 100.5, 12.3456, -120.0] {
-        let place = |angle: f64| {
-            let (s, c) = (90.0 - angle).to_radians().sin_cos();
-            let b = Vec2::new(48.0 * c, 48.0 * s);
-            let p = b + Vec2::new(-37.0, -9.4);
-            let reach = (64.0 - (p.y - 6.6)) * (64.0 + (p.y - 6.6));
-            // The rod is vertical at 180 and 540 deg, and passes to the other side.
-            let side = (0.5 * angle).to_radians().cos().signum();
-            let e = Vec2::new(p.x - side * reach.max(0.0).sqrt(), 6.6);
-            (b, p, e)
-        };
-        let (b, p, e) = place(opening);
-        let text = format!(
-            r#"
+/// Returns the pins B, P and E of a slider-crank behind a parallelogram whose angle between coupler and
+/// crank is driven. The rod is vertical at 180 deg, where the parallelogram is in line. A rod longer
+/// than 64 keeps its side there.
+fn slider_behind_parallelogram(rod: f64, angle: f64) -> [Vec2; 3] {
+    let (s, c) = (90.0 - angle).to_radians().sin_cos();
+    let b = Vec2::new(48.0 * c, 48.0 * s);
+    let p = b + Vec2::new(-37.0, -9.4);
+    let reach = (rod - (p.y - 6.6)) * (rod + (p.y - 6.6));
+    let side = match rod > 64.0 {
+        true => 1.0,
+        false => (0.5 * angle).to_radians().cos().signum(),
+    };
+    let e = Vec2::new(p.x - side * reach.max(0.0).sqrt(), 6.6);
+    [b, p, e]
+}
+
+/// Opens that scene, and asserts the position of E over two turns.
+fn open_slider_behind_parallelogram(rod: f64, opening: f64) -> Solver {
+    let [b, p, e] = slider_behind_parallelogram(rod, opening);
+    let text = format!(
+        r#"
 ground = {{ A = [0, 0], D = [0, 19] }}
 driver = {{ link = "t", from = "k", angle = {opening} }}
 [links]
 k = {{ from = "A", to = "B", length = 48 }}
 h = {{ from = "D", to = "C", length = 48 }}
 t = {{ from = "B", to = "C", length = 19, points = {{ P = [-9.4, 37] }} }}
-r = {{ from = "P", to = "E", length = 64 }}
+r = {{ from = "P", to = "E", length = {rod} }}
 [slides]
 s = {{ point = "E", on = "ground", through = [-42.7, 6.6], angle = 180 }}
 [start]
@@ -620,29 +622,60 @@ C = [{}, {}]
 P = [{}, {}]
 E = [{}, {}]
 "#,
-            b.x,
-            b.y,
-            b.x,
-            b.y + 19.0,
-            p.x,
-            p.y,
-            e.x,
-            e.y
-        );
-        let (scene, solver) = open(&text);
+        b.x,
+        b.y,
+        b.x,
+        b.y + 19.0,
+        p.x,
+        p.y,
+        e.x,
+        e.y
+    );
+    let (scene, solver) = open(&text);
+    let pin = point(&scene, "E");
+    let mut workspace = solver.state();
+    for k in 0..720 {
+        let angle = opening + f64::from(k) + 0.25;
+        let condition = solver.solve(angle, Order::Position, &mut workspace);
+        assert_eq!(condition, Condition::Ok, "{angle}");
+        let [.., e] = slider_behind_parallelogram(rod, angle);
+        let off = workspace.state().position(pin).unwrap() - e;
+        assert!(off.norm() < 1e-8, "E is off by {off:?} at {angle}");
+    }
+    solver
+}
+
+/// A slider-crank is in line where the coupled group before it has a change point. The first coefficient
+/// of the series was accurate to doubles only, so that the slider-crank seemed to miss its change
+/// point: the range ended there.
+#[test]
+fn slider_behind_parallelogram_with_relative_driver_passes() {
+    for opening in [126.0, 30.0, 60.0, 90.0, -45.0, 100.5, 12.3456, -120.0] {
+        let solver = open_slider_behind_parallelogram(64.0, opening);
         let motion = solver.motion();
         assert_eq!(motion.range, Range::Full { period: 720.0 }, "{opening}");
         assert_eq!(motion.change_points, [0.0, 180.0, 360.0, 540.0]);
         assert!(motion.near_misses.is_empty(), "{opening}");
-        let pin = point(&scene, "E");
-        let mut workspace = solver.state();
-        for k in 0..720 {
-            let angle = opening + f64::from(k) + 0.25;
-            let condition = solver.solve(angle, Order::Position, &mut workspace);
-            assert_eq!(condition, Condition::Ok, "{angle}");
-            let off = workspace.state().position(pin).unwrap() - place(angle).2;
-            assert!(off.norm() < 1e-8, "E is off by {off:?} at {angle}");
-        }
+    }
+}
+
+/// A slider-crank almost in line where the coupled group before it has a change point keeps its side,
+/// and is reported.
+#[test]
+fn near_miss_at_change_point_of_coupled_group_is_reported() {
+    for rod in [64.000_000_1, 64.000_01, 64.001, 64.02] {
+        let solver = open_slider_behind_parallelogram(rod, 126.0);
+        let motion = solver.motion();
+        assert_eq!(motion.range, Range::Full { period: 360.0 }, "{rod}");
+        assert_eq!(motion.change_points, [0.0, 180.0]);
+        let [miss] = &motion.near_misses[..] else {
+            panic!("{rod}: {:?}", motion.near_misses);
+        };
+        let sine = (1.0 - (64.0 / rod).powi(2)).sqrt();
+        assert!(
+            (miss.at - 180.0).abs() < 1e-6 && (miss.sine / sine - 1.0).abs() < 1e-6,
+            "{miss:?}"
+        );
     }
 }
 

@@ -24,7 +24,7 @@ const CLOSE_LOOK_MEASURE: f64 = 1e-6;
 /// It corresponds to a sine below 0.032, a transmission angle of 1.8 degrees. The gap is then about
 /// 5e-4 of a link, 0.05 mm in 100 mm, which is as much clearance as workshops leave. Without the
 /// gap, the motion would end there or could change its assembly.
-const NEAR: f64 = 1e-3;
+pub(super) const NEAR: f64 = 1e-3;
 /// Number of golden sections that locate a minimum to the square root of the rounding error.
 const GOLDEN_SECTIONS: usize = 44;
 /// Distance within which two extremes of one dyad are the same, in radians or scaled lengths.

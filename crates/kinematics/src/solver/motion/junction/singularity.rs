@@ -4,6 +4,7 @@ use super::Refusal;
 use crate::arithmetic::Series;
 use crate::solver::elements::{Dyad, Height, SingularShift, Step, ZERO};
 use crate::solver::exact::Exact;
+use crate::solver::motion::limits::NEAR;
 use crate::solver::motion::tracking::Walker;
 use crate::solver::state::State;
 use crate::{Double, Number, Vec2};
@@ -63,6 +64,20 @@ impl Walker<'_> {
         };
         let how = (is_extreme, distance);
         match self.singularity_within(part, how, (dyad, q, slack), state) {
+            Ok(DyadSingularity::Regular)
+                if distance.is_some_and(|by| by <= CHANGE_POINT_TOLERANCE) =>
+            {
+                let sine = sine(
+                    dyad,
+                    q,
+                    dyad.square(q, SingularShift::default(), state).nearest(),
+                    state,
+                );
+                match sine * sine < NEAR {
+                    true => Ok(DyadSingularity::Missing { sine }),
+                    false => Ok(DyadSingularity::Regular),
+                }
+            }
             // Two change points may be close to each other, with a reversal of the group's input
             // between them. They are treated one by one.
             Err(Refusal::End) if is_extreme && part > DOUBLE_DOUBLE_THRESHOLD => {
@@ -215,12 +230,17 @@ fn missing(
     state: &State<Series>,
 ) -> Result<DyadSingularity, Refusal> {
     let square = height.square.nearest();
-    let sine = (square / dyad.right_angle(q, state)).sqrt();
     if square > 0.0 {
+        let sine = sine(dyad, q, square, state);
         Ok(DyadSingularity::Missing { sine })
     } else {
         Err(Refusal::End)
     }
+}
+
+/// Returns the sine of a dyad's transmission angle, from the square of its height.
+fn sine(dyad: Dyad<'_>, q: Series, square: f64, state: &State<Series>) -> f64 {
+    (square / dyad.right_angle(q, state)).sqrt()
 }
 
 /// Returns [`DyadSingularity::Regular`] for a dyad not singular here, or the end of the motion if it is
