@@ -45,6 +45,8 @@ const SHARP: f64 = 0.3;
 pub(super) const MAX_SINGULAR_CONDITION: f64 = 1e-7;
 /// Condition of a coupled group at the start below which its rates are computed in double-double.
 const MAX_REFINED_CONDITION: f64 = 1e-3;
+/// Maximum shift of the unknowns at the start by double-double, in units of the smallest condition.
+const MAX_SHIFT: f64 = 0.25;
 /// Measure of a coupled group, relative to its maximum so far, below which its condition is computed.
 const MAX_CHECKED_MEASURE: f64 = 1e-6;
 /// Step of a linear driver, in the solver's unit length. The step of a turning driver is one
@@ -313,30 +315,39 @@ impl Walker<'_> {
         let Some(exact) = self.exact.filter(|_| self.has_path()) else {
             return;
         };
+        let groups = &self.engine.program.coupled;
         let (q, _) = self.engine.coordinate(self.start);
         let Workspace { state, scratch, .. } = &mut self.state;
-        let mut groups = self.engine.program.coupled.iter();
-        let is_close = groups.any(|group| {
+        let conditions = groups.iter().map(|group| {
             let condition = condition(group, q, state, scratch);
-            condition.is_none_or(|condition| condition < MAX_REFINED_CONDITION)
+            condition.unwrap_or(0.0)
         });
+        let smallest = conditions.fold(f64::INFINITY, f64::min);
         let mut twice = exact.twice(self.state.travels.len());
         let (steps, at) = (self.engine.program.steps.len(), Double::exactly(self.start));
+        let is_close = smallest < MAX_REFINED_CONDITION;
         if !is_close || !exact.run_twice(steps, at, &self.state, &mut twice) {
             return;
         }
-        let groups = self.engine.program.coupled.iter();
-        for (group, exact) in groups.zip(&exact.engine.program.coupled) {
-            let to = group.open(&mut self.state.scratch);
+        let mut refined = self.state.scratch.clone();
+        for (group, exact) in groups.iter().zip(&exact.engine.program.coupled) {
+            let to = group.open(&mut refined);
             let from = exact.open(&mut twice.scratch);
-            for (to, from) in [
+            let mut shifts = to.z.iter().zip(&*from.z).map(|(z, exact)| z - exact.hi);
+            // The other assembly is about as far away as the condition.
+            if shifts.any(|shift| shift.abs() > MAX_SHIFT * smallest) {
+                return;
+            }
+            let all = [
                 (to.z, from.z),
                 (to.first, from.first),
                 (to.second, from.second),
-            ] {
+            ];
+            for (to, from) in all {
                 to.iter_mut().zip(from).for_each(|(to, from)| *to = from.hi);
             }
         }
+        self.state.scratch = refined;
     }
 
     /// Returns the last coordinate at which a dyad is clear of its limit, if rounding hides where
