@@ -29,6 +29,10 @@ const HIGHLIGHT_WIDTH: u8 = 2;
 /// Distance of a guide's rails from its middle, in cell widths: just outside the block.
 const RAIL: f64 = (pattern::BLOCK.y + 1.5) / stroke::FINE.x;
 
+/// Length of a guide beyond its ends, in cell widths: it must be visible on both sides of a block at
+/// the end of its travel.
+const GUIDE_END: f64 = 2.0;
+
 /// Radius of the arrow of a moment, in cell widths; its start and end in radians, and the number of
 /// straight pieces.
 const MOMENT: f64 = 2.2;
@@ -172,13 +176,26 @@ impl Symbols<'_> {
     /// Draws a guide on the ground. If blocks and pins are made of dots, it is two rails with the
     /// block between them, because a single line through both would hide them.
     pub(in crate::drawing) fn guide(&mut self, from: Vec2, to: Vec2, role: Role) {
-        let (a, b) = (self.view.cell(from), self.view.cell(to));
+        let (a, b) = self.guide_ends(from, to);
         if !self.has_large_marks() {
             return self.bar(a, b, role);
         }
         let nearby = self.cell_offset(a, b) * RAIL;
         for rail in [nearby, Vec2::ZERO - nearby] {
             self.line(a + rail, b + rail, role);
+        }
+    }
+
+    /// Returns the ends of a guide in cell coordinates, some cells beyond the given ones.
+    fn guide_ends(&self, from: Vec2, to: Vec2) -> (Vec2, Vec2) {
+        let (a, b) = (self.view.cell(from), self.view.cell(to));
+        let aspect = self.view.aspect();
+        let along = Vec2::new(b.x - a.x, (b.y - a.y) * aspect);
+        let more = along * (GUIDE_END / along.norm());
+        let more = Vec2::new(more.x, more.y / aspect);
+        match more.is_finite() {
+            true => (a - more, b + more),
+            false => (a, b),
         }
     }
 
@@ -194,7 +211,7 @@ impl Symbols<'_> {
 
     /// Draws short strokes along a guide, to the right of its direction.
     pub(in crate::drawing) fn hatching(&mut self, from: Vec2, to: Vec2) {
-        let (a, b) = (self.view.cell(from), self.view.cell(to));
+        let (a, b) = self.guide_ends(from, to);
         if self.has_large_marks() {
             let rail = self.cell_offset(a, b) * RAIL;
             return self.dotted_hatching(a + rail, b + rail);
