@@ -29,8 +29,8 @@ const HIGHLIGHT_WIDTH: u8 = 2;
 /// Distance of a guide's rails from its middle, in cell widths: just outside the block.
 const RAIL: f64 = (pattern::BLOCK.y + 1.5) / stroke::FINE.x;
 
-/// Length of a guide beyond its ends, in cell widths: it must be visible on both sides of a block at
-/// the end of its travel.
+/// Length of a dotted guide beyond its ends, in cell widths: it must be visible on both sides of a
+/// block at the end of its travel.
 const GUIDE_END: f64 = 2.0;
 
 /// Radius of the arrow of a moment, in cell widths; its start and end in radians, and the number of
@@ -186,16 +186,20 @@ impl Symbols<'_> {
         }
     }
 
-    /// Returns the ends of a guide in cell coordinates, some cells beyond the given ones.
+    /// Returns the ends of a guide in cell coordinates, in dots some cells beyond the given ones.
     fn guide_ends(&self, from: Vec2, to: Vec2) -> (Vec2, Vec2) {
         let (a, b) = (self.view.cell(from), self.view.cell(to));
+        if !self.glyphs.is_dotted() {
+            return (a, b);
+        }
         let aspect = self.view.aspect();
         let along = Vec2::new(b.x - a.x, (b.y - a.y) * aspect);
         let more = along * (GUIDE_END / along.norm());
         let more = Vec2::new(more.x, more.y / aspect);
-        match more.is_finite() {
-            true => (a - more, b + more),
-            false => (a, b),
+        if more.is_finite() {
+            (a - more, b + more)
+        } else {
+            (a, b)
         }
     }
 
@@ -446,6 +450,32 @@ mod tests {
         for (size, glyphs) in [((40, 12), Glyphs::Braille), ((120, 40), Glyphs::Ascii)] {
             assert_eq!(rows(size, glyphs, Role::Guide), [0].into(), "{size:?}");
             assert!(rows(size, glyphs, Role::Ground).iter().all(|&row| row >= 0));
+        }
+    }
+
+    /// Regression: the guide of a short stroke was hidden by its block.
+    #[test]
+    fn guide_is_visible_on_both_sides_of_block_at_ends_of_travel() {
+        let (from, to) = (Vec2::ZERO, Vec2::new(0.0, 1.0));
+        let corners = [Vec2::new(-10.0, -10.0), Vec2::new(10.0, 10.0)];
+        let extents = Extents::of_places(&corners, &[from]);
+        for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
+            for at in [from, to] {
+                let view = WorldView::fit(&extents, cols, rows, 2.0);
+                let (along, role) = (to, Role::Guide);
+                let mut figure = Figure::new();
+                figure.add(Shape::Guide { from, to, role });
+                figure.add(Shape::Block { at, along });
+                let raster = render(&figure, &view, Glyphs::Braille);
+                let rows_of = |role| {
+                    let lines = (0..).zip(raster.lines());
+                    let inked = lines.filter(move |(_, line)| line.iter().any(|c| c.role == role));
+                    inked.map(|(row, _)| row).collect::<Vec<i32>>()
+                };
+                let [guide, block] = [Role::Guide, Role::Slider].map(rows_of);
+                assert!(guide.first() < block.first(), "{cols}: {guide:?} {block:?}");
+                assert!(guide.last() > block.last(), "{cols}: {guide:?} {block:?}");
+            }
         }
     }
 }
