@@ -72,6 +72,7 @@ impl Painter {
             look: CellStyle {
                 palette,
                 has_faint: capability.modern,
+                erases_cells: capability.modern,
             },
             synchronised: capability.modern,
             shown: Buffer::empty(Rect::ZERO),
@@ -292,6 +293,17 @@ mod tests {
         let mut red = text(&["hello"]);
         red.set_style(Rect::new(0, 0, 3, 1), Style::new().fg(Color::Red));
         assert!(painter.full_frame(red).is_empty());
+    }
+
+    #[test]
+    fn run_of_blanks_is_erased_at_once() {
+        let [long, short] = ["-", " "].map(|fill| text(&[&format!("ab{}yz", fill.repeat(20))]));
+        for modern in [true, false] {
+            let mut painter = painter(Colours::None, modern);
+            painter.full_frame(long.clone());
+            let bytes = painter.full_frame(short.clone()).escape_ascii().to_string();
+            assert_eq!(bytes.contains(r"\x1b[20X"), modern, "{bytes}");
+        }
     }
 
     #[test]
