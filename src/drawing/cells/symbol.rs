@@ -456,13 +456,16 @@ mod tests {
     /// Regression: the guide of a short stroke was hidden by its block.
     #[test]
     fn guide_is_visible_on_both_sides_of_block_at_ends_of_travel() {
-        let (from, to) = (Vec2::ZERO, Vec2::new(0.0, 1.0));
+        let (low, along) = (Vec2::ZERO, Vec2::new(0.0, 1.0));
         let corners = [Vec2::new(-10.0, -10.0), Vec2::new(10.0, 10.0)];
-        let extents = Extents::of_places(&corners, &[from]);
+        let extents = Extents::of_places(&corners, &[low]);
+        // As far beyond the travel as the guide of a scene.
+        let overhang = along * (0.04 * extents.bounds().size().norm());
+        let (from, to) = (low - overhang, along + overhang);
         for (cols, rows) in [(80, 24), (120, 40)] {
-            for at in [from, to] {
+            for at in [low, along] {
                 let view = WorldView::fit(&extents, cols, rows, 2.0);
-                let (along, role) = (to, Role::Guide);
+                let role = Role::Guide;
                 let mut figure = Figure::new();
                 figure.add(Shape::Guide { from, to, role });
                 figure.add(Shape::Block { at, along });

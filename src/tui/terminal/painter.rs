@@ -297,12 +297,16 @@ mod tests {
 
     #[test]
     fn run_of_blanks_is_erased_at_once() {
-        let [long, short] = ["-", " "].map(|fill| text(&[&format!("ab{}yz", fill.repeat(20))]));
+        let [long, short] = ["-", " "].map(|fill| text(&[&format!("{}y", fill.repeat(11)), "z"]));
         for modern in [true, false] {
-            let mut painter = painter(Colours::None, modern);
-            painter.full_frame(long.clone());
-            let bytes = painter.full_frame(short.clone()).escape_ascii().to_string();
-            assert_eq!(bytes.contains(r"\x1b[20X"), modern, "{bytes}");
+            let (mut painter, mut terminal) = (painter(Colours::None, modern), terminal());
+            terminal.process(painter.full_frame(long.clone()));
+            let bytes = painter.full_frame(short.clone());
+            terminal.process(bytes);
+            let bytes = bytes.escape_ascii().to_string();
+            assert_eq!(bytes.contains(r"\x1b[11X"), modern, "{bytes}");
+            let row = terminal.screen().rows(0, WIDTH).next();
+            assert_eq!(row.as_deref(), Some("           y"), "{bytes}");
         }
     }
 
