@@ -151,7 +151,9 @@ impl Painter {
     pub(crate) fn frame(&mut self, urgent: &[Rect], space: usize) -> &[u8] {
         self.pen.start_frame();
         self.stale |= self.shown.area != self.wanted.area;
-        if self.synchronised {
+        // A slow line takes longer for the brackets than the terminal for the frame.
+        let synchronised = self.synchronised && space >= SLOW_LINE_LIMIT;
+        if synchronised {
             queue(&mut self.pen.bytes, BeginSynchronizedUpdate);
         }
         let prologue = self.pen.bytes.len();
@@ -173,7 +175,7 @@ impl Painter {
         if self.is_cut() {
             // A cut frame need not appear at once, and the brackets cost as much as a number.
             self.pen.bytes.drain(..prologue);
-        } else if self.synchronised {
+        } else if synchronised {
             queue(&mut self.pen.bytes, EndSynchronizedUpdate);
         }
         self.frames.count += 1;
