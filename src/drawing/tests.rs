@@ -257,3 +257,14 @@ fn link_width_follows_size_and_plates_are_filled() {
         assert!(plates > 0 || rows < 10, "{cols} x {rows}");
     }
 }
+
+/// Regression: the pins of the scissor lift were rings that hid all its links.
+#[test]
+fn pins_are_small_if_they_are_close() {
+    for (name, width) in [("scissor-lift", 2), ("radial-engine", 3), ("jansen-leg", 3)] {
+        let text = crate::scene::presets::find(name).expect("it is there").text;
+        let stage = DrawingStage::of(name, text);
+        let view = WorldView::fit(&stage.reach, 200, 60, 2.0);
+        assert_eq!(view.weight(), width, "{name}");
+    }
+}

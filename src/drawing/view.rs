@@ -24,6 +24,8 @@ pub struct WorldView {
     /// A world point in the middle of a cell. `None` in a window that follows the linkage, where it
     /// would jump from cell to cell.
     anchor: Option<Vec2>,
+    /// The typical distance of neighbouring pins.
+    pitch: f64,
 }
 
 /// The height of a cell divided by its width in most fonts.
@@ -31,6 +33,9 @@ pub(super) const CELL_ASPECT: f64 = 2.0;
 
 /// The columns and rows below which the margins shrink with the window.
 const FULL_MARGIN: Vec2 = Vec2::new(40.0, 16.0);
+
+/// Minimum distance of pins for the widest bars, in cell widths: two and a half pins.
+const MIN_PITCH: f64 = 7.5;
 
 /// Minimum number of rows of a separate drawing.
 const MIN_HEIGHT: u16 = 8;
@@ -50,6 +55,7 @@ impl WorldView {
             aspect,
         );
         view.anchor = Some(extents.anchor());
+        view.pitch = extents.pitch();
         view.rest();
         view
     }
@@ -118,6 +124,7 @@ impl WorldView {
                 middle(&vertical, cells.y, scale.y),
             ),
             anchor: None,
+            pitch: f64::INFINITY,
         }
     }
 
@@ -207,10 +214,12 @@ impl WorldView {
     }
 
     /// Returns the width of a link in dots: a line of dots in a small window, a bar in a large one.
+    /// Between close pins, wide bars and large pins would hide each other.
     pub(super) fn weight(&self) -> u8 {
         match self.rows.min(self.cols / 2) {
             ..=9 => 1,
             10..=31 => 2,
+            _ if self.cells_along(self.pitch) < MIN_PITCH => 2,
             _ => 3,
         }
     }

@@ -183,8 +183,8 @@ impl Workbench {
         self.sketch.is_simple = false;
         if only_moves {
             let moving = views::moving(&self.app, &self.sketch);
-            if let Some(drawing) = self.sketch.area().filter(|_| !moving.is_empty()) {
-                self.painter.drop_styles(drawing);
+            if let Some(drawing) = moving.first() {
+                self.painter.drop_styles(*drawing);
                 self.painter.keep_outside(&moving);
             }
         }

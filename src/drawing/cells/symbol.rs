@@ -29,6 +29,10 @@ const HIGHLIGHT_WIDTH: u8 = 2;
 /// Distance of a guide's rails from its middle, in cell widths: just outside the block.
 const RAIL: f64 = (pattern::BLOCK.y + 1.5) / stroke::FINE.x;
 
+/// Length of a dotted guide beyond its ends, in cell widths: it must be visible on both sides of a
+/// block at the end of its travel.
+const GUIDE_END: f64 = 2.0;
+
 /// Radius of the arrow of a moment, in cell widths; its start and end in radians, and the number of
 /// straight pieces.
 const MOMENT: f64 = 2.2;
@@ -172,13 +176,30 @@ impl Symbols<'_> {
     /// Draws a guide on the ground. If blocks and pins are made of dots, it is two rails with the
     /// block between them, because a single line through both would hide them.
     pub(in crate::drawing) fn guide(&mut self, from: Vec2, to: Vec2, role: Role) {
-        let (a, b) = (self.view.cell(from), self.view.cell(to));
+        let (a, b) = self.guide_ends(from, to);
         if !self.has_large_marks() {
             return self.bar(a, b, role);
         }
         let nearby = self.cell_offset(a, b) * RAIL;
         for rail in [nearby, Vec2::ZERO - nearby] {
             self.line(a + rail, b + rail, role);
+        }
+    }
+
+    /// Returns the ends of a guide in cell coordinates, in dots some cells beyond the given ones.
+    fn guide_ends(&self, from: Vec2, to: Vec2) -> (Vec2, Vec2) {
+        let (a, b) = (self.view.cell(from), self.view.cell(to));
+        if !self.glyphs.is_dotted() {
+            return (a, b);
+        }
+        let aspect = self.view.aspect();
+        let along = Vec2::new(b.x - a.x, (b.y - a.y) * aspect);
+        let more = along * (GUIDE_END / along.norm());
+        let more = Vec2::new(more.x, more.y / aspect);
+        if more.is_finite() {
+            (a - more, b + more)
+        } else {
+            (a, b)
         }
     }
 
@@ -194,7 +215,7 @@ impl Symbols<'_> {
 
     /// Draws short strokes along a guide, to the right of its direction.
     pub(in crate::drawing) fn hatching(&mut self, from: Vec2, to: Vec2) {
-        let (a, b) = (self.view.cell(from), self.view.cell(to));
+        let (a, b) = self.guide_ends(from, to);
         if self.has_large_marks() {
             let rail = self.cell_offset(a, b) * RAIL;
             return self.dotted_hatching(a + rail, b + rail);
@@ -429,6 +450,35 @@ mod tests {
         for (size, glyphs) in [((40, 12), Glyphs::Braille), ((120, 40), Glyphs::Ascii)] {
             assert_eq!(rows(size, glyphs, Role::Guide), [0].into(), "{size:?}");
             assert!(rows(size, glyphs, Role::Ground).iter().all(|&row| row >= 0));
+        }
+    }
+
+    /// Regression: the guide of a short stroke was hidden by its block.
+    #[test]
+    fn guide_is_visible_on_both_sides_of_block_at_ends_of_travel() {
+        let (low, along) = (Vec2::ZERO, Vec2::new(0.0, 1.0));
+        let corners = [Vec2::new(-10.0, -10.0), Vec2::new(10.0, 10.0)];
+        let extents = Extents::of_places(&corners, &[low]);
+        // As far beyond the travel as the guide of a scene.
+        let overhang = along * (0.04 * extents.bounds().size().norm());
+        let (from, to) = (low - overhang, along + overhang);
+        for (cols, rows) in [(80, 24), (120, 40)] {
+            for at in [low, along] {
+                let view = WorldView::fit(&extents, cols, rows, 2.0);
+                let role = Role::Guide;
+                let mut figure = Figure::new();
+                figure.add(Shape::Guide { from, to, role });
+                figure.add(Shape::Block { at, along });
+                let raster = render(&figure, &view, Glyphs::Braille);
+                let rows_of = |role| {
+                    let lines = (0..).zip(raster.lines());
+                    let inked = lines.filter(move |(_, line)| line.iter().any(|c| c.role == role));
+                    inked.map(|(row, _)| row).collect::<Vec<i32>>()
+                };
+                let [guide, block] = [Role::Guide, Role::Slider].map(rows_of);
+                assert!(guide.first() < block.first(), "{cols}: {guide:?} {block:?}");
+                assert!(guide.last() > block.last(), "{cols}: {guide:?} {block:?}");
+            }
         }
     }
 }

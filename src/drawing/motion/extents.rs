@@ -5,7 +5,7 @@ use crate::drawing::bounds::Bounds;
 use crate::drawing::view::WindowZoom;
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Range, Solver, State};
-use crate::{Body, SlideId, Vec2};
+use crate::{Body, Link, Mechanism, SlideId, Vec2};
 use std::cell::RefCell;
 
 /// Number of steps along the motion: 3 degrees in a motion of two turns. Between two states a
@@ -29,6 +29,8 @@ pub struct Extents {
     /// The travel of each slide along its guide, in the scene's length unit.
     travel: Vec<Option<(f64, f64)>>,
     anchor: Vec2,
+    /// The typical distance of neighbouring pins.
+    pitch: f64,
     /// The length of the longest name, in cells.
     name: f64,
     /// The zoom of following windows, cached for each size.
@@ -156,6 +158,7 @@ impl Extents {
             poses: Poses::default(),
             travel: vec![None; mechanism.slides().len()],
             anchor: anchor.unwrap_or(Vec2::ZERO),
+            pitch: pitch(mechanism),
             name: (longest as f64).min(MAX_NAME_LEN),
             near: RefCell::default(),
         }
@@ -204,6 +207,11 @@ impl Extents {
     /// Returns a point of the frame that views place in the middle of a cell.
     pub(in crate::drawing) fn anchor(&self) -> Vec2 {
         self.anchor
+    }
+
+    /// Returns the typical distance of neighbouring pins; infinity if there are none.
+    pub(in crate::drawing) fn pitch(&self) -> f64 {
+        self.pitch
     }
 
     /// Returns the extents that must be visible, with the cells for their names and symbols.
@@ -282,6 +290,20 @@ impl Extents {
     }
 }
 
+/// Returns the median over the links of the shortest distance of two consecutive points.
+fn pitch(mechanism: &Mechanism) -> f64 {
+    let shortest = |link: &Link| {
+        let members = link.members.iter().filter(|m| link.com != Some(m.point));
+        let (from, to) = (members.clone(), members.skip(1));
+        let distances = from.zip(to).map(|(a, b)| (b.local - a.local).norm());
+        distances.filter(|&d| d > 0.0).min_by(f64::total_cmp)
+    };
+    let mut pitches: Vec<f64> = mechanism.links().iter().filter_map(shortest).collect();
+    pitches.sort_by(f64::total_cmp);
+    let middle = pitches.get(pitches.len() / 2);
+    middle.copied().unwrap_or(f64::INFINITY)
+}
+
 /// Returns the start and end of the motion, and whether it is closed.
 fn ends(scene: &Scene, solver: &Solver) -> (f64, f64, bool) {
     let start = scene.mechanism.driver().start;
@@ -327,6 +349,7 @@ impl Extents {
             poses: Poses::new([0.0, 360.0], true, &poses),
             travel: Vec::new(),
             anchor: ground.first().copied().unwrap_or(Vec2::ZERO),
+            pitch: f64::INFINITY,
             name: 1.0,
             near: RefCell::default(),
         }

@@ -100,6 +100,7 @@ fn near(extents: &Extents, available: PoseExtents, nearer: f64, size: WindowSize
     let parts = extents.parts_near(space, available.tips);
     let parts = parts.map(|(part, margin)| (part, margin.widened(columns / 2.0, lines / 2.0)));
     let mut view = WorldView::around(&parts, space.centre(), (cols, rows), aspect);
+    view.pitch = extents.pitch();
     let at = view.cell(extents.anchor());
     if at.is_finite() {
         let steps = (view.scale.x * complete.size().norm()).log2() * STEPS_OF_TWO;

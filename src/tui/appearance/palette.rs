@@ -213,15 +213,16 @@ impl Hue {
         }
     }
 
-    /// Returns the palette name that is more legible on a light background. Yellow is illegible
-    /// there: notices are magenta as in [`Hue::plain`], and orange becomes the colour of text.
+    /// Returns the palette name that is more legible on a light background. In most palettes yellow,
+    /// green and cyan have a contrast of 1.7 to 3.6 on white: notices are magenta as in
+    /// [`Hue::plain`], arrows blue, and other lines have the colour of text.
     fn dark_variant(self) -> Color {
         match self {
             Hue::Red => Color::Red,
-            Hue::Orange | Hue::Brown | Hue::Moss => Color::Reset,
-            Hue::Lime | Hue::Green => Color::Green,
-            Hue::Teal | Hue::Cyan => Color::Cyan,
-            Hue::Blue => Color::Blue,
+            Hue::Orange | Hue::Brown | Hue::Moss | Hue::Lime | Hue::Green | Hue::Teal => {
+                Color::Reset
+            }
+            Hue::Blue | Hue::Cyan => Color::Blue,
             Hue::Violet | Hue::Magenta | Hue::Yellow => Color::Magenta,
             Hue::Grey => Color::DarkGray,
         }
@@ -370,6 +371,10 @@ impl Palette {
             Colours::Indexed | Colours::True if is_faint && colour == Color::Reset => {
                 let grey = Hue::Grey.colour(self.theme, self.colours == Colours::True);
                 (grey, modifier - Modifier::DIM)
+            }
+            // Many terminals dim a colour towards black, which is no dimmer on a light background.
+            Colours::Sixteen if is_faint && self.theme == Theme::Light => {
+                (Hue::Grey.named(), modifier - Modifier::DIM)
             }
             // A selected colour must not be made fainter.
             Colours::Indexed | Colours::True => (colour, modifier - Modifier::DIM),
@@ -672,15 +677,13 @@ mod tests {
         }
     }
 
-    /// Yellow is barely visible on white, whatever the terminal's palette.
+    /// Yellow, green and cyan are barely visible on white in most palettes.
     #[test]
-    fn light_theme_avoids_yellow_and_bright_ansi_colours() {
+    fn light_theme_uses_dark_ansi_colours_only() {
         for hue in ALL {
             let read = [
                 Color::Reset,
                 Color::Red,
-                Color::Green,
-                Color::Cyan,
                 Color::Blue,
                 Color::Magenta,
                 Color::DarkGray,
@@ -732,24 +735,30 @@ mod tests {
         assert_eq!(sent(Theme::Auto, Color::Red), Color::Red);
         assert_eq!(sent(Theme::Auto, Color::Blue), Color::Reset);
         assert_eq!(sent(Theme::Dark, Color::Red), Color::LightRed);
-        assert_eq!(sent(Theme::Light, Color::LightCyan), Color::Cyan);
+        assert_eq!(sent(Theme::Light, Color::Cyan), Color::Blue);
         assert_eq!(sent(Theme::Dark, Color::Reset), Color::Reset);
     }
 
     #[test]
     fn faint_text_is_grey_with_indexed_colours() {
-        let faint = |colours| {
+        let faint = |colours, theme| {
             let palette = Palette {
                 colours,
-                theme: Theme::Auto,
+                theme,
                 has_weak_text: false,
             };
-            palette.faint(Color::Reset, Modifier::DIM | Modifier::BOLD)
+            let (colour, modifier) = palette.faint(Color::Reset, Modifier::DIM | Modifier::BOLD);
+            (palette.colour(colour), modifier)
         };
         let as_it_was = (Color::Reset, Modifier::DIM | Modifier::BOLD);
-        assert_eq!(faint(Colours::Sixteen), as_it_was);
+        for theme in [Theme::Auto, Theme::Dark] {
+            assert_eq!(faint(Colours::Sixteen, theme), as_it_was);
+        }
+        // Regression: xterm dims towards black, so guides on white were as black as names.
+        let grey = (Color::DarkGray, Modifier::BOLD);
+        assert_eq!(faint(Colours::Sixteen, Theme::Light), grey);
         assert_eq!(
-            faint(Colours::Indexed),
+            faint(Colours::Indexed, Theme::Auto),
             (Color::Indexed(243), Modifier::BOLD)
         );
     }

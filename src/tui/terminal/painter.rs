@@ -72,6 +72,7 @@ impl Painter {
             look: CellStyle {
                 palette,
                 has_faint: capability.modern,
+                erases_cells: capability.modern,
             },
             synchronised: capability.modern,
             shown: Buffer::empty(Rect::ZERO),
@@ -150,7 +151,9 @@ impl Painter {
     pub(crate) fn frame(&mut self, urgent: &[Rect], space: usize) -> &[u8] {
         self.pen.start_frame();
         self.stale |= self.shown.area != self.wanted.area;
-        if self.synchronised {
+        // A slow line takes longer for the brackets than the terminal for the frame.
+        let synchronised = self.synchronised && space >= SLOW_LINE_LIMIT;
+        if synchronised {
             queue(&mut self.pen.bytes, BeginSynchronizedUpdate);
         }
         let prologue = self.pen.bytes.len();
@@ -172,7 +175,7 @@ impl Painter {
         if self.is_cut() {
             // A cut frame need not appear at once, and the brackets cost as much as a number.
             self.pen.bytes.drain(..prologue);
-        } else if self.synchronised {
+        } else if synchronised {
             queue(&mut self.pen.bytes, EndSynchronizedUpdate);
         }
         self.frames.count += 1;
@@ -292,6 +295,21 @@ mod tests {
         let mut red = text(&["hello"]);
         red.set_style(Rect::new(0, 0, 3, 1), Style::new().fg(Color::Red));
         assert!(painter.full_frame(red).is_empty());
+    }
+
+    #[test]
+    fn run_of_blanks_is_erased_at_once() {
+        let [long, short] = ["-", " "].map(|fill| text(&[&format!("{}y", fill.repeat(11)), "z"]));
+        for modern in [true, false] {
+            let (mut painter, mut terminal) = (painter(Colours::None, modern), terminal());
+            terminal.process(painter.full_frame(long.clone()));
+            let bytes = painter.full_frame(short.clone());
+            terminal.process(bytes);
+            let bytes = bytes.escape_ascii().to_string();
+            assert_eq!(bytes.contains(r"\x1b[11X"), modern, "{bytes}");
+            let row = terminal.screen().rows(0, WIDTH).next();
+            assert_eq!(row.as_deref(), Some("           y"), "{bytes}");
+        }
     }
 
     #[test]

@@ -31,6 +31,8 @@ pub(super) struct CellStyle {
     pub(super) palette: Palette,
     /// The Linux console shows faint text in a hardly legible grey; a VT100 has no faint text.
     pub(super) has_faint: bool,
+    /// A VT100 cannot erase some characters of a row.
+    pub(super) erases_cells: bool,
 }
 
 impl CellStyle {

@@ -261,7 +261,10 @@ fn playback_shows_three_drawings_per_second_and_one_on_large_screen() {
     for (preset, size, minimum) in [
         ("four-bar", SIZE, 3.0),
         ("slider-crank", SIZE, 3.0),
-        ("jansen-leg", SIZE, 2.0),
+        ("jansen-leg", SIZE, 3.0),
+        ("lift-table", SIZE, 3.0),
+        ("radial-engine", SIZE, 3.0),
+        ("double-rocker", SIZE, 3.0),
         // Between the targets of the two other sizes: frames also carry values that vary, such as times.
         ("four-bar", Size::new(120, 40), 1.5),
         ("four-bar", Size::new(200, 60), 1.0),

@@ -9,6 +9,10 @@ const ERASING: usize = 3;
 /// Minimum number of blanks that erasing a whole row must save. Fewer are just as quickly written.
 const MIN_ERASED_BLANKS: usize = 12;
 
+/// Minimum number of blanks to erase at once. `ESC [ n X` leaves the cursor where it is, so the next
+/// write in the row moves it by a sequence of the same length.
+pub(super) const MIN_ERASED_CELLS: usize = 11;
+
 /// A write at one position.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CellChange {
@@ -142,10 +146,23 @@ impl Screens<'_> {
         self.look.is_blank(&next[at]) && !self.look.is_blank(&shown[at])
     }
 
+    /// Returns the number of bytes that blank out visible content, cell by cell or in runs.
+    fn erasing_len(&self, changes: &[CellChange]) -> usize {
+        let (mut len, mut run, mut next) = (0, 0, None);
+        for change in changes.iter().filter(|c| self.takes_away(c)) {
+            run = if next == Some(change.x) { run + 1 } else { 1 };
+            if run <= MIN_ERASED_CELLS || !self.look.erases_cells {
+                len += 1;
+            }
+            next = Some(change.x + 1);
+        }
+        len
+    }
+
     /// Returns `true` if erasing the row from here on is shorter than writing blanks. Erased
     /// content that stays must be written again.
     fn is_erase_shorter(&self, changes: &[CellChange], from: u16) -> bool {
-        let gone = changes.iter().filter(|c| self.takes_away(c)).count();
+        let gone = self.erasing_len(changes);
         // A quick exit: most frames change only a few cells of a row.
         let saved = gone.saturating_sub(MIN_ERASED_BLANKS);
         if saved == 0 {

@@ -3,7 +3,7 @@
 use super::super::queue;
 use super::super::sgr::{CellStyle, Sgr, escape};
 use super::MAX_FRAME_START;
-use super::changes::{CellChange, Screens, ToWrite};
+use super::changes::{CellChange, MIN_ERASED_CELLS, Screens, ToWrite};
 use crossterm::cursor::MoveTo;
 use crossterm::terminal::{Clear, ClearType};
 use ratatui::buffer::Cell;
@@ -71,13 +71,22 @@ impl CellPen {
             sgr: self.sgr,
             written: 0,
         };
-        for change in changes {
+        while let Some(change) = changes.get(list.written) {
             let has_begun = self.bytes.len() > MAX_FRAME_START;
             if has_begun && self.bytes.len() >= space {
                 break;
             }
-            self.write_change(screens, change);
-            list.written += 1;
+            let blanks = blanks_in_row(screens, &changes[list.written..]);
+            if blanks >= MIN_ERASED_CELLS {
+                let (shown, row) = screens.row(change.y);
+                self.go_to(change, screens.look, shown, row);
+                self.set(change.style);
+                escape(&mut self.bytes, format_args!("\x1b[{blanks}X"));
+                list.written += blanks;
+            } else {
+                self.write_change(screens, change);
+                list.written += 1;
+            }
         }
         list
     }
@@ -197,4 +206,19 @@ impl CellPen {
         sgr == self.sgr
             || (cell.symbol() == " " && sgr == Sgr::PLAIN && self.sgr.is_blank_background())
     }
+}
+
+/// Returns the number of adjacent blanks at the start of a list that can be erased at once.
+fn blanks_in_row(screens: Screens<'_>, changes: &[CellChange]) -> usize {
+    let Some(first) = changes.first().filter(|_| screens.look.erases_cells) else {
+        return 0;
+    };
+    let (_, row) = screens.row(first.y);
+    let is_next = |(x, change): &(u16, &CellChange)| {
+        (change.x, change.y) == (*x, first.y)
+            && change.what == ToWrite::Cell
+            && change.style.is_blank_background()
+            && row[usize::from(change.x)].symbol() == " "
+    };
+    (first.x..).zip(changes).take_while(is_next).count()
 }

@@ -39,7 +39,7 @@ pub(crate) struct Sketch {
     window: Option<(Rect, drawing::WorldView)>,
     /// The visible polygons.
     polygons: Vec<PolygonSketch>,
-    /// Whether links are drawn with line characters, which take fewer bytes than dots.
+    /// Whether the linkage is drawn in ASCII, which takes fewer bytes than dots.
     pub(crate) is_simple: bool,
 }
 
@@ -158,9 +158,10 @@ impl Sketch {
         let view = arrangement::window(app, area);
         self.window = Some((area, view));
         self.place_labels(app, &view, highlighted);
-        let glyphs = match app.glyphs() {
-            Glyphs::Braille | Glyphs::Blocks(_) if self.is_simple => Glyphs::Line,
-            own => own,
+        // Other glyphs take three bytes each.
+        let glyphs = match self.is_simple {
+            true => Glyphs::Ascii,
+            false => app.glyphs(),
         };
         let Sketch { labels, raster, .. } = self;
         drawing::render_into(&figure_of(app, highlighted), &view, glyphs, labels, raster);

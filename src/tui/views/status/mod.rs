@@ -66,6 +66,14 @@ pub(super) fn key_at(app: &App, area: Rect, x: u16) -> Option<Key> {
     written(app, area, &mut Buffer::empty(area)).key_at(x)
 }
 
+/// Returns the part of the status line up to the driver and its limits: what moves during playback,
+/// without the cost and the error bound of a state.
+pub(super) fn moving(app: &App, area: Rect) -> Rect {
+    let end = written(app, area, &mut Buffer::empty(area)).driver_end;
+    let width = end.map_or(area.width, |end| end.saturating_sub(area.x).min(area.width));
+    Rect { width, ..area }
+}
+
 /// Renders the status line and returns its writer.
 fn written<'a>(app: &App, area: Rect, buffer: &'a mut Buffer) -> Writer<'a> {
     let mut line = Writer::new(area, buffer);
@@ -182,6 +190,7 @@ fn write_state(app: &App, narrow: bool, needed: u16, line: &mut Writer<'_>) {
     if side_by_side && reserved > 0 {
         line.go_to(from);
     }
+    line.driver_end = Some(line.x().max(from));
     let fits = |trust: &String| line.columns_left() >= columns(trust) + needed;
     let shown = trust.filter(|trust| (near.is_none() || side_by_side) && fits(trust));
     if let Some(trust) = shown {

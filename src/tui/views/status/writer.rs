@@ -14,6 +14,8 @@ pub(super) struct Writer<'a> {
     buffer: &'a mut Buffer,
     x: u16,
     area: Rect,
+    /// The first column behind the driver and its limits, if the line shows them.
+    pub(super) driver_end: Option<u16>,
     /// The keys of the hints, with the columns of each hint.
     keys: Vec<(Range<u16>, Key)>,
     /// The message that does not fit into the line.
@@ -26,6 +28,7 @@ impl<'a> Writer<'a> {
             buffer,
             x: area.x,
             area,
+            driver_end: None,
             keys: Vec::new(),
             pending_message: None,
         }
