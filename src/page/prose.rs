@@ -151,7 +151,11 @@ const WORDS: [&str; 4] = ["a", "A", "I", "o"];
 /// begins with a Greek letter.
 fn is_symbol(word: &str, symbols: &[String]) -> bool {
     let is_greek = word.starts_with(['θ', 'ω', 'α', 'β', 'γ', 'μ', 'ν']);
-    let is_name = || symbols.binary_search_by(|name| name.as_str().cmp(word)).is_ok();
+    let is_name = || {
+        symbols
+            .binary_search_by(|name| name.as_str().cmp(word))
+            .is_ok()
+    };
     is_greek || !WORDS.contains(&word) && is_name()
 }
 
