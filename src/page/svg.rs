@@ -165,17 +165,23 @@ fn push_number(value: f64, out: &mut String) {
         reason = "between 0 and the maximum"
     )]
     let hundredths = hundredths.round() as u32;
-    let [whole, rest] = [hundredths / 100, hundredths % 100];
-    let sign = if value < 0.0 && hundredths > 0 {
-        "-"
-    } else {
-        ""
-    };
-    let _ = match (rest / 10, rest % 10) {
-        (0, 0) => write!(out, "{sign}{whole}"),
-        (tenths, 0) => write!(out, "{sign}{whole}.{tenths}"),
-        _ => write!(out, "{sign}{whole}.{rest:02}"),
-    };
+    if value < 0.0 && hundredths > 0 {
+        out.push('-');
+    }
+    let mut unit = 100;
+    while hundredths / unit >= 10 {
+        unit *= 10;
+    }
+    let mut rest = hundredths;
+    // Zeros at the end of the decimals are left out.
+    while unit >= 100 || rest > 0 {
+        if unit == 10 {
+            out.push('.');
+        }
+        out.extend(char::from_digit(rest / unit, 10));
+        rest %= unit;
+        unit /= 10;
+    }
 }
 
 /// Escapes a text for SVG and HTML.
