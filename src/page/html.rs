@@ -2,12 +2,16 @@
 //! pictures. It has no script. It is light or dark on a screen, as the reader prefers, and light on
 //! A4 paper.
 
-use super::math::{Formula, MathPiece};
+use super::math::{Formula, MathPiece, Symbol};
 use super::prose::{ProsePiece, label};
-use super::svg::marked_up;
-use super::{Cell, Content, Equation, Facts, Illustration, Page, Row, Table};
+use super::svg::{marked_up, push_marked_up};
+use super::{Block, Cell, Content, Equation, Facts, Illustration, Page, Row, Table};
+use crate::parallel;
 use crate::wording::words;
 use std::fmt::Write as _;
+
+/// Blocks that are written by one job.
+const CHUNK: usize = 64;
 
 const SHEET: &str = include_str!("html/page.css");
 const DARK: &str = ":root{--ink:#ddd;--paper:#181818;--line:#555;--quiet:#aaa;--found:#ff9a94}\n";
@@ -16,21 +20,26 @@ impl Page {
     /// Returns the page as an HTML file.
     #[must_use]
     pub fn to_html(&self) -> String {
-        let mut title = String::new();
-        let mut body = String::new();
+        let mut title = "";
         let mut sheets = Vec::new();
         for block in &self.blocks {
-            let content = block.content.harmless();
-            if let Content::Title(text) = &content {
-                title.clone_from(text);
+            match &block.content {
+                Content::Title(text) => title = text,
+                Content::Picture(picture) if !sheets.contains(&picture.artwork.style) => {
+                    sheets.push(picture.artwork.style);
+                }
+                _ => {}
             }
-            if let Content::Picture(picture) = &content
-                && !sheets.contains(&picture.artwork.style)
-            {
-                sheets.push(picture.artwork.style);
-            }
-            body.push_str(&content.html(&sheets, &self.symbols));
         }
+        let chunks: Vec<&[Block]> = self.blocks.chunks(CHUNK).collect();
+        let write = |(): &mut (), i: usize| {
+            let blocks = chunks[i].iter();
+            blocks
+                .map(|block| block.content.html(&sheets, &self.symbols))
+                .collect::<String>()
+        };
+        let cores = parallel::cores().min(chunks.len());
+        let body = parallel::each(chunks.len(), cores, || (), write, &mut |_| true).concat();
         let mut rules = SHEET.to_owned();
         let mut when_dark = DARK.to_owned();
         for (number, sheet) in sheets.iter().enumerate() {
@@ -40,7 +49,7 @@ impl Page {
         let head = format!(
             "<style>\n{rules}@media screen and (prefers-color-scheme:dark){{\n{when_dark}}}\n</style>\n"
         );
-        html_document(&title, &head, &body)
+        html_document(title, &head, &body)
     }
 }
 
@@ -62,7 +71,14 @@ fn class(number: usize) -> String {
 
 impl Content {
     fn html(&self, sheets: &[super::style::StyleSheet], symbols: &[String]) -> String {
-        match self {
+        if let Content::Equations(equations) = self {
+            let mut text = String::new();
+            equations
+                .iter()
+                .for_each(|one| push_equation(one, &mut text));
+            return text;
+        }
+        match &self.harmless() {
             Content::Title(text) => format!("<h1>{}</h1>\n", marked_up(text)),
             Content::Heading(level, text) => {
                 let level = (level + 1).min(6);
@@ -70,7 +86,7 @@ impl Content {
             }
             Content::Text(text) => format!("<p>{}</p>\n", prose(text.trim(), symbols)),
             Content::Facts(list) => facts(list, symbols),
-            Content::Equations(equations) => equations.iter().map(equation).collect(),
+            Content::Equations(_) => String::new(),
             Content::Table(table) => columns(table, symbols),
             Content::Characters(lines) => format!("<pre>{}</pre>\n", marked_up(&lines.join("\n"))),
             Content::Picture(picture) => {
@@ -88,9 +104,15 @@ fn figure(picture: &Illustration, class: &str, symbols: &[String]) -> String {
     format!("<figure>\n{drawn}<figcaption>{caption}</figcaption>\n</figure>\n")
 }
 
-fn equation(equation: &Equation) -> String {
-    let sides: Vec<String> = equation.sides.iter().map(formula).collect();
-    format!("<div class=\"eq\">{}</div>\n", sides.join(" = "))
+fn push_equation(equation: &Equation, out: &mut String) {
+    out.push_str("<div class=\"eq\">");
+    for (k, side) in equation.sides.iter().enumerate() {
+        if k > 0 {
+            out.push_str(" = ");
+        }
+        push_formula(side, out);
+    }
+    out.push_str("</div>\n");
 }
 
 fn facts(facts: &Facts, symbols: &[String]) -> String {
@@ -173,46 +195,70 @@ fn figures(cell: Option<&Cell>) -> String {
 
 /// Formats a formula with its indices and powers.
 fn formula(of: &Formula) -> String {
-    let pieces = of.0.iter().map(|piece| match piece {
-        MathPiece::Symbol(symbol) => {
-            let dots = ["", "\u{307}", "\u{308}"][symbol.order.min(2)];
-            // The first of several letters carries the dots.
-            let first = symbol.letter.chars().next().map_or(0, char::len_utf8);
-            let (first, rest) = symbol.letter.split_at(first);
-            let (first, rest) = (marked_up(first), marked_up(rest));
-            let letter = match rest.as_str() {
-                "" => format!("<i>{first}{dots}</i>"),
-                rest => format!("{first}{dots}{rest}"),
-            };
-            match symbol.index.replace('_', " ").as_str() {
-                "" => letter,
-                index => format!("{letter}<sub>{}</sub>", marked_up(index)),
+    let mut text = String::new();
+    push_formula(of, &mut text);
+    text
+}
+
+/// Appends a formula with its indices and powers.
+fn push_formula(of: &Formula, out: &mut String) {
+    for piece in &of.0 {
+        match piece {
+            MathPiece::Symbol(symbol) => push_symbol(symbol, out),
+            MathPiece::Function(name, of) => {
+                out.push_str(name);
+                out.push('(');
+                push_formula(of, out);
+                out.push(')');
             }
+            MathPiece::Word(text) => push_marked_up(text, out),
+            MathPiece::Number(number) => match number.split_once('e') {
+                None => push_marked_up(number, out),
+                Some((digits, power)) => {
+                    push_marked_up(digits, out);
+                    out.push_str("·10");
+                    push_power(power, out);
+                }
+            },
+            MathPiece::Power(exponent) => push_power(exponent, out),
+            MathPiece::Sign('-') => out.push('\u{2212}'),
+            MathPiece::Sign(sign) => push_marked_up(sign.encode_utf8(&mut [0; 4]), out),
+            MathPiece::Blank => out.push(' '),
         }
-        MathPiece::Function(name, of) => format!("{name}({})", formula(of)),
-        MathPiece::Word(text) => marked_up(text),
-        MathPiece::Number(number) => match number.split_once('e') {
-            None => marked_up(number),
-            Some((digits, power)) => {
-                let power = marked_up(&power.replace('-', "\u{2212}"));
-                format!("{}·10<sup>{power}</sup>", marked_up(digits))
-            }
-        },
-        MathPiece::Power(exponent) => {
-            let exponent = marked_up(&exponent.replace('-', "\u{2212}"));
-            format!("<sup>{exponent}</sup>")
-        }
-        MathPiece::Sign('-') => "\u{2212}".into(),
-        MathPiece::Sign(sign) => marked_up(&sign.to_string()),
-        MathPiece::Blank => " ".into(),
-    });
-    pieces.collect()
+    }
+}
+
+fn push_symbol(symbol: &Symbol, out: &mut String) {
+    let dots = ["", "\u{307}", "\u{308}"][symbol.order.min(2)];
+    // The first of several letters carries the dots.
+    let first = symbol.letter.chars().next().map_or(0, char::len_utf8);
+    let (first, rest) = symbol.letter.split_at(first);
+    let [open, close] = if rest.is_empty() {
+        ["<i>", "</i>"]
+    } else {
+        [""; 2]
+    };
+    out.push_str(open);
+    push_marked_up(first, out);
+    out.push_str(dots);
+    push_marked_up(rest, out);
+    out.push_str(close);
+    if !symbol.index.is_empty() {
+        out.push_str("<sub>");
+        push_marked_up(&symbol.index.replace('_', " "), out);
+        out.push_str("</sub>");
+    }
+}
+
+fn push_power(exponent: &str, out: &mut String) {
+    out.push_str("<sup>");
+    push_marked_up(&exponent.replace('-', "\u{2212}"), out);
+    out.push_str("</sup>");
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::page::Symbol;
 
     #[test]
     fn formulas_become_html_with_indices_and_powers() {

@@ -170,16 +170,21 @@ impl Formula {
         self
     }
 
+    fn with(mut self, piece: MathPiece) -> Formula {
+        self.0.push(piece);
+        self
+    }
+
     pub(crate) fn blank(self) -> Formula {
-        self.then(Formula::one(MathPiece::Blank))
+        self.with(MathPiece::Blank)
     }
 
     pub(crate) fn with_sign(self, sign: char) -> Formula {
-        self.then(Formula::sign(sign))
+        self.with(MathPiece::Sign(sign))
     }
 
     pub(crate) fn power(self, exponent: &str) -> Formula {
-        self.then(Formula::one(MathPiece::Power(exponent.to_owned())))
+        self.with(MathPiece::Power(exponent.to_owned()))
     }
 
     /// Returns the formula between two signs, such as bars.

@@ -58,7 +58,7 @@ pub struct Page {
     /// Whether the names in all its tables and facts have the same width, so that they form one
     /// column.
     pub is_aligned: bool,
-    /// The names to typeset as symbols within sentences.
+    /// The names to typeset as symbols within sentences, sorted.
     symbols: Vec<String>,
     /// The numbers of the last headings of level 1 and 2.
     numbers: [usize; 2],
@@ -152,6 +152,7 @@ impl Page {
     /// Sets the names to typeset as symbols within sentences.
     pub(crate) fn set_symbols(&mut self, names: impl IntoIterator<Item = String>) {
         self.symbols = names.into_iter().collect();
+        self.symbols.sort_unstable();
     }
 
     /// Adds a block, preceded by a blank line unless the previous block introduces it.

@@ -147,14 +147,19 @@ const UNITS: [&str; 13] = [
 /// Words of both languages that can also be names; within a sentence they count as words.
 const WORDS: [&str; 4] = ["a", "A", "I", "o"];
 
-/// Returns `true` if a word of a sentence is a symbol: one of these names, or a word that begins
-/// with a Greek letter.
+/// Returns `true` if a word of a sentence is a symbol: one of these sorted names, or a word that
+/// begins with a Greek letter.
 fn is_symbol(word: &str, symbols: &[String]) -> bool {
     let is_greek = word.starts_with(['θ', 'ω', 'α', 'β', 'γ', 'μ', 'ν']);
-    is_greek || symbols.iter().any(|name| name == word) && !WORDS.contains(&word)
+    let is_name = || {
+        symbols
+            .binary_search_by(|name| name.as_str().cmp(word))
+            .is_ok()
+    };
+    is_greek || !WORDS.contains(&word) && is_name()
 }
 
-/// Splits a paragraph into pieces, with these names as symbols. An unpaired backtick stays a
+/// Splits a paragraph into pieces, with these sorted names as symbols. An unpaired backtick stays a
 /// backtick.
 pub(super) fn pieces<'t>(text: &'t str, symbols: &[String]) -> Vec<ProsePiece<'t>> {
     let mut pieces = Vec::new();
@@ -242,7 +247,7 @@ mod tests {
 
     #[test]
     fn names_are_symbols_but_articles_are_words() {
-        let names = ["s", "r2", "a"].map(str::to_owned);
+        let names = ["a", "r2", "s"].map(str::to_owned);
         let symbols = |text: &'static str| -> Vec<String> {
             let of = |piece| match piece {
                 ProsePiece::Formula(word) => Some(word.to_string()),

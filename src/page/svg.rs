@@ -7,6 +7,7 @@ use super::artwork::{ArtElement, Artwork, TextAnchor};
 use super::style::{DARK, LIGHT, StyleSheet, rules};
 use crate::Vec2;
 use crate::document::sanitized;
+use std::borrow::Cow;
 use std::fmt::Write as _;
 
 /// The ground of a document.
@@ -68,8 +69,9 @@ impl Artwork {
                     is_closed,
                     class,
                 } => {
-                    let data = path_data(runs, *is_closed);
-                    writeln!(body, "<path class=\"{class}\" d=\"{data}\"/>")
+                    let _ = write!(body, "<path class=\"{class}\" d=\"");
+                    push_path(runs, *is_closed, &mut body);
+                    writeln!(body, "\"/>")
                 }
                 ArtElement::Circle { at, radius, class } => {
                     let [x, y, r] = [at.x, at.y, *radius].map(number);
@@ -120,45 +122,97 @@ impl StyleSheet {
     }
 }
 
-fn path_data(runs: &[Vec<Vec2>], is_closed: bool) -> String {
-    let mut data = String::new();
+fn push_path(runs: &[Vec<Vec2>], is_closed: bool, out: &mut String) {
     for run in runs {
         for (k, p) in run.iter().enumerate() {
-            let command = if k == 0 { 'M' } else { 'L' };
-            let _ = write!(data, "{command}{} {}", number(p.x), number(p.y));
+            out.push(if k == 0 { 'M' } else { 'L' });
+            push_number(p.x, out);
+            out.push(' ');
+            push_number(p.y, out);
         }
         if is_closed {
-            data.push('Z');
+            out.push('Z');
         }
     }
-    data
 }
 
 /// Formats a coordinate with two decimals: a hundredth of a user unit is finer than any printer.
 pub(super) fn number(value: f64) -> String {
-    let text = format!("{value:.2}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0" } else { text }.to_owned()
+    let mut text = String::new();
+    push_number(value, &mut text);
+    text
+}
+
+/// The largest number of hundredths that is rounded in floating point, and the minimum distance
+/// from a tie: both leave far more digits than the product has errors.
+const MAX_HUNDREDTHS: f64 = 1e9;
+const MIN_TIE_DISTANCE: f64 = 1e-6;
+
+/// Appends a coordinate as [`number`] formats it. A report has millions of them, so usual ones are
+/// formatted as integers.
+fn push_number(value: f64, out: &mut String) {
+    let hundredths = (value * 100.0).abs();
+    let is_tie = (hundredths.fract() - 0.5).abs() < MIN_TIE_DISTANCE;
+    if !(hundredths < MAX_HUNDREDTHS) || is_tie {
+        let text = format!("{value:.2}");
+        let text = text.trim_end_matches('0').trim_end_matches('.');
+        out.push_str(if text == "-0" { "0" } else { text });
+        return;
+    }
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between 0 and the maximum"
+    )]
+    let hundredths = hundredths.round() as u32;
+    if value < 0.0 && hundredths > 0 {
+        out.push('-');
+    }
+    let mut unit = 100;
+    while hundredths / unit >= 10 {
+        unit *= 10;
+    }
+    let mut rest = hundredths;
+    // Zeros at the end of the decimals are left out.
+    while unit >= 100 || rest > 0 {
+        if unit == 10 {
+            out.push('.');
+        }
+        out.extend(char::from_digit(rest / unit, 10));
+        rest %= unit;
+        unit /= 10;
+    }
 }
 
 /// Escapes a text for SVG and HTML.
 pub(crate) fn marked_up(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
-    for c in sanitized(text, false).chars() {
+    push_marked_up(text, &mut escaped);
+    escaped
+}
+
+/// Appends a text, escaped for SVG and HTML.
+pub(super) fn push_marked_up(text: &str, out: &mut String) {
+    let is_plain = |byte: u8| byte.is_ascii_graphic() || byte == b' ';
+    let text = match text.bytes().all(is_plain) {
+        true => Cow::Borrowed(text),
+        false => Cow::Owned(sanitized(text, false)),
+    };
+    for c in text.chars() {
         match c {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            c => escaped.push(c),
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            c => out.push(c),
         }
     }
-    escaped
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     const PLAIN: StyleSheet = StyleSheet {
         light: "",
@@ -180,6 +234,43 @@ mod tests {
         assert!(text.contains("d=\"M0 1L2.5 3M0 1L2.5 3\""), "{text}");
         assert!(text.contains("&quot;B'&quot; &amp; C</text>"));
         assert!(!text.contains("NaN"));
+    }
+
+    #[test]
+    fn coordinates_are_rounded_to_the_nearest_hundredth() {
+        for (value, expected) in [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (-0.004, "0"),
+            (0.005, "0.01"),
+            (0.015, "0.01"),
+            (1.005, "1"),
+            (0.125, "0.12"),
+            (0.375, "0.38"),
+            (-12.3456, "-12.35"),
+            (12.999, "13"),
+            (-0.5, "-0.5"),
+            (640.05, "640.05"),
+            (1e300, &format!("{:.0}", 1e300)),
+            (f64::NAN, "NaN"),
+        ] {
+            assert_eq!(number(value), expected, "{value}");
+        }
+    }
+
+    proptest! {
+        /// The standard library rounds the exact decimal value.
+        #[test]
+        fn coordinates_equal_those_of_the_standard_library(
+            value in -2e7..2e7_f64,
+            thousandths in -2_000_000..2_000_000_i32,
+        ) {
+            for value in [value, value / 1e5, f64::from(thousandths) / 1000.0] {
+                let text = format!("{value:.2}");
+                let text = text.trim_end_matches('0').trim_end_matches('.');
+                prop_assert_eq!(number(value), if text == "-0" { "0" } else { text });
+            }
+        }
     }
 
     #[test]

@@ -125,10 +125,19 @@ impl Poses {
     /// Returns for each place the union of the extents met within `near` places.
     fn union_near(&self, met: &[(f64, Bounds)], near: f64) -> Vec<Bounds> {
         let mut spaces = vec![Bounds::default(); PLACES + 1];
+        // In a closed motion, places near one end are near the other too.
+        let rounds: &[f64] = if self.closed {
+            &[-1.0, 0.0, 1.0]
+        } else {
+            &[0.0]
+        };
         for &(at, space) in met {
-            for (index, gathered) in spaces.iter_mut().enumerate() {
-                if self.far(at, index as f64) <= near + 1e-9 {
-                    *gathered = gathered.with(space);
+            for round in rounds {
+                let at_round = at + round * PLACES as f64;
+                for index in places_between(at_round - near, at_round + near) {
+                    if self.far(at, index as f64) <= near + 1e-9 {
+                        spaces[index] = spaces[index].with(space);
+                    }
                 }
             }
         }
@@ -238,6 +247,18 @@ impl Poses {
 
 /// Every fourth place suffices to choose a window: 12 degrees of a turn.
 const SOME: usize = 4;
+
+/// Returns the places from the one before `low` to the one after `high`.
+fn places_between(low: f64, high: f64) -> std::ops::RangeInclusive<usize> {
+    let last = PLACES as f64;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between 0 and the last place"
+    )]
+    let [first, end] = [low.floor(), high.ceil()].map(|place| place.clamp(0.0, last) as usize);
+    first..=end
+}
 
 /// Returns the mean of the extents around a place.
 fn mean(spaces: &[Bounds], index: usize, near: usize, closed: bool) -> Bounds {

@@ -43,8 +43,9 @@ pub use strokes::{DwellStretch, TimeRatio};
 use crate::angle::TURN;
 use crate::expression::DirectionCut;
 use crate::parallel;
-use crate::quantity::Quantity;
+use crate::quantity::{Quantity, Subject};
 use crate::solver::{Range, Solver};
+use crate::{Mechanism, PointId};
 use extrema::ExtremaSet;
 use sampler::{MotionSampler, SampledFigure, SlopeSource};
 
@@ -170,7 +171,8 @@ impl Excursion {
         self.ratio == Err(NoFigure::Stands)
     }
 
-    /// Analyses quantities over the motion; those with equal solver settings share the samples.
+    /// Analyses quantities over the motion; blocks of those with equal solver settings share the
+    /// samples.
     #[must_use]
     pub fn of_all(
         solver: &Solver,
@@ -178,37 +180,37 @@ impl Excursion {
         options: ExcursionOptions,
     ) -> Vec<Result<Excursion, NoFigure>> {
         let mut found = vec![Err(NoFigure::NoRate); quantities.len()];
+        let groups = GroupNumbers::new(solver);
         for source in SlopeSource::ALL {
             let is_of = |quantity: &Quantity| SlopeSource::of(solver, quantity) == source;
             let own = (0..quantities.len()).filter(|&i| is_of(&quantities[i]));
-            let own: Vec<usize> = own.collect();
+            let mut own: Vec<usize> = own.collect();
             if own.is_empty() {
                 continue;
             }
+            own.sort_by_key(|&i| groups.of(&quantities[i]));
             let of = own.iter().map(|&i| &quantities[i]);
             let degree = if options.rates { 2 } else { 1 };
             let mut complete = MotionSampler::new(solver, source, of, degree);
-            let sampled = complete.sample_motion();
-            let follow = |sampler: &mut MotionSampler, sampled: &[SampledFigure]| {
+            let follow = |sampler: &mut MotionSampler| {
+                let sampled = sampler.sample_motion();
                 let columns = sampled.iter().enumerate();
                 let followed =
                     columns.map(|(column, of)| Self::follow(sampler, column, of, options));
                 followed.collect::<Vec<Result<Excursion, NoFigure>>>()
             };
-            let blocks: Vec<&[SampledFigure]> = sampled.chunks(BLOCK).collect();
-            let followed = match blocks[..] {
-                [all] => vec![follow(&mut complete, all)],
-                _ => {
+            let followed = match own.len().div_ceil(BLOCK) {
+                1 => follow(&mut complete),
+                blocks => {
                     let work = |(): &mut (), i: usize| {
-                        let first = i * BLOCK;
-                        let columns = first..first + blocks[i].len();
-                        follow(&mut complete.of_columns(columns), blocks[i])
+                        let columns = i * BLOCK..own.len().min((i + 1) * BLOCK);
+                        follow(&mut complete.of_columns(columns))
                     };
                     let threads = parallel::cores();
-                    parallel::each(blocks.len(), threads, || (), work, &mut |_| true)
+                    parallel::each(blocks, threads, || (), work, &mut |_| true).concat()
                 }
             };
-            for (i, excursion) in own.into_iter().zip(followed.into_iter().flatten()) {
+            for (i, excursion) in own.into_iter().zip(followed) {
                 found[i] = excursion;
             }
         }
@@ -283,6 +285,47 @@ impl Excursion {
         let ends = [&mut self.least, &mut self.greatest];
         for place in turnings.chain(dwells).chain(ends) {
             place.value -= off;
+        }
+    }
+}
+
+/// The number of the group that places each point and each link, in the order of solution.
+struct GroupNumbers<'a> {
+    mechanism: &'a Mechanism,
+    points: Vec<usize>,
+    links: Vec<usize>,
+}
+
+impl GroupNumbers<'_> {
+    fn new(solver: &Solver) -> GroupNumbers<'_> {
+        let mechanism = solver.mechanism();
+        let mut numbers = GroupNumbers {
+            mechanism,
+            points: vec![0; mechanism.points().len()],
+            links: vec![0; mechanism.links().len()],
+        };
+        for (number, group) in solver.plan().groups.iter().enumerate() {
+            for point in &group.points {
+                numbers.points[point.index()] = number;
+            }
+            for link in &group.links {
+                numbers.links[link.index()] = number;
+            }
+        }
+        numbers
+    }
+
+    /// Returns the number of the last group on which a quantity depends. Blocks of columns in this
+    /// order depend on few groups.
+    fn of(&self, quantity: &Quantity) -> usize {
+        let point = |point: PointId| self.points[point.index()];
+        match quantity.subject() {
+            Some(Subject::Point(id)) => point(id),
+            Some(Subject::Between(tail, head)) => point(tail).max(point(head)),
+            Some(Subject::Slide(id)) => point(self.mechanism.slide(id).slider.point()),
+            Some(Subject::Link(id) | Subject::Joint(id, _)) => self.links[id.index()],
+            Some(Subject::Driver) => 0,
+            Some(Subject::Drive(_) | Subject::Frame | Subject::FrameResidual) | None => usize::MAX,
         }
     }
 }

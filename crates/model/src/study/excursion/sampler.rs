@@ -373,22 +373,24 @@ impl MotionSampler {
         if !self.solver.solve_lanes(at, self.order, &mut self.lanes) {
             return false;
         }
+        let before = to.first().map_or(0, |to| to.by_degree[0].len());
         // A formula with a branch between the lanes has no value in all of them at once.
-        let figures = self.columns.iter().flat_map(|column| &column.by_degree);
-        let read: Option<Vec<_>> = figures
-            .map(|quantity| quantity.value(&self.lanes))
-            .collect();
-        let Some(read) = read else {
-            return false;
-        };
-        let mut read = read.into_iter();
-        for (column, to) in self.columns.iter().zip(to) {
-            let figures = column.factors.into_iter().zip(&mut to.by_degree);
-            for ((factor, to), lanes) in figures.zip(read.by_ref()) {
-                to.extend(lanes.0[..block.len()].iter().map(|value| value * factor));
-            }
+        let is_read = self.columns.iter().zip(&mut *to).all(|(column, to)| {
+            let figures = column.by_degree.iter().zip(column.factors);
+            figures
+                .zip(&mut to.by_degree)
+                .all(|((quantity, factor), to)| {
+                    let lanes = quantity.value(&self.lanes);
+                    let values = lanes.iter().flat_map(|lanes| &lanes.0[..block.len()]);
+                    to.extend(values.map(|value| value * factor));
+                    lanes.is_some()
+                })
+        });
+        if !is_read {
+            let all = to.iter_mut().flat_map(|to| &mut to.by_degree);
+            all.for_each(|values| values.truncate(before));
         }
-        true
+        is_read
     }
 }
 

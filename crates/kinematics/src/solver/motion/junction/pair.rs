@@ -182,16 +182,17 @@ pub(super) fn paired(
     (slack, is_end): (f64, bool),
     state: &State<Series>,
 ) -> Option<Paired> {
-    let right = dyad.right_angle(q, state);
-    let plain = dyad.height(q, SingularShift::default(), state);
-    if !(plain.square.nearest().abs() <= NEARLY_FLAT * right) {
-        return None;
-    }
+    // At a simple end of the motion there is no cubic polynomial, which takes least to find out.
     let [reach, _] = dyad.reach(state);
     let cubic = cubic(reach.derivative())?;
     let spread = spread(cubic);
     let minimum = if is_end { 0.0 } else { SINGLE };
     if !(minimum..=SPREAD).contains(&spread) {
+        return None;
+    }
+    let right = dyad.right_angle(q, state);
+    let plain = dyad.height(q, SingularShift::default(), state);
+    if !(plain.square.nearest().abs() <= NEARLY_FLAT * right) {
         return None;
     }
     let within = spread.max(MERGED);
