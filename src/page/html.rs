@@ -8,6 +8,7 @@ use super::svg::{marked_up, push_marked_up};
 use super::{Block, Cell, Content, Equation, Facts, Illustration, Page, Row, Table};
 use crate::parallel;
 use crate::wording::words;
+use std::borrow::Cow;
 use std::fmt::Write as _;
 
 /// Blocks that are written by one job.
@@ -71,14 +72,12 @@ fn class(number: usize) -> String {
 
 impl Content {
     fn html(&self, sheets: &[super::style::StyleSheet], symbols: &[String]) -> String {
-        if let Content::Equations(equations) = self {
-            let mut text = String::new();
-            equations
-                .iter()
-                .for_each(|one| push_equation(one, &mut text));
-            return text;
-        }
-        match &self.harmless() {
+        // The texts of formulas are made harmless as they are written.
+        let content = match self {
+            Content::Equations(_) => Cow::Borrowed(self),
+            _ => Cow::Owned(self.harmless()),
+        };
+        match &*content {
             Content::Title(text) => format!("<h1>{}</h1>\n", marked_up(text)),
             Content::Heading(level, text) => {
                 let level = (level + 1).min(6);
@@ -86,7 +85,13 @@ impl Content {
             }
             Content::Text(text) => format!("<p>{}</p>\n", prose(text.trim(), symbols)),
             Content::Facts(list) => facts(list, symbols),
-            Content::Equations(_) => String::new(),
+            Content::Equations(equations) => {
+                let mut text = String::new();
+                for equation in equations {
+                    push_equation(equation, &mut text);
+                }
+                text
+            }
             Content::Table(table) => columns(table, symbols),
             Content::Characters(lines) => format!("<pre>{}</pre>\n", marked_up(&lines.join("\n"))),
             Content::Picture(picture) => {

@@ -133,8 +133,8 @@ pub(crate) fn urgent(app: &App) -> [Rect; 2] {
 }
 
 /// Returns the areas that move during playback on a slow line: the drawing, the line below it with
-/// the position in the cycle, and the driver in the last line. Empty if no drawing is visible, or if its window
-/// follows the linkage, because the legend's scale then changes with it.
+/// the position in the cycle, and the driver in the last line. Empty if no drawing is visible, or
+/// if its window follows the linkage, because the legend's scale then changes with it.
 pub(crate) fn moving(app: &App, sketch: &Sketch) -> Vec<Rect> {
     let is_fixed = app.views.viewport.lens.is_fixed();
     let Some(drawing) = sketch.area().filter(|_| is_fixed) else {
