@@ -753,3 +753,16 @@ fn plates_that_open_beside_their_change_point_turn_fully() {
         assert_keep_offsets(&scene, &solver, 30.0, &pairs);
     }
 }
+
+/// Rounding errors stop the motion at 180 deg only if it comes from below. The motion that closes in the
+/// other direction turns fully.
+#[test]
+fn motion_that_closes_in_one_direction_turns_fully() {
+    let (scene, solver) = open(include_str!("scenes/passed_downwards_only.toml"));
+    let motion = solver.motion();
+    assert_eq!(motion.range, Range::Full { period: 720.0 });
+    assert_eq!(motion.change_points.len(), 8);
+    assert!(motion.meeting_assemblies.is_empty());
+    let pairs = [["B0", "C0"], ["B14", "X54"], ["B79", "C82"]];
+    assert_keep_offsets(&scene, &solver, -96.0, &pairs);
+}

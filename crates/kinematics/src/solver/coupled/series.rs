@@ -210,12 +210,14 @@ impl<'a> Path<'a> {
         };
         let border = null.as_ref().map(|null| (&null.w[..], &null.v[..]));
         let solver = BorderedMatrix::new(matrix, n, border)?;
-        let mut left = Vec::new();
-        if let Some(null) = &null {
-            // The last coefficient of a singular group would need one more order.
-            self.known = self.known.saturating_sub(1);
-            left = self.left_null(null, matrix, state, scratch)?;
-        }
+        let left = match &null {
+            Some(null) => {
+                // The last coefficient of a singular group would need one more order.
+                self.known = self.known.saturating_sub(1);
+                self.left_null(null, matrix, state, scratch)?
+            }
+            None => Vec::new(),
+        };
         let mut slope = None;
         for k in 0..self.known {
             // Each correction is solved in doubles and adds as many digits again.

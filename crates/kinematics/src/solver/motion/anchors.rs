@@ -220,5 +220,10 @@ impl Anchors {
 /// Reduces a coordinate to the range from 0 to `period`.
 pub(in crate::solver) fn positive_remainder(at: f64, period: f64) -> f64 {
     let rest = at % period;
-    if rest < 0.0 { rest + period } else { rest }
+    // The remainder of a negative multiple is -0.
+    if rest < 0.0 {
+        rest + period
+    } else {
+        rest + 0.0
+    }
 }

@@ -26,7 +26,7 @@ const HALF_WIDTH_COUNT: i32 = 11;
 /// rounding error of those before it by the inverse of the distance.
 pub(super) const FURTHER: [f64; 2] = [3e-3, 1e-2];
 /// Distance before a change point, in radians or scaled lengths, within which a minimum of a group that
-/// changes there is that change point.
+/// changes there with or behind a coupled group is that change point.
 const ONE_CHANGE_POINT: f64 = 3e-3;
 /// Distance beyond a change point at which the redundant constraints are checked with the other
 /// assembly.
@@ -316,12 +316,11 @@ impl Walker<'_> {
         let first = groups.iter().copied().find(is_coupled);
         self.misses.retain(|miss| {
             let group = miss.group.index();
-            let distance = if groups.contains(&group) {
-                ONE_CHANGE_POINT
-            } else if first.is_some_and(|first| first <= group) {
-                CHANGE_POINT_DISTANCE
-            } else {
-                return true;
+            let has_lost_digits = first.is_some_and(|first| first <= group);
+            let distance = match (groups.contains(&group), has_lost_digits) {
+                (false, false) => return true,
+                (true, true) => ONE_CHANGE_POINT,
+                _ => CHANGE_POINT_DISTANCE,
             };
             let before = engine.moved(junction.at.hi, -sense * distance);
             (miss.at - before) * sense <= 0.0

@@ -250,7 +250,7 @@ pub(super) fn explore<'e>(
     let buffers = |exact: &'e Exact| (exact, exact.state(state.travels.len()));
     let mut state = state.clone();
     engine.measure_coupled(start, &mut state);
-    let mut walker = Walker {
+    let towards = |sense: f64| Walker {
         engine,
         exact,
         double_double: exact
@@ -261,7 +261,7 @@ pub(super) fn explore<'e>(
         seen: Vec::new(),
         peaks: state.measures.clone(),
         start,
-        sense: 1.0,
+        sense,
         crossings: ChangePointCrossings::default(),
         ahead: None,
         singly: None,
@@ -277,9 +277,17 @@ pub(super) fn explore<'e>(
         terms: junction::FIRST,
         spare: None,
     };
+    let mut walker = towards(1.0);
     walker.check_fit()?;
-    let up = walker.walk()?;
-    let (range, period, range_bounds) = match up.end() {
+    let mut up = walker.walk()?.end();
+    if up.is_ok_and(|high| high.bound.is_none()) {
+        // A change point may be passed from the other side only. The motion then turns fully.
+        let mut down = towards(-1.0);
+        if let Err(turns) = down.walk()?.end() {
+            (walker, up) = (down, Err(turns));
+        }
+    }
+    let (range, period, range_bounds) = match up {
         Err(turns) => {
             let period = angle_turn(turns);
             (Range::Full { period }, period, [Some(0.0); 2])
