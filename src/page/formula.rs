@@ -2,47 +2,59 @@
 
 use super::math::{Formula, MathPiece};
 use super::words::{fill, length};
+use std::ops::Range;
 
+/// The sign between two sides.
+const EQUALS: &str = " = ";
 /// Indentation of a formula.
 const INDENT: usize = 2;
 /// Maximum width of a left side for which further sides are aligned at its equals sign.
 const SHORT_SIDE: usize = 16;
 
-/// Breaks a chain of sides: on one line if it fits, or else side below side.
-pub(super) fn lines(sides: &[Formula], width: usize) -> Vec<String> {
-    let Some((first, others)) = sides.split_first() else {
+/// Breaks a chain of sides: on one line if it fits, or else side below side. `shown` returns a text
+/// as displayed.
+pub(super) fn lines(
+    sides: &[Formula],
+    width: usize,
+    shown: &impl Fn(&str) -> String,
+) -> Vec<String> {
+    let Some((_, others)) = sides.split_first() else {
         return Vec::new();
     };
-    let equation = others.iter().cloned().fold(first.clone(), Formula::equals);
     let indent = " ".repeat(INDENT);
-    let text = format!("{indent}{equation}");
+    let texts: Vec<String> = sides.iter().map(|side| shown(&side.to_string())).collect();
+    let text = format!("{indent}{}", texts.join(EQUALS));
     if length(&text) <= width {
         return vec![text];
     }
-    let first = first.to_string();
-    let left = length(&first);
+    let first = &texts[0];
+    let left = length(first);
     if left > SHORT_SIDE || left + 2 * INDENT > width / 2 {
-        return fill(&terms(&equation), width, [INDENT, 2 * INDENT]);
+        return fill(&terms(sides, shown), width, [INDENT, 2 * INDENT]);
     }
     // Each line takes as many sides as fit, with the equals signs aligned.
-    let start = INDENT + left + " = ".len();
+    let start = INDENT + left + EQUALS.len();
     let space = width.saturating_sub(start);
-    let mut rows: Vec<Formula> = Vec::new();
-    for side in others {
-        let longer = |row: &Formula| row.clone().equals(side.clone());
-        let fits = |row: &&mut Formula| length(&longer(row).to_string()) <= space;
-        match rows.last_mut().filter(fits) {
-            Some(row) => *row = longer(row),
-            None => rows.push(side.clone()),
+    let mut rows: Vec<Range<usize>> = Vec::new();
+    let mut used = 0;
+    for (i, text) in texts[1..].iter().enumerate() {
+        used += EQUALS.len() + length(text);
+        match rows.last_mut().filter(|_| used <= space) {
+            Some(row) => row.end += 1,
+            None => {
+                used = length(text);
+                rows.push(i..i + 1);
+            }
         }
     }
     let blank = " ".repeat(start);
     let mut lines = Vec::new();
-    for (i, row) in rows.iter().enumerate() {
-        let name = if i == 0 { &first } else { "" };
-        for (j, line) in fill(&terms(row), space, [0, 2]).iter().enumerate() {
+    for (i, row) in rows.into_iter().enumerate() {
+        let name = if i == 0 { first.as_str() } else { "" };
+        let parts = fill(&terms(&others[row], shown), space, [0, 2]);
+        for (j, line) in parts.iter().enumerate() {
             lines.push(match j {
-                0 => format!("{indent}{name:left$} = {line}"),
+                0 => format!("{indent}{name:left$}{EQUALS}{line}"),
                 _ => format!("{blank}{line}"),
             });
         }
@@ -50,13 +62,19 @@ pub(super) fn lines(sides: &[Formula], width: usize) -> Vec<String> {
     lines
 }
 
-/// Splits a formula into terms, each with the sign before it; brackets are not split.
-fn terms(formula: &Formula) -> Vec<String> {
+/// Splits a chain of sides into terms, each with the sign before it; brackets are not split.
+fn terms(sides: &[Formula], shown: &impl Fn(&str) -> String) -> Vec<String> {
+    const BETWEEN: [MathPiece; 3] = [MathPiece::Blank, MathPiece::Sign('='), MathPiece::Blank];
+    let mut pieces: Vec<&MathPiece> = Vec::new();
+    for (i, side) in sides.iter().enumerate() {
+        let before = if i == 0 { &[][..] } else { &BETWEEN };
+        pieces.extend(before.iter().chain(&side.0));
+    }
     let mut terms = vec![String::new()];
     let mut depth = 0_usize;
-    for (k, piece) in formula.0.iter().enumerate() {
-        let around = [k.wrapping_sub(1), k + 1].map(|k| formula.0.get(k));
-        let is_between = around == [Some(&MathPiece::Blank); 2];
+    for (k, piece) in pieces.iter().enumerate() {
+        let around = [k.wrapping_sub(1), k + 1].map(|k| pieces.get(k));
+        let is_between = around == [Some(&&MathPiece::Blank); 2];
         match piece {
             MathPiece::Sign('(') => depth += 1,
             MathPiece::Sign(')') => depth = depth.saturating_sub(1),
@@ -66,7 +84,7 @@ fn terms(formula: &Formula) -> Vec<String> {
             _ => {}
         }
         if let Some(term) = terms.last_mut() {
-            term.push_str(&piece.to_string());
+            term.push_str(&shown(&piece.to_string()));
         }
     }
     // `= 0` at the end of a sum does not get a line of its own.

@@ -5,14 +5,10 @@
 use super::math::{Formula, MathPiece, Symbol};
 use super::prose::{ProsePiece, label};
 use super::svg::{marked_up, push_marked_up};
-use super::{Block, Cell, Content, Equation, Facts, Illustration, Page, Row, Table};
-use crate::parallel;
+use super::{Block, Cell, Content, Equation, Facts, Illustration, Page, Row, Table, in_chunks};
 use crate::wording::words;
 use std::borrow::Cow;
 use std::fmt::Write as _;
-
-/// Blocks that are written by one job.
-const CHUNK: usize = 64;
 
 const SHEET: &str = include_str!("html/page.css");
 const DARK: &str = ":root{--ink:#ddd;--paper:#181818;--line:#555;--quiet:#aaa;--found:#ff9a94}\n";
@@ -32,15 +28,13 @@ impl Page {
                 _ => {}
             }
         }
-        let chunks: Vec<&[Block]> = self.blocks.chunks(CHUNK).collect();
-        let write = |(): &mut (), i: usize| {
-            let blocks = chunks[i].iter();
+        let write = |blocks: &[Block]| -> String {
+            let blocks = blocks.iter();
             blocks
                 .map(|block| block.content.html(&sheets, &self.symbols))
-                .collect::<String>()
+                .collect()
         };
-        let cores = parallel::cores().min(chunks.len());
-        let body = parallel::each(chunks.len(), cores, || (), write, &mut |_| true).concat();
+        let body = in_chunks(&self.blocks, write).concat();
         let mut rules = SHEET.to_owned();
         let mut when_dark = DARK.to_owned();
         for (number, sheet) in sheets.iter().enumerate() {

@@ -3,8 +3,10 @@
 use super::columns::ColumnLayout;
 use super::line::{Line, Span, TextRole};
 use super::table::{Cell, Rest, Row, Setting, Table, Units};
+use super::terminal_text::shown;
 use super::words::{MIN_WIDTH, broken, length, wrapped};
-use super::{Content, Facts, Page, TextStyle, formula};
+use super::{Block, Content, Facts, Page, TextStyle, formula, in_chunks};
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// A requested width of the names is limited to one part of the width in this many.
@@ -22,22 +24,18 @@ impl Page {
         let TextStyle { ascii, width } = style;
         let space = PageSize { width, medium };
         let names = self.is_aligned.then(|| self.shown(ascii).names(space));
-        let mut lines = Vec::new();
-        for block in &self.blocks {
-            // Converts one block at a time, because a copy of the whole page would double the
-            // memory.
-            let content = block.content.shown(ascii);
-            let mut below = content.lines(names, space);
-            if medium == Medium::Screen && matches!(content, Content::Table(_)) {
-                let maximum = width.max(MIN_WIDTH);
-                below.iter_mut().for_each(|line| line.cut(maximum));
+        let lines = |blocks: &[Block]| -> Vec<Line> {
+            let mut lines = Vec::new();
+            for block in blocks {
+                let below = block.content.lines(names, space, ascii);
+                if block.is_apart && !below.is_empty() {
+                    lines.push(Line::default());
+                }
+                lines.extend(below);
             }
-            if block.is_apart && !below.is_empty() {
-                lines.push(Line::default());
-            }
-            lines.extend(below);
-        }
-        lines
+            lines
+        };
+        in_chunks(&self.blocks, lines).concat()
     }
 
     /// Returns the common name column of all tables and facts.
@@ -99,25 +97,39 @@ struct NameColumn {
 }
 
 impl Content {
-    fn lines(&self, names: Option<NameColumn>, space: PageSize) -> Vec<Line> {
+    /// Returns the lines with every text as displayed.
+    fn lines(&self, names: Option<NameColumn>, space: PageSize, ascii: bool) -> Vec<Line> {
         let width = space.width;
+        // The texts of formulas are converted as they are written.
+        let content = match self {
+            Content::Equations(_) => Cow::Borrowed(self),
+            _ => Cow::Owned(self.shown(ascii)),
+        };
         let of = |role, text: &str| {
             let lines = broken(text, width).into_iter();
             lines.map(|line| Line::of(role, line)).collect()
         };
-        match self {
+        match &*content {
             Content::Title(title) => of(TextRole::Title, title),
             Content::Heading(1, text) => of(TextRole::Part, text),
             Content::Heading(_, text) => of(TextRole::Section, text),
             Content::Text(text) => of(TextRole::Body, text),
             Content::Equations(equations) => {
-                let lines = equations
-                    .iter()
-                    .flat_map(|e| formula::lines(&e.sides, width));
+                let shown = |text: &str| shown(text, ascii);
+                let lines = equations.iter();
+                let lines = lines.flat_map(|e| formula::lines(&e.sides, width, &shown));
                 lines.map(|line| Line::of(TextRole::Body, line)).collect()
             }
             Content::Facts(facts) => facts.lines(names, width),
-            Content::Table(table) => table.lines(names, space),
+            Content::Table(table) => {
+                let mut lines = table.lines(names, space);
+                if space.medium == Medium::Screen {
+                    lines
+                        .iter_mut()
+                        .for_each(|line| line.cut(width.max(MIN_WIDTH)));
+                }
+                lines
+            }
             Content::Characters(lines) => {
                 let lines = lines.iter().cloned();
                 lines.map(|line| Line::of(TextRole::Body, line)).collect()

@@ -1,6 +1,7 @@
 //! Formulas as data: pieces that every writer typesets in its own way.
 
-use std::fmt;
+use compact_str::{CompactString, ToCompactString as _};
+use std::fmt::{self, Write as _};
 
 /// A formula: its pieces in order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -13,11 +14,11 @@ pub(super) enum MathPiece {
     /// `cos` with its arguments.
     Function(&'static str, Formula),
     /// A word or a unit, which is no symbol.
-    Word(String),
+    Word(CompactString),
     /// A number without its sign: `5.7e-14`.
-    Number(String),
+    Number(CompactString),
     /// An exponent: `2`.
-    Power(String),
+    Power(CompactString),
     /// A sign or a bracket.
     Sign(char),
     Blank,
@@ -26,8 +27,8 @@ pub(super) enum MathPiece {
 /// A symbol: its letter or name, its index, and its order of differentiation by time.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Symbol {
-    pub(super) letter: String,
-    pub(super) index: String,
+    pub(super) letter: CompactString,
+    pub(super) index: CompactString,
     /// The order of differentiation by time.
     pub(super) order: usize,
     /// Whether an underscore separates the index in plain text.
@@ -49,7 +50,10 @@ impl Symbol {
     }
 
     /// Creates a symbol whose index follows directly in plain text: `Kx`.
-    pub(crate) fn indexed(letter: impl Into<String>, index: impl Into<String>) -> Symbol {
+    pub(crate) fn indexed(
+        letter: impl Into<CompactString>,
+        index: impl Into<CompactString>,
+    ) -> Symbol {
         Symbol {
             letter: letter.into(),
             index: index.into(),
@@ -58,7 +62,10 @@ impl Symbol {
     }
 
     /// Creates a symbol whose index follows an underscore in plain text: `θ_ram`.
-    pub(crate) fn separate(letter: impl Into<String>, index: impl Into<String>) -> Symbol {
+    pub(crate) fn separate(
+        letter: impl Into<CompactString>,
+        index: impl Into<CompactString>,
+    ) -> Symbol {
         Symbol {
             is_separate: true,
             ..Symbol::indexed(letter, index)
@@ -86,7 +93,7 @@ impl Formula {
         match figure.strip_prefix('-') {
             Some("") => Formula::sign('-'),
             Some(size) => Formula::sign('-').then(Formula::number(size)),
-            None => Formula::one(MathPiece::Number(figure.to_owned())),
+            None => Formula::one(MathPiece::Number(figure.into())),
         }
     }
 
@@ -111,9 +118,9 @@ impl Formula {
                 (_, Some(MathPiece::Power(name) | MathPiece::Word(name))) if !is_sign => {
                     name.push(c);
                 }
-                ('^', _) => pieces.push(MathPiece::Power(String::new())),
+                ('^', _) => pieces.push(MathPiece::Power(CompactString::default())),
                 _ if is_sign => pieces.push(MathPiece::Sign(c)),
-                _ => pieces.push(MathPiece::Word(c.into())),
+                _ => pieces.push(MathPiece::Word(c.to_compact_string())),
             }
             before = c;
         }
@@ -184,7 +191,7 @@ impl Formula {
     }
 
     pub(crate) fn power(self, exponent: &str) -> Formula {
-        self.with(MathPiece::Power(exponent.to_owned()))
+        self.with(MathPiece::Power(exponent.into()))
     }
 
     /// Returns the formula between two signs, such as bars.
@@ -225,12 +232,13 @@ impl Formula {
     pub(super) fn with_texts(&self, shown: &impl Fn(&str) -> String) -> Formula {
         let piece = |piece: &MathPiece| match piece {
             MathPiece::Symbol(symbol) => MathPiece::Symbol(Symbol {
-                letter: shown(&symbol.letter),
-                index: shown(&symbol.index),
-                ..symbol.clone()
+                letter: shown(&symbol.letter).into(),
+                index: shown(&symbol.index).into(),
+                order: symbol.order,
+                is_separate: symbol.is_separate,
             }),
             MathPiece::Function(name, of) => MathPiece::Function(name, of.with_texts(shown)),
-            MathPiece::Word(word) => MathPiece::Word(shown(word)),
+            MathPiece::Word(word) => MathPiece::Word(shown(word).into()),
             // In plain text, two characters.
             MathPiece::Sign('±') => piece.clone(),
             MathPiece::Sign(sign) => {
@@ -270,30 +278,32 @@ impl From<&str> for Formula {
 
 impl fmt::Display for Symbol {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Symbol { letter, index, .. } = self;
+        let [letter, index] = [&*self.letter, &*self.index];
         let [before, after] = [["", ""], ["d", "/dt"], ["d2", "/dt2"]][self.order.min(2)];
         let between = if self.is_separate { "_" } else { "" };
-        write!(f, "{before}{letter}{between}{index}{after}")
+        [before, letter, between, index, after]
+            .into_iter()
+            .try_for_each(|part| f.write_str(part))
     }
 }
 
 impl fmt::Display for MathPiece {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            MathPiece::Symbol(symbol) => write!(f, "{symbol}"),
+            MathPiece::Symbol(symbol) => symbol.fmt(f),
             MathPiece::Function(name, of) => write!(f, "{name}({of})"),
             MathPiece::Word(text) | MathPiece::Number(text) => f.write_str(text),
             MathPiece::Power(exponent) => write!(f, "^{exponent}"),
             MathPiece::Sign('±') => f.write_str("+-"),
-            MathPiece::Sign(sign) => write!(f, "{sign}"),
-            MathPiece::Blank => f.write_str(" "),
+            MathPiece::Sign(sign) => f.write_char(*sign),
+            MathPiece::Blank => f.write_char(' '),
         }
     }
 }
 
 impl fmt::Display for Formula {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.iter().try_for_each(|piece| write!(f, "{piece}"))
+        self.0.iter().try_for_each(|piece| piece.fmt(f))
     }
 }
 

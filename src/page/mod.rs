@@ -47,6 +47,7 @@ pub use terminal_text::TextStyle;
 pub(crate) use words::cut;
 pub(crate) use words::wrapped;
 
+use crate::parallel;
 use std::fmt;
 use std::sync::Arc;
 
@@ -215,6 +216,17 @@ impl Page {
     pub(crate) fn table(&mut self, table: Table) {
         self.add(Content::Table(table));
     }
+}
+
+/// Number of blocks that are written by one job.
+const CHUNK: usize = 64;
+
+/// Writes blocks on all processors, a chunk at a time, and returns the results in order.
+fn in_chunks<T: Send>(blocks: &[Block], write: impl Fn(&[Block]) -> T + Sync) -> Vec<T> {
+    let chunks: Vec<&[Block]> = blocks.chunks(CHUNK).collect();
+    let write = |(): &mut (), i: usize| write(chunks[i]);
+    let cores = parallel::cores().min(chunks.len());
+    parallel::each(chunks.len(), cores, || (), write, &mut |_| true)
 }
 
 impl Facts {

@@ -126,7 +126,7 @@ impl Row {
 
 /// Returns the text as displayed. With `ascii`, letters and signs of formulas are spelled out, and
 /// characters without a spelling become `?`.
-fn shown(text: &str, ascii: bool) -> String {
+pub(super) fn shown(text: &str, ascii: bool) -> String {
     if ascii && !text.is_ascii() {
         sanitized(&spelled(text), ascii)
     } else {

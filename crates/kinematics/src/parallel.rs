@@ -12,8 +12,8 @@ pub fn cores() -> usize {
 /// Runs `count` jobs in any order and returns their results by index; the result does not depend on
 /// the number of threads.
 ///
-/// `room` creates the scratch space of each thread. If no thread can be created, the calling thread
-/// does the work. `watch` receives the completed fraction; once it returns `false`, no further job
+/// `buffers` creates the scratch space of each thread. With one thread, or if none can be created,
+/// the calling thread does the work. `watch` receives the completed fraction; once it returns `false`, no further job
 /// starts, and the results so far are returned. A panic in a job is propagated.
 pub fn each<R, T: Send>(
     count: usize,
@@ -43,7 +43,8 @@ pub fn each<R, T: Send>(
     let send_all = |to: Sender<(usize, T)>| do_pieces(&mut |one| to.send(one).is_ok());
     thread::scope(|scope| {
         let (to, from) = channel();
-        let started = (0..threads.clamp(1, count.max(1)))
+        let threads = threads.min(count);
+        let started = (0..if threads > 1 { threads } else { 0 })
             .take_while(|_| spawn(scope, &send_all, to.clone()))
             .count();
         drop(to);

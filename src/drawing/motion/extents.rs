@@ -6,7 +6,7 @@ use crate::drawing::view::WindowZoom;
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Range, Solver, State};
 use crate::{Body, Link, Mechanism, SlideId, Vec2};
-use std::cell::RefCell;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Number of steps along the motion: 3 degrees in a motion of two turns. Between two states a
 /// crank's pin then rises above both by less than 1e-3 of its radius, far less than a cell.
@@ -34,7 +34,7 @@ pub struct Extents {
     /// The length of the longest name, in cells.
     name: f64,
     /// The zoom of following windows, cached for each size.
-    near: RefCell<Vec<WindowZoom>>,
+    near: Arc<Mutex<Vec<WindowZoom>>>,
 }
 
 /// The cells to keep free around a part.
@@ -93,7 +93,7 @@ impl Extents {
     /// Returns a copy with an empty cache.
     fn without_cache(&self) -> Extents {
         Extents {
-            near: RefCell::default(),
+            near: Arc::default(),
             ..self.clone()
         }
     }
@@ -160,7 +160,7 @@ impl Extents {
             anchor: anchor.unwrap_or(Vec2::ZERO),
             pitch: pitch(mechanism),
             name: (longest as f64).min(MAX_NAME_LEN),
-            near: RefCell::default(),
+            near: Arc::default(),
         }
     }
 
@@ -276,11 +276,12 @@ impl Extents {
         is_it: impl Fn(&WindowZoom) -> bool,
         find: impl FnOnce() -> WindowZoom,
     ) -> WindowZoom {
-        if let Some(known) = self.near.borrow().iter().find(|known| is_it(known)) {
+        let near = || self.near.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = near().iter().find(|known| is_it(known)) {
             return *known;
         }
         let found = find();
-        let mut near = self.near.borrow_mut();
+        let mut near = near();
         // A terminal that is resized all day must not fill the memory.
         if near.len() >= MAX_SIZES {
             near.clear();
@@ -351,7 +352,7 @@ impl Extents {
             anchor: ground.first().copied().unwrap_or(Vec2::ZERO),
             pitch: f64::INFINITY,
             name: 1.0,
-            near: RefCell::default(),
+            near: Arc::default(),
         }
     }
 }

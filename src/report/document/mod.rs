@@ -22,7 +22,7 @@ use crate::parallel;
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, State};
 use crate::wording::words;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// A report on one state of a scene.
 #[derive(Clone, Debug)]
@@ -164,9 +164,21 @@ impl ReportedState<'_> {
             WorkingPart::UnitVectors => 1,
             _ => 2,
         });
-        for (part, blocks) in found {
-            self.part(part, blocks, &mut page);
-        }
+        let found: Vec<_> = found
+            .into_iter()
+            .map(|(part, blocks)| (part, Mutex::new(blocks)))
+            .collect();
+        // A job takes the blocks of its part: a copy of large ones would take as long as writing them.
+        let write = |(): &mut (), i: usize| {
+            let (part, blocks) = &found[i];
+            let blocks =
+                std::mem::take(&mut *blocks.lock().unwrap_or_else(PoisonError::into_inner));
+            let mut page = Page::default();
+            self.part(*part, blocks, &mut page);
+            page.blocks
+        };
+        let all = parallel::each(found.len(), parallel::cores(), || (), write, &mut |_| true);
+        page.blocks.extend(all.into_iter().flatten());
         page
     }
 

@@ -100,7 +100,7 @@ fn unknown_length(member: &LoopSide<'_>) -> Expression {
 /// Returns the letter of a coefficient: A to Z, then A26.
 fn letter(number: usize) -> Symbol {
     match u8::try_from(number) {
-        Ok(n) if n < 26 => Symbol::indexed(char::from(b'A' + n), ""),
+        Ok(n) if n < 26 => Symbol::indexed(char::from(b'A' + n).to_string(), ""),
         _ => Symbol::indexed("A", number.to_string()),
     }
 }

@@ -36,22 +36,22 @@ impl WorkingNotation {
 
 /// Returns the symbol of a vector's angle.
 pub(super) fn theta(name: &str) -> Symbol {
-    symbol('θ', name)
+    symbol("θ", name)
 }
 
 /// Returns the symbol of an angular velocity.
 pub(super) fn omega(name: &str) -> Symbol {
-    symbol('ω', name)
+    symbol("ω", name)
 }
 
 /// Returns the symbol of an angular acceleration.
 pub(super) fn alpha(name: &str) -> Symbol {
-    symbol('α', name)
+    symbol("α", name)
 }
 
 /// Returns the symbol of a vector's angle, or of its rate of an order.
 pub(super) fn angle(name: &str, order: Order) -> Symbol {
-    symbol(['θ', 'ω', 'α'][index(order)], name)
+    symbol(["θ", "ω", "α"][index(order)], name)
 }
 
 /// Returns the symbol of a length, or of its rate of an order.
@@ -82,7 +82,7 @@ pub(super) fn part_of_point(letter: &str, name: &str, part: &str) -> Symbol {
 
 /// Returns the symbol with the number for a name such as `r3`; any other name follows an
 /// underscore.
-fn symbol(letter: char, name: &str) -> Symbol {
+fn symbol(letter: &str, name: &str) -> Symbol {
     match name.strip_prefix('r') {
         Some(number) if !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()) => {
             Symbol::indexed(letter, number)

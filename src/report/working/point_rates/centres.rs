@@ -16,6 +16,9 @@ const CROSSING: f64 = 1e-3;
 /// Minimum rotation of a link, relative to the fastest velocity over the longest vector, that
 /// doubles can distinguish from translation.
 const TURNING: f64 = 1e-12;
+/// Maximum number of links of a joint whose centres yield lines. With all of them, the time would grow
+/// with the square of their number.
+const MAX_LINES: usize = 16;
 /// The relative error of a quotient of two solved values: a few rounding errors.
 const LOSS: f64 = 64.0 * f64::EPSILON;
 
@@ -240,7 +243,7 @@ impl<'a> CentreFinder<'a> {
             lines.extend(guides.map(|&slide| along(state.travel(slide).guide.perp())));
             let links = mechanism.point(joint).links.iter();
             let pinned = links.filter_map(|other| self.found.get(self.numbers[other.index()]?));
-            for other in pinned {
+            for other in pinned.take(MAX_LINES) {
                 let (through, u) = match other.place {
                     CentrePlace::At(from) => {
                         (Some((other.link, from)), state.position(joint) - from)
@@ -281,7 +284,7 @@ pub(crate) fn named<'c>(
 /// Returns the intersection of the two lines with the largest angle between them, the farther joint
 /// first; `None` if that angle is too small.
 fn crossing<'l>(context: &Context<'_>, lines: &'l [CentreLine]) -> Option<(Vec2, [CentreLine; 2])> {
-    // The lines of a joint follow one another, and may be many: every link on it has one.
+    // The lines of a joint follow one another.
     let by_joint = lines.chunk_by(|one, other| one.joint == other.joint);
     let by_joint: Vec<&[CentreLine]> = by_joint.collect();
     let pairs = by_joint.iter().zip(1..).flat_map(|(own, next)| {
