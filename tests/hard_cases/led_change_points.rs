@@ -766,3 +766,11 @@ fn motion_that_closes_in_one_direction_turns_fully() {
     let pairs = [["B0", "C0"], ["B14", "X54"], ["B79", "C82"]];
     assert_keep_offsets(&scene, &solver, -96.0, &pairs);
 }
+
+/// The search for the two change points, which lie 1e-5 scaled lengths beside the reversal, begins 2 mm
+/// before them. States on that way must be known: the crank is only 2 mm long.
+#[test]
+fn states_before_a_pair_of_change_points_are_solved_without_history() {
+    let (scene, solver) = open(include_str!("scenes/wide_pair_of_change_points.toml"));
+    assert_translates(&scene, &solver, Vec2::new(56.0, 42.0));
+}

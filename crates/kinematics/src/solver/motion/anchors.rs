@@ -173,18 +173,37 @@ impl Anchors {
         self.truncate(engine, kept);
     }
 
-    /// Stores the state of all coupled groups as an anchor.
+    /// Stores the state of all coupled groups as the latest anchor.
     pub(super) fn push(&mut self, engine: &Engine, at: f64, workspace: &mut Workspace) {
+        self.store(engine, (self.at.len(), at), workspace);
+    }
+
+    /// Stores the state of all coupled groups as an anchor behind those before it in the direction of
+    /// `sense`.
+    pub(super) fn insert(
+        &mut self,
+        engine: &Engine,
+        (at, sense): (f64, f64),
+        workspace: &mut Workspace,
+    ) {
+        let is_before = |&anchor: &f64| (anchor - at) * sense < 0.0;
+        let place = self.at.iter().rposition(is_before).map_or(0, |i| i + 1);
+        self.store(engine, (place, at), workspace);
+    }
+
+    fn store(&mut self, engine: &Engine, (place, at): (usize, f64), workspace: &mut Workspace) {
         if engine.program.coupled.is_empty() {
             return;
         }
-        self.at.push(at);
+        self.at.insert(place, at);
+        let later = self.numbers.split_off(place * Anchors::stride(engine));
         for group in &engine.program.coupled {
             let buffers = group.open(&mut workspace.scratch);
             for part in [&*buffers.z, &*buffers.first, &*buffers.second] {
                 self.numbers.extend_from_slice(part);
             }
         }
+        self.numbers.extend(later);
     }
 
     /// Returns the anchors sorted by coordinate, each reduced to one period.

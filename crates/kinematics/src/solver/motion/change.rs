@@ -265,6 +265,7 @@ impl Walker<'_> {
             return None;
         }
         let known = self.crossings.len();
+        let signs = self.state.signs.clone();
         let buffers = self.change_point_distance(junction);
         self.crossings.add(crossings);
         let spread = ACROSS * junction.spread();
@@ -274,7 +275,8 @@ impl Walker<'_> {
             .chain((spread > 0.0).then_some(spread))
             .chain(FURTHER)
             .filter(|&by| spread <= by && by < buffers);
-        let Some(beyond) = closer.find_map(|by| self.pass_at(junction, by)) else {
+        let passed = closer.find_map(|by| Some((by, self.pass_at(junction, by)?)));
+        let Some((by, beyond)) = passed else {
             self.crossings.truncate(known);
             return None;
         };
@@ -298,6 +300,12 @@ impl Walker<'_> {
         self.forget_misses(junction);
         for missed in &junction.missed {
             self.note_miss(missed.group, missed.sine, junction.at.hi);
+        }
+        if self.has_path() {
+            let reached = self.state.clone();
+            self.state.state.signs = signs;
+            self.restore_anchors(self.engine.moved(junction.at.hi, -self.sense * by));
+            self.state = reached;
         }
         self.seen.clear();
         self.note(beyond);

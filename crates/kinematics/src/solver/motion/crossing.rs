@@ -249,6 +249,22 @@ impl Walker<'_> {
     /// Steps to a coordinate from the latest known state before it, by as many steps as the motion
     /// needs. Returns `true` if the coordinate was reached without leaving the motion.
     pub(super) fn step_to(&mut self, to: f64) -> bool {
+        self.step_with(to, |_, _| {})
+    }
+
+    /// Stores the states on the way to a coordinate from the latest known one before it. A search for a
+    /// change point removes them, and further away a state could not be predicted.
+    pub(super) fn restore_anchors(&mut self, to: f64) {
+        let engine = self.engine;
+        self.step_with(to, |walker, at| {
+            let Walker { anchors, state, .. } = walker;
+            anchors.insert(engine, (at, walker.sense), state);
+        });
+    }
+
+    /// Steps to a coordinate as [`Walker::step_to`] does. `reached` is called after each step with its
+    /// coordinate.
+    fn step_with(&mut self, to: f64, reached: impl Fn(&mut Self, f64)) -> bool {
         let Some(mut good) = self.latest_before(to) else {
             return false;
         };
@@ -266,6 +282,7 @@ impl Walker<'_> {
                 return false;
             }
             if self.try_step(good, next, &saved) {
+                reached(self, next);
                 saved.clone_from(&self.state);
                 (good, step) = (next, 2.0 * step);
             } else {
