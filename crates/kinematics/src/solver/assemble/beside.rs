@@ -117,7 +117,7 @@ impl Assembler<'_> {
         for &link in group.turning() {
             let options = match self.read_direction(number, link, wanted, state) {
                 Some(direction) => vec![direction],
-                None => self.slot_directions(link, wanted, state),
+                None => self.slot_directions(number, link, wanted, state),
             };
             if guesses.len() * options.len() > MAX_DIRECTIONS {
                 return Vec::new();
@@ -128,21 +128,24 @@ impl Assembler<'_> {
     }
 
     /// Returns both directions of a link's class for which a slot on the link leads from its named
-    /// point to its pin.
-    fn slot_directions(
+    /// point to its pin. Empty if a position is neither given nor known.
+    pub(super) fn slot_directions(
         &self,
+        number: usize,
         link: LinkId,
         wanted: &[(PointId, Vec2)],
         state: &State,
     ) -> Vec<Vec2> {
+        let ours = &self.group(number).points;
         let place = |point: PointId| {
             let given = wanted.iter().find(|w| w.0 == point).map(|w| w.1);
-            given.unwrap_or(state.points[point.index()].p)
+            let known = !ours.contains(&point);
+            given.or(known.then(|| state.points[point.index()].p))
         };
         let mut slots = self.network.mechanism.slides().iter();
         let found = slots.find_map(|slide| {
             let end = slide.named.filter(|_| slide.on == Body::Link(link))?;
-            Some((slide, place(slide.slider.point()) - place(end)))
+            Some((slide, place(slide.slider.point())? - place(end)?))
         });
         let Some((slide, along)) = found else {
             return Vec::new();

@@ -288,7 +288,7 @@ impl Assembler<'_> {
     }
 
     /// Returns the directions to try. A link with two approximate positions has the direction
-    /// between them.
+    /// between them. A link with a slot between two of them has one of two directions first.
     fn guesses(
         &self,
         number: usize,
@@ -299,9 +299,15 @@ impl Assembler<'_> {
         let maximum = (TRIAL_WORK / group.unknowns().pow(3)).min(MAX_TRIALS);
         let mut guesses = vec![Vec::new()];
         for &link in group.turning() {
-            let read = self.read_direction(number, link, wanted, state);
-            let fan = (0..DIRECTION_TRIALS).map(|i| crate::angle::unit(7.0 + 30.0 * i as f64));
-            let options: Vec<Vec2> = read.map_or_else(|| fan.collect(), |d| vec![d]);
+            let options = match self.read_direction(number, link, wanted, state) {
+                Some(direction) => vec![direction],
+                None => {
+                    let fan =
+                        (0..DIRECTION_TRIALS).map(|i| crate::angle::unit(7.0 + 30.0 * i as f64));
+                    let slots = self.slot_directions(number, link, wanted, state);
+                    slots.into_iter().chain(fan).collect()
+                }
+            };
             if guesses.len() * options.len() > maximum {
                 guesses.iter_mut().for_each(|g| g.push(options[0]));
                 continue;

@@ -236,13 +236,11 @@ impl Anchors {
     }
 }
 
-/// Reduces a coordinate to the range from 0 to `period`.
+/// Reduces a coordinate to the range from 0 to below `period`.
 pub(in crate::solver) fn positive_remainder(at: f64, period: f64) -> f64 {
     let rest = at % period;
-    // The remainder of a negative multiple is -0.
-    if rest < 0.0 {
-        rest + period
-    } else {
-        rest + 0.0
-    }
+    let rest = if rest < 0.0 { rest + period } else { rest };
+    // The sum of a rounding error and the period is the period. The remainder of a negative multiple
+    // is -0.
+    if rest < period { rest + 0.0 } else { 0.0 }
 }

@@ -2,6 +2,7 @@
 //! coordinate, and the motion beyond it with all groups that are singular there.
 
 use super::CHANGE_POINT_DISTANCE;
+use super::crossing::CloseMiss;
 use super::junction::{DyadSingularity, Junction, PairFound};
 use super::tracking::Walker;
 use crate::Double;
@@ -128,6 +129,10 @@ impl Walker<'_> {
         self.anchors.forget_beyond(self.engine, limit, self.sense);
         self.unproved.clear();
         self.refused = None;
+        let missed = self.missed.take().filter(|missed| missed.at == limit);
+        if let Some(beyond) = missed.and_then(|missed| self.keep_assembly(&missed)) {
+            return Some(beyond);
+        }
         if self.has_path()
             && let Some(beyond) = self.cross_twice(limit, TOGETHER)
         {
@@ -183,6 +188,21 @@ impl Walker<'_> {
             let at = self.exactly_near(step, limit)?;
             self.pass_extreme(&ReachExtreme::single(step, at))
         })
+    }
+
+    /// Steps past a near miss of a coupled group, which keeps its assembly. Returns the coordinate
+    /// reached.
+    fn keep_assembly(&mut self, miss: &CloseMiss) -> Option<f64> {
+        let saved = (self.state.clone(), self.anchors.clone());
+        if !self.step_past(miss) {
+            (self.state, self.anchors) = saved;
+            return None;
+        }
+        self.note_miss(miss.group, miss.sine, miss.at);
+        self.seen.clear();
+        let [_, beyond] = miss.between;
+        self.note(beyond);
+        Some(beyond)
     }
 
     /// Crosses the first of two close change points. Returns the coordinate reached.
@@ -304,7 +324,8 @@ impl Walker<'_> {
         if self.has_path() {
             let reached = self.state.clone();
             self.state.state.signs = signs;
-            self.restore_anchors(self.engine.moved(junction.at.hi, -self.sense * by));
+            let before = self.engine.moved(junction.at.hi, -self.sense * by);
+            self.store_approach(junction.at.hi, before);
             self.state = reached;
         }
         self.seen.clear();

@@ -35,6 +35,8 @@ const OPENED: f64 = 1e-13;
 /// Number of corrections in double-double. The second one has all digits, unless another kind of
 /// singularity is close.
 const CORRECTIONS: usize = 5;
+/// Maximum number of halvings of the distance to a near miss.
+const HALVINGS: i32 = 40;
 
 /// Measure of a coupled group, relative to its maximum so far, below which its solutions may cross
 /// within the widest step.
@@ -42,6 +44,20 @@ const MAX_CROSSING_MEASURE: f64 = 1e-2;
 /// Maximum distance of a crossing from an end of the range that it causes, in radians or scaled
 /// lengths.
 const MAX_END_DISTANCE: f64 = 1e-6;
+
+/// A near miss of a coupled group between samples of the walk.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CloseMiss {
+    pub(super) group: usize,
+    /// The sine of the group's transmission angle.
+    pub(super) sine: f64,
+    /// The driver's coordinate.
+    pub(super) at: f64,
+    /// The samples before and behind it.
+    pub(super) between: [f64; 2],
+    /// The distance within which the motion bends, in radians or scaled lengths.
+    pub(super) width: f64,
+}
 
 /// A crossing of two solutions of a coupled group.
 pub(super) struct Meeting {
@@ -94,7 +110,11 @@ impl Walker<'_> {
         let passed = ways.into_iter().find_map(|way| {
             let changes = self.changes(way, &flat, (limit, by), &saved)?;
             let mut reached = std::mem::replace(&mut self.state, saved.clone());
-            self.anchors.push(engine, before, &mut self.state);
+            let is_stored = self.store_approach(limit, before);
+            self.state.clone_from(&saved);
+            if !is_stored {
+                self.anchors.push(engine, before, &mut self.state);
+            }
             self.anchors.push(engine, beyond, &mut reached);
             let passed = self.pass_crossings(&changes);
             if passed.is_none() {
@@ -249,29 +269,14 @@ impl Walker<'_> {
     /// Steps to a coordinate from the latest known state before it, by as many steps as the motion
     /// needs. Returns `true` if the coordinate was reached without leaving the motion.
     pub(super) fn step_to(&mut self, to: f64) -> bool {
-        self.step_with(to, |_, _| {})
+        let known = self.latest_before(to).filter(|&at| self.place_at(at));
+        known.is_some_and(|at| self.step_from(at, to, |_, _| {}))
     }
 
-    /// Stores the states on the way to a coordinate from the latest known one before it. A search for a
-    /// change point removes them, and further away a state could not be predicted.
-    pub(super) fn restore_anchors(&mut self, to: f64) {
-        let engine = self.engine;
-        self.step_with(to, |walker, at| {
-            let Walker { anchors, state, .. } = walker;
-            anchors.insert(engine, (at, walker.sense), state);
-        });
-    }
-
-    /// Steps to a coordinate as [`Walker::step_to`] does. `reached` is called after each step with its
-    /// coordinate.
-    fn step_with(&mut self, to: f64, reached: impl Fn(&mut Self, f64)) -> bool {
-        let Some(mut good) = self.latest_before(to) else {
-            return false;
-        };
-        if !self.place_at(good) {
-            return false;
-        }
-        let (mut saved, mut step) = (self.state.clone(), to - good);
+    /// Steps from a coordinate, which is that of the state, to another one, and calls `reached` after
+    /// each step. Returns `true` if the coordinate was reached without leaving the motion.
+    fn step_from(&mut self, from: f64, to: f64, reached: impl Fn(&mut Self, f64)) -> bool {
+        let (mut good, mut saved, mut step) = (from, self.state.clone(), to - from);
         for _ in 0..STEPS_BEFORE {
             if good == to {
                 return true;
@@ -291,6 +296,68 @@ impl Walker<'_> {
             }
         }
         false
+    }
+
+    /// Stores states on the way to a change point, from the latest known one to a coordinate before it. A
+    /// search for the change point removes them, and directly before a fold, the rates of one state do
+    /// not predict another that is much farther away from it. Returns `true` if the coordinate was
+    /// reached.
+    pub(super) fn store_approach(&mut self, change: f64, to: f64) -> bool {
+        let engine = self.engine;
+        let known = self.latest_before(to).filter(|&at| self.place_at(at));
+        let Some(mut here) = known else {
+            return false;
+        };
+        let nearest = engine.difference(change, to).abs();
+        let from = here;
+        let parts = (1..=HALVINGS).map(|k| to + (from - to) * 0.5_f64.powi(k));
+        let places = parts.take_while(|&place| engine.difference(to, place).abs() > nearest);
+        for place in places.chain([to]) {
+            if !self.step_from(here, place, Walker::insert_anchor) {
+                return false;
+            }
+            here = place;
+        }
+        true
+    }
+
+    /// Stores the state at a coordinate as an anchor.
+    fn insert_anchor(&mut self, at: f64) {
+        let Walker { anchors, state, .. } = self;
+        anchors.insert(self.engine, (at, self.sense), state);
+    }
+
+    /// Steps past a near miss of a coupled group, by steps that become shorter towards it, and stores
+    /// the states on the way. Returns `true` if the coordinate behind it was reached.
+    ///
+    /// A step across several near misses at one coordinate could end on another assembly, which
+    /// continues the motion without a bend.
+    pub(super) fn step_past(&mut self, miss: &CloseMiss) -> bool {
+        let &CloseMiss {
+            at,
+            between: [from, to],
+            width,
+            ..
+        } = miss;
+        let engine = self.engine;
+        self.anchors.forget_beyond(engine, at, self.sense);
+        if !self.place_at(from) {
+            return false;
+        }
+        let towards = |end: f64| {
+            let parts = (1..=HALVINGS).map(move |k| at + (end - at) * 0.5_f64.powi(k));
+            parts.take_while(move |&place| engine.difference(at, place).abs() > width)
+        };
+        let after: Vec<f64> = towards(to).collect();
+        let places = towards(from).chain(after.into_iter().rev()).chain([to]);
+        let mut here = from;
+        for place in places {
+            if !self.step_from(here, place, Walker::insert_anchor) {
+                return false;
+            }
+            here = place;
+        }
+        true
     }
 
     /// Returns the latest coordinate at or before `at` with a known state.

@@ -2,14 +2,16 @@
 //! groups' measures.
 
 use super::change::ReachExtreme;
+use super::crossing::CloseMiss;
 use super::junction::DyadSingularity;
-use super::tracking::{SAMPLES, WalkSample, Walker};
+use super::tracking::{CLOSURE_TOLERANCE, SAMPLES, WalkSample, Walker};
 use super::{NearMiss, ONE_MISS};
 use crate::numeric::root;
 use crate::solver::Order;
 use crate::solver::elements::{FRAMES, Stretching};
 use crate::solver::plan::GroupId;
 use crate::solver::state::{Condition, State};
+use crate::solver::workspace::Workspace;
 use crate::{Double, Vec2};
 
 /// Minimum sample of a measure below which a zero is searched between the samples.
@@ -25,6 +27,9 @@ const CLOSE_LOOK_MEASURE: f64 = 1e-6;
 /// 5e-4 of a link, 0.05 mm in 100 mm, which is as much clearance as workshops leave. Without the
 /// gap, the motion would end there or could change its assembly.
 pub(super) const NEAR: f64 = 1e-3;
+/// Share of the width of a near miss at which steps towards it end. The width is estimated for a
+/// measure that grows with the square of the distance; if it grows faster, the width is larger.
+const WIDTH_SHARE: f64 = 0.25;
 /// Number of golden sections that locate a minimum to the square root of the rounding error.
 const GOLDEN_SECTIONS: usize = 44;
 /// Distance within which two extremes of one dyad are the same, in radians or scaled lengths.
@@ -66,7 +71,7 @@ impl Walker<'_> {
         let first = self.first_extreme(stretches);
         let limits = dips
             .into_iter()
-            .filter_map(|(group, samples)| self.limit_of(group, samples));
+            .filter_map(|(group, samples)| self.limit_of(group, samples, &saved));
         let limits: Vec<f64> = limits.chain(first).collect();
         self.state = saved;
         let first = limits
@@ -352,7 +357,7 @@ impl Walker<'_> {
 
     /// Returns the zero that a group's measure touches or crosses near a minimum between three
     /// samples.
-    fn limit_of(&mut self, group: usize, samples: [f64; SAMPLES]) -> Option<f64> {
+    fn limit_of(&mut self, group: usize, samples: [f64; SAMPLES], last: &Workspace) -> Option<f64> {
         // The measure of a group at rest is constant except for its rounding error.
         if samples.iter().all(|&at| self.is_at_rest(group, at)) {
             return None;
@@ -362,15 +367,59 @@ impl Walker<'_> {
         let is_open = measure < 0.0 && self.state.condition == Condition::NoAssembly;
         if !is_open {
             let touches = self.touches(group, lowest, measure);
-            if !touches && measure < NEAR * self.peaks[group] {
+            if touches {
+                return Some(lowest);
+            }
+            if measure < NEAR * self.peaks[group] {
+                if self.is_coupled(group) && self.jumps((group, lowest, measure), samples, last) {
+                    return Some(lowest);
+                }
                 self.note_miss(group, measure.sqrt(), lowest);
             }
-            return touches.then_some(lowest);
+            return None;
         }
         let [before, middle, _] = samples;
         let is_past_middle = (lowest - middle) * self.sense > 0.0;
         let good = if is_past_middle { middle } else { before };
         Some(self.edge(group, good, lowest))
+    }
+
+    /// Returns `true` if the last steps jumped to another assembly across a near miss of a coupled
+    /// group, or if this cannot be excluded. `last` is the state reached.
+    fn jumps(
+        &mut self,
+        (group, at, measure): (usize, f64, f64),
+        [from, _, to]: [f64; SAMPLES],
+        last: &Workspace,
+    ) -> bool {
+        let before = self
+            .seen
+            .first()
+            .map_or(1.0, |sample| sample.measures[group]);
+        let far = self.engine.difference(from, at).abs();
+        let miss = CloseMiss {
+            group,
+            sine: measure.sqrt(),
+            at,
+            between: [from, to],
+            width: WIDTH_SHARE * far * (measure / before).sqrt(),
+        };
+        let anchors = self.anchors.clone();
+        let reaches = self.step_past(&miss);
+        self.anchors = anchors;
+        let is_same = |(now, then): (&f64, &f64)| (now - then).abs() < CLOSURE_TOLERANCE;
+        let mut groups = self.engine.program.coupled.iter();
+        let stays = reaches
+            && groups.all(|group| {
+                let z = group.offset..group.offset + group.width();
+                let [now, then] =
+                    [&self.state, last].map(|state| &state.scratch.numbers[z.clone()]);
+                now.iter().zip(then).all(is_same)
+            });
+        if !stays {
+            self.missed = Some(miss);
+        }
+        !stays
     }
 
     /// Returns `true` if nothing in a group moves with the driver at a coordinate.

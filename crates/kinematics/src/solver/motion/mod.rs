@@ -266,6 +266,7 @@ pub(super) fn explore<'e>(
         ahead: None,
         singly: None,
         unresolved: None,
+        missed: None,
         refused: None,
         unproved: Vec::new(),
         meeting_assemblies: Vec::new(),

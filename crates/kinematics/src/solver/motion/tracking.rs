@@ -2,6 +2,7 @@
 
 use super::anchors::Anchors;
 use super::change::ReachExtreme;
+use super::crossing::CloseMiss;
 use super::proved_ends::BoundedEnd;
 use super::{Folded, MeetingAssemblies, NearMiss, ONE_MISS, Stretched};
 use crate::Double;
@@ -84,7 +85,7 @@ const HALF_WIDTH_COUNT: i32 = 6;
 /// Number of steps after the start at which a motion is compared as well.
 const LATER: usize = 3;
 /// Maximum difference between z and its start in a closed motion.
-const CLOSURE_TOLERANCE: f64 = 1e-7;
+pub(super) const CLOSURE_TOLERANCE: f64 = 1e-7;
 
 /// A sample of the walk.
 #[derive(Default)]
@@ -140,6 +141,8 @@ pub(super) struct Walker<'e> {
     pub(super) singly: Option<f64>,
     /// The step, group and coordinate of a dyad whose extreme at the next limit is lost in rounding.
     pub(super) unresolved: Option<(usize, usize, f64)>,
+    /// The near miss of a coupled group at the next limit, across which a step jumped.
+    pub(super) missed: Option<CloseMiss>,
     /// The step and coordinate of the extreme that could not be passed at the next limit.
     pub(super) refused: Option<(usize, Double)>,
     /// The groups whose assemblies are known to meet at the next limit.

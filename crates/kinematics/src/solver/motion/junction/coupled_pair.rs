@@ -94,10 +94,9 @@ impl Walker<'_> {
         let engine = self.engine;
         let before = engine.moved(pair.centre.hi, -self.sense * by);
         self.anchors.forget_beyond(engine, before, self.sense);
-        if !self.step_to(before) {
+        if !self.store_approach(pair.centre.hi, before) {
             return None;
         }
-        self.anchors.push(engine, before, &mut self.state);
         let junction = self.junction_of_pair(pair)?;
         self.pass_through(&junction)
     }

@@ -466,6 +466,10 @@ impl Walker<'_> {
         self.misses.retain(|miss| !is_beyond(miss.at));
         self.samples.retain(|&at| !is_beyond(at));
         self.unproved.clear();
+        let zone = curve.offset_at(zone.copysign(from)).hi;
+        let saved = std::mem::replace(&mut self.state, arrived.clone());
+        self.store_approach(junction.at.hi, engine.moved(junction.at.hi, zone));
+        self.state = saved;
         Some(end)
     }
 
