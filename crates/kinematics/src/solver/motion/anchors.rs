@@ -191,6 +191,16 @@ impl Anchors {
         self.store(engine, (place, at), workspace);
     }
 
+    /// Adds anchors that follow one another in the direction of `sense`, and removes those at or beyond
+    /// the first of them.
+    pub(super) fn add(&mut self, engine: &Engine, later: &Anchors, sense: f64) {
+        if let Some(&first) = later.at.first() {
+            self.forget_beyond(engine, first, sense);
+        }
+        self.at.extend_from_slice(&later.at);
+        self.numbers.extend_from_slice(&later.numbers);
+    }
+
     fn store(&mut self, engine: &Engine, (place, at): (usize, f64), workspace: &mut Workspace) {
         if engine.program.coupled.is_empty() {
             return;

@@ -124,15 +124,18 @@ pub(super) fn approaches() -> impl Iterator<Item = f64> {
 }
 
 impl Walker<'_> {
-    /// Crosses a limit if it is a change point. Returns the coordinate reached beyond it.
+    /// Crosses a limit if it is a change point or a near miss. Returns the coordinate reached beyond it.
     pub(super) fn pass(&mut self, limit: f64) -> Option<f64> {
         self.anchors.forget_beyond(self.engine, limit, self.sense);
         self.unproved.clear();
         self.refused = None;
-        let missed = self.missed.take().filter(|missed| missed.at == limit);
-        if let Some(beyond) = missed.and_then(|missed| self.keep_assembly(&missed)) {
-            return Some(beyond);
-        }
+        self.missed = self.missed.take().filter(|missed| missed.at == limit);
+        let kept = self.missed.and_then(|missed| self.keep_assembly(&missed));
+        kept.or_else(|| self.pass_change_point(limit))
+    }
+
+    /// Crosses a limit if it is a change point. Returns the coordinate reached beyond it.
+    fn pass_change_point(&mut self, limit: f64) -> Option<f64> {
         if self.has_path()
             && let Some(beyond) = self.cross_twice(limit, TOGETHER)
         {
@@ -194,13 +197,12 @@ impl Walker<'_> {
     /// reached.
     fn keep_assembly(&mut self, miss: &CloseMiss) -> Option<f64> {
         let saved = (self.state.clone(), self.anchors.clone());
-        if !self.step_past(miss) {
+        let Some(beyond) = self.step_past(miss) else {
             (self.state, self.anchors) = saved;
             return None;
-        }
+        };
         self.note_miss(miss.group, miss.sine, miss.at);
         self.seen.clear();
-        let [_, beyond] = miss.between;
         self.note(beyond);
         Some(beyond)
     }

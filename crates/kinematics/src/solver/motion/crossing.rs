@@ -1,6 +1,7 @@
 //! Crosses the change points of coupled groups: finds where two solutions cross, its exact
 //! coordinate, and the motion beyond it.
 
+use super::anchors::Anchors;
 use super::change::{Change, FURTHER, approaches};
 use super::group_inputs::GroupInputs;
 use super::junction::{CHANGE_POINT_TOLERANCE, MORE};
@@ -37,6 +38,10 @@ const OPENED: f64 = 1e-13;
 const CORRECTIONS: usize = 5;
 /// Maximum number of halvings of the distance to a near miss.
 const HALVINGS: i32 = 40;
+/// Distance from a near miss at which halving ends, in units of its width.
+const CLOSEST: f64 = 0.1;
+/// Width of a near miss, in radians or scaled lengths, above which doubles resolve the bend in it.
+const RESOLVED: f64 = 1e-7;
 
 /// Measure of a coupled group, relative to its maximum so far, below which its solutions may cross
 /// within the widest step.
@@ -275,7 +280,7 @@ impl Walker<'_> {
 
     /// Steps from a coordinate, which is that of the state, to another one, and calls `reached` after
     /// each step. Returns `true` if the coordinate was reached without leaving the motion.
-    fn step_from(&mut self, from: f64, to: f64, reached: impl Fn(&mut Self, f64)) -> bool {
+    fn step_from(&mut self, from: f64, to: f64, mut reached: impl FnMut(&mut Self, f64)) -> bool {
         let (mut good, mut saved, mut step) = (from, self.state.clone(), to - from);
         for _ in 0..STEPS_BEFORE {
             if good == to {
@@ -328,11 +333,12 @@ impl Walker<'_> {
     }
 
     /// Steps past a near miss of a coupled group, by steps that become shorter towards it, and stores
-    /// the states on the way. Returns `true` if the coordinate behind it was reached.
+    /// the states on the way. Returns the coordinate reached behind it, which is that of a sample, or
+    /// lies before the next change point.
     ///
     /// A step across several near misses at one coordinate could end on another assembly, which
     /// continues the motion without a bend.
-    pub(super) fn step_past(&mut self, miss: &CloseMiss) -> bool {
+    pub(super) fn step_past(&mut self, miss: &CloseMiss) -> Option<f64> {
         let &CloseMiss {
             at,
             between: [from, to],
@@ -342,22 +348,38 @@ impl Walker<'_> {
         let engine = self.engine;
         self.anchors.forget_beyond(engine, at, self.sense);
         if !self.place_at(from) {
-            return false;
+            return None;
         }
         let towards = |end: f64| {
             let parts = (1..=HALVINGS).map(move |k| at + (end - at) * 0.5_f64.powi(k));
-            parts.take_while(move |&place| engine.difference(at, place).abs() > width)
+            let nearest = CLOSEST * width;
+            parts.take_while(move |&place| engine.difference(at, place).abs() > nearest)
         };
         let after: Vec<f64> = towards(to).collect();
         let places = towards(from).chain(after.into_iter().rev()).chain([to]);
+        // Anchors stored at once would make a bend of this width a corner.
+        let mut passed = Anchors::default();
+        let is_wide = width > RESOLVED;
         let mut here = from;
         for place in places {
-            if !self.step_from(here, place, Walker::insert_anchor) {
-                return false;
+            let is_reached = self.step_from(here, place, |walker, at| {
+                if is_wide {
+                    passed.push(engine, at, &mut walker.state);
+                } else {
+                    walker.insert_anchor(at);
+                }
+            });
+            if !is_reached {
+                let by = engine.difference(at, here) * self.sense;
+                if by > width {
+                    break;
+                }
+                return None;
             }
             here = place;
         }
-        true
+        self.anchors.add(engine, &passed, self.sense);
+        Some(here)
     }
 
     /// Returns the latest coordinate at or before `at` with a known state.

@@ -27,9 +27,11 @@ const CLOSE_LOOK_MEASURE: f64 = 1e-6;
 /// 5e-4 of a link, 0.05 mm in 100 mm, which is as much clearance as workshops leave. Without the
 /// gap, the motion would end there or could change its assembly.
 pub(super) const NEAR: f64 = 1e-3;
-/// Share of the width of a near miss at which steps towards it end. The width is estimated for a
-/// measure that grows with the square of the distance; if it grows faster, the width is larger.
-const WIDTH_SHARE: f64 = 0.25;
+/// Part of the distance to a near miss at which its measure is compared with that at the whole
+/// distance.
+const NEARER: f64 = 0.1;
+/// Minimum power of the distance with which the measure of a near miss grows.
+const MIN_POWER: f64 = 1.0;
 /// Number of golden sections that locate a minimum to the square root of the rounding error.
 const GOLDEN_SECTIONS: usize = 44;
 /// Distance within which two extremes of one dyad are the same, in radians or scaled lengths.
@@ -392,24 +394,28 @@ impl Walker<'_> {
         [from, _, to]: [f64; SAMPLES],
         last: &Workspace,
     ) -> bool {
-        let before = self
-            .seen
-            .first()
-            .map_or(1.0, |sample| sample.measures[group]);
         let far = self.engine.difference(from, at).abs();
+        let [one, other] = [from, at + NEARER * (from - at)].map(|at| self.measure(group, at));
+        // One singular place makes the measure grow with the square of the distance, two with its
+        // fourth power.
+        let power = (other / one).ln() / NEARER.ln();
+        // Directly before a fold, a minimum is a rounding error.
+        if !(power > MIN_POWER) {
+            return false;
+        }
         let miss = CloseMiss {
             group,
             sine: measure.sqrt(),
             at,
             between: [from, to],
-            width: WIDTH_SHARE * far * (measure / before).sqrt(),
+            width: far * (measure / one).powf(1.0 / power.clamp(2.0, 4.0)),
         };
         let anchors = self.anchors.clone();
-        let reaches = self.step_past(&miss);
+        let reached = self.step_past(&miss);
         self.anchors = anchors;
         let is_same = |(now, then): (&f64, &f64)| (now - then).abs() < CLOSURE_TOLERANCE;
         let mut groups = self.engine.program.coupled.iter();
-        let stays = reaches
+        let stays = reached == Some(to)
             && groups.all(|group| {
                 let z = group.offset..group.offset + group.width();
                 let [now, then] =

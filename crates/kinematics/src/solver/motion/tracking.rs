@@ -239,6 +239,8 @@ impl Walker<'_> {
                     let end = self.refined(limit, &last);
                     if end.bound.is_none() {
                         self.add_crossing_groups(limit, &last);
+                        let missed = self.missed.map(|missed| GroupId::new(missed.group));
+                        self.unproved.extend(missed);
                     }
                     let limit = self.last_resolved(from, limit);
                     // Beyond a change point that is not passed, the motion may be another one.
