@@ -843,3 +843,28 @@ fn slot_between_given_points_chooses_the_assembly() {
         assert!(off < 1e-5, "{decimals} decimals: C is off by {off:e}");
     }
 }
+
+/// The crank of the parallelogram is turned by a four-bar and passes 180 degrees 2.6e-8 degrees before the
+/// fold of that four-bar. Samples before the fold ended at 4e-7 degrees, and C was on the other side.
+#[test]
+fn change_point_directly_before_fold_in_front_is_passed() {
+    let (scene, solver) = open(include_str!(
+        "scenes/change_point_before_fold_in_front.toml"
+    ));
+    assert_places(
+        &solver,
+        Some([165.7423381417127, 525.2204977299621]),
+        &[525.220497704025],
+    );
+    let [b, c] = ["B", "C"].map(|name| point(&scene, name));
+    let mut workspace = solver.state();
+    for at in [525.2204977, 525.220497703, 525.220497713, 525.2204977299] {
+        assert_eq!(
+            solver.solve(at, Order::Position, &mut workspace),
+            Condition::Ok
+        );
+        let [b, c] = [b, c].map(|p| workspace.state().position(p).unwrap());
+        let off = (c - b - Vec2::new(90.0, 0.0)).norm();
+        assert!(off < 1e-6, "at {at} C is off by {off:e}");
+    }
+}

@@ -81,7 +81,7 @@ const PARTS: [f64; 3] = [0.5, 0.6, 0.7];
 /// tried: there, the limit itself is lost in rounding.
 const STEPPING: f64 = 1e-12;
 /// Number of samples taken before a limit, each at a tenth of the distance of the last.
-const HALF_WIDTH_COUNT: i32 = 6;
+const HALF_WIDTH_COUNT: i32 = 12;
 /// Number of steps after the start at which a motion is compared as well.
 const LATER: usize = 3;
 /// Maximum difference between z and its start in a closed motion.
