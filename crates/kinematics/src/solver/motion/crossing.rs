@@ -271,6 +271,23 @@ impl Walker<'_> {
         self.state = saved;
     }
 
+    /// Adds the coupled groups that are singular within rounding in the last state before an end without
+    /// a bound to those that are not proved to pass, unless others are known.
+    pub(super) fn add_singular_groups(&mut self, last: &Workspace) {
+        if !self.unproved.is_empty() {
+            return;
+        }
+        for (step, of) in self.engine.program.steps.iter().enumerate() {
+            let Some(index) = of.coupled() else {
+                continue;
+            };
+            if self.is_near_crossing(step, last) {
+                let group = self.engine.program.coupled[index].group;
+                self.unproved.push(GroupId::new(group));
+            }
+        }
+    }
+
     /// Steps to a coordinate from the latest known state before it, by as many steps as the motion
     /// needs. Returns `true` if the coordinate was reached without leaving the motion.
     pub(super) fn step_to(&mut self, to: f64) -> bool {

@@ -239,8 +239,6 @@ impl Walker<'_> {
                     let end = self.refined(limit, &last);
                     if end.bound.is_none() {
                         self.add_crossing_groups(limit, &last);
-                        let missed = self.missed.map(|missed| GroupId::new(missed.group));
-                        self.unproved.extend(missed);
                     }
                     let limit = self.last_resolved(from, limit);
                     // Beyond a change point that is not passed, the motion may be another one.
@@ -257,6 +255,9 @@ impl Walker<'_> {
                     } else {
                         BoundedEnd::unproved(limit)
                     };
+                    if limit.bound.is_none() {
+                        self.add_singular_groups(&last);
+                    }
                     let groups = std::mem::take(&mut self.unproved).into_iter();
                     self.meeting_assemblies
                         .extend(groups.map(|group| MeetingAssemblies {
