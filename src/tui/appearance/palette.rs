@@ -201,8 +201,8 @@ impl Hue {
     fn bright(self) -> Color {
         match self {
             Hue::Red => Color::LightYellow,
-            Hue::Orange | Hue::Brown | Hue::Yellow => Color::Yellow,
-            Hue::Violet | Hue::Teal | Hue::Moss => Color::Reset,
+            Hue::Orange | Hue::Brown | Hue::Violet | Hue::Teal | Hue::Moss => Color::Reset,
+            Hue::Yellow => Color::Yellow,
             Hue::Lime | Hue::Magenta => Color::Green,
             Hue::Green => Color::LightGreen,
             Hue::Cyan => Color::Cyan,
@@ -263,8 +263,7 @@ impl Hue {
     fn shade_on_light(self) -> Shade {
         match self {
             Hue::Red => shade(88, 165, 14, 22),
-            Hue::Orange => shade(52, 125, 62, 0),
-            Hue::Brown => both(52),
+            Hue::Orange | Hue::Brown => shade(52, 125, 62, 0),
             Hue::Yellow => shade(94, 132, 90, 0),
             Hue::Lime => shade(58, 84, 104, 0),
             Hue::Moss => both(65),
