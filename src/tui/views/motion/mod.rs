@@ -28,6 +28,9 @@ use ratatui::layout::{Position, Rect};
 /// The action that fits the window, offered when only a part of the motion is visible.
 pub(super) const FIT: Action = Action::Motion(MotionAction::Fit);
 
+/// Maximum width of a simple drawing with names. They take a tenth of the bytes of a larger one.
+const MAX_SIMPLE_WIDTH: u16 = 100;
+
 /// The last drawing, kept so that labels stay on the same sides from frame to frame.
 #[derive(Debug, Default)]
 pub(crate) struct Sketch {
@@ -39,8 +42,8 @@ pub(crate) struct Sketch {
     window: Option<(Rect, drawing::WorldView)>,
     /// The visible polygons.
     polygons: Vec<PolygonSketch>,
-    /// Whether to draw with as few bytes as possible: in ASCII, without trails, and the position in
-    /// the cycle without numbers.
+    /// Whether to draw with as few bytes as possible: in ASCII, without trails, a large drawing without
+    /// names, and the position in the cycle without numbers.
     pub(crate) is_simple: bool,
 }
 
@@ -167,6 +170,8 @@ impl Sketch {
         let mut figure = figure_of(app, highlighted);
         if !self.is_simple {
             add_trails(&mut figure, app);
+        } else if area.width > MAX_SIMPLE_WIDTH {
+            figure.remove_names();
         }
         let Sketch { labels, raster, .. } = self;
         drawing::render_into(&figure, &view, glyphs, labels, raster);
