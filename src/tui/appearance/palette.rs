@@ -197,14 +197,19 @@ impl Hue {
     }
 
     /// Returns the palette name that is more legible on a dark background. Of xterm's palette, red,
-    /// blue and magenta are too dark for links and names on Solarized's background or on grey.
+    /// blue and magenta are too dark for links and names on Solarized's background or on grey. In
+    /// Solarized's own palette, most bright names are dark greys.
     fn bright(self) -> Color {
         match self {
-            Hue::Red => Color::LightYellow,
-            Hue::Orange | Hue::Brown | Hue::Violet | Hue::Teal | Hue::Moss => Color::Reset,
-            Hue::Yellow => Color::Yellow,
+            Hue::Red => Color::Yellow,
+            Hue::Orange
+            | Hue::Brown
+            | Hue::Yellow
+            | Hue::Green
+            | Hue::Violet
+            | Hue::Teal
+            | Hue::Moss => Color::Reset,
             Hue::Lime | Hue::Magenta => Color::Green,
-            Hue::Green => Color::LightGreen,
             Hue::Cyan => Color::Cyan,
             Hue::Blue => Color::LightCyan,
             Hue::Grey => Color::Gray,
@@ -324,7 +329,10 @@ impl Palette {
             (Colours::Sixteen, Some(hue)) => match self.theme {
                 Theme::Auto | Theme::Plain => hue.plain(),
                 Theme::Light => hue.dark_variant(),
-                Theme::Dark => hue.bright(),
+                Theme::Dark => match hue.bright() {
+                    Color::Reset if self.has_weak_text && hue != Hue::Moss => self.ink(),
+                    sent => sent,
+                },
             },
             (Colours::Indexed, Some(hue)) => hue.colour(self.theme, false),
             (Colours::True, Some(hue)) => hue.colour(self.theme, true),
@@ -354,11 +362,15 @@ impl Palette {
         few && Hue::hue_of_name(named).is_some_and(is_link)
     }
 
-    /// Removes bold where it makes a sent colour too bright: many terminals show the first eight colours
-    /// in their bright form then.
+    /// Removes bold from sent colours that many terminals show in their bright form then: it is too
+    /// bright on a light background, and a grey in Solarized's palette.
     pub(crate) fn weight(self, sent: Color, modifier: Modifier) -> Modifier {
-        let is_dark = matches!(sent, Color::Red | Color::Blue);
-        match self.colours == Colours::Sixteen && self.theme == Theme::Light && is_dark {
+        let has_bright_form = matches!(
+            sent,
+            Color::Red | Color::Green | Color::Yellow | Color::Blue | Color::Cyan
+        );
+        let is_chosen = matches!(self.theme, Theme::Light | Theme::Dark);
+        match self.colours == Colours::Sixteen && is_chosen && has_bright_form {
             true => modifier - Modifier::BOLD,
             false => modifier,
         }
@@ -567,7 +579,7 @@ mod tests {
         }
     }
 
-    /// Returns a colour of xterm's own palette, as xterm 379 displays it.
+    /// Returns a colour of xterm's own palette, by its default resources.
     fn of_xterm(colour: Color) -> Color {
         let [r, g, b] = match colour {
             Color::Black => [0; 3],
@@ -835,7 +847,7 @@ mod tests {
         };
         assert_eq!(sent(Theme::Auto, Color::Red), Color::LightRed);
         assert_eq!(sent(Theme::Auto, Color::Blue), Color::Reset);
-        assert_eq!(sent(Theme::Dark, Color::Red), Color::LightYellow);
+        assert_eq!(sent(Theme::Dark, Color::Red), Color::Yellow);
         assert_eq!(sent(Theme::Light, Color::Cyan), Color::Red);
         assert_eq!(sent(Theme::Dark, Color::Reset), Color::Reset);
     }
