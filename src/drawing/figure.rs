@@ -302,6 +302,15 @@ impl Figure {
         }
     }
 
+    /// Removes all names except the selected one.
+    pub(crate) fn remove_names(&mut self) {
+        let is_name = |shape: &Shape| match shape {
+            Shape::Label { role, .. } => *role != Role::Lit,
+            _ => false,
+        };
+        self.shapes.retain(|shape| !is_name(shape));
+    }
+
     /// Returns the shapes in the order in which they were added.
     #[must_use]
     pub fn shapes(&self) -> &[Shape] {

@@ -122,7 +122,7 @@ fn colours_change_by_key_and_by_option() {
     assert!(session.ended_as_found().success());
     let dark = ["four-bar", "--theme", "dark", "--colour", "16"];
     let bytes = played(Setup::krank(&dark));
-    assert!(sgr(&bytes).iter().any(|n| n.split(';').any(|n| n == "91")));
+    assert!(sgr(&bytes).iter().any(|n| n.split(';').any(|n| n == "33")));
     let bytes = played(Setup::krank(&["four-bar", "--theme", "plain"]));
     assert!(!has_colour(&bytes));
 }

@@ -45,7 +45,8 @@ fn arrows_are_shown_with_their_scale() {
         &tiny,
         &[
             "<_ __-<<",
-            "A @ B",
+            "@ B",
+            "o A",
             "v 5000 mm/s = ------->",
             "r4 250.000 290.753*",
         ],

@@ -113,8 +113,9 @@ const SEATS: [LabelSeat; 40] = [
 
 /// Number of seats that are tried first without a plan.
 const USUAL: usize = 22;
-/// Largest distance of a seat from its point in rows.
+/// Largest distance of a seat from its point in rows, and in columns.
 const MAX_ROW: i32 = 2;
+const MAX_COL: i32 = 5;
 
 /// Cost per character that hides part of the ground, of a guide or of a plate: as much as any free
 /// seat.
@@ -127,6 +128,10 @@ const ON_BAR: i32 = 500;
 /// Maximum cost if the names together are longer than the lines: only names in free space help
 /// then.
 const MAX_COST_CROWDED: i32 = 3;
+/// Cost of a name that is nearer to another point than to its own.
+const AMBIGUOUS: i32 = 12;
+/// Ratio of the squares of both distances from which a reader would assign a name to the other point.
+const MISLEADING: f64 = 2.3;
 /// Minimum gain in cost for which a label moves.
 const INERTIA: i32 = 6;
 
@@ -149,20 +154,20 @@ impl Labels {
         let is_line = |cell: &&CharCell| cell.role.is_body();
         let lines = raster.lines().flatten().filter(is_line).count();
         let is_crowded = length > lines;
+        let points = points(figure, view);
         let mut count = 0;
         for (at, text, role) in labels {
-            let point = cell_of(view.cell(at));
+            let name = PlacedName::new(cell_of(view.cell(at)), text, role, &points);
             if count == self.places.len() {
                 self.places.push(LabelPlace::New);
             }
-            let is_selected = role == Role::Lit;
-            let limit = match is_crowded && !is_selected {
+            let limit = match is_crowded && !name.is_selected {
                 true => MAX_COST_CROWDED,
                 false => i32::MAX,
             };
             let place = match self.planned(count, view) {
                 Some(seat) => {
-                    let place = plan::best_place(raster, point, text, is_selected, seat);
+                    let place = plan::best_place(raster, &name, seat);
                     if seat.is_some() && place == LabelPlace::Hidden {
                         self.leave_out(count);
                     }
@@ -170,13 +175,13 @@ impl Labels {
                 }
                 None => {
                     let last = self.places[count];
-                    best_place(raster, point, text, is_selected, last, limit)
+                    best_place(raster, &name, last, limit)
                 }
             };
             self.places[count] = place;
             count += 1;
             if let LabelPlace::Seat(seat) = place {
-                let (col, row) = origin(&SEATS[seat], point, width(text));
+                let (col, row) = origin(&SEATS[seat], name.point, name.width);
                 write(raster, col, row, text, role);
             }
         }
@@ -229,15 +234,75 @@ fn write(raster: &mut Raster, col: i32, row: i32, text: &str, role: Role) {
     }
 }
 
-fn best_place(
-    raster: &Raster,
+/// Returns the cells of all points that have a mark or a name.
+fn points(figure: &Figure, view: &WorldView) -> Vec<(i32, i32)> {
+    let points = figure.shapes().iter().filter_map(|shape| match shape {
+        Shape::Mark { at, .. } => Some(*at),
+        Shape::Label {
+            at,
+            role: Role::Label,
+            ..
+        } => Some(*at),
+        _ => None,
+    });
+    points.map(|at| cell_of(view.cell(at))).collect()
+}
+
+/// A name to place, with its point.
+struct PlacedName {
     point: (i32, i32),
-    text: &str,
+    width: i32,
     is_selected: bool,
-    last: LabelPlace,
-    limit: i32,
-) -> LabelPlace {
-    if raster.cell(point.0, point.1).is_none() {
+    /// The cells of other points near this one, to which a reader might assign the name.
+    others: Vec<(i32, i32)>,
+}
+
+impl PlacedName {
+    /// Creates the name of the point in a cell, among the cells of all points.
+    fn new(point: (i32, i32), text: &str, role: Role, points: &[(i32, i32)]) -> PlacedName {
+        let width = width(text);
+        let is_near = |other: &&(i32, i32)| {
+            let (cols, rows) = ((other.0 - point.0).abs(), (other.1 - point.1).abs());
+            // Points in adjacent cells of a row coincide, such as a pin and its block.
+            let coincide = cols <= 1 && rows == 0;
+            cols <= width + 2 * MAX_COL && rows <= 2 * MAX_ROW && !coincide
+        };
+        // Names of links stand next to bars, and the selected name is always shown.
+        let others = match role {
+            Role::Label => points.iter().filter(is_near).copied().collect(),
+            _ => Vec::new(),
+        };
+        PlacedName {
+            point,
+            width,
+            is_selected: role == Role::Lit,
+            others,
+        }
+    }
+
+    /// Returns the cost of a seat; `None` if the name cannot be there, or would be clearly nearer to
+    /// another point than to its own.
+    fn cost(&self, raster: &Raster, seat: usize) -> Option<i32> {
+        let (col, row) = origin(&SEATS[seat], self.point, self.width);
+        // Squares of distances in columns; a row is as high as two columns.
+        let distance = |point: &(i32, i32)| {
+            let cols = (col - point.0).max(point.0 - (col + self.width - 1)).max(0);
+            let rows = 2 * (row - point.1);
+            cols * cols + rows * rows
+        };
+        let own = distance(&self.point);
+        let ambiguity = match self.others.iter().map(distance).min() {
+            Some(other) if MISLEADING * f64::from(other) < f64::from(own) => return None,
+            Some(other) if other < own => AMBIGUOUS,
+            _ => 0,
+        };
+        let cover = cover(raster, col, row, self.width, self.is_selected)?;
+        Some(cover + SEATS[seat].cost + ambiguity)
+    }
+}
+
+fn best_place(raster: &Raster, name: &PlacedName, last: LabelPlace, limit: i32) -> LabelPlace {
+    if raster.cell(name.point.0, name.point.1).is_none() {
         return LabelPlace::Hidden;
     }
     // A hidden label returns only when there is clearly space for it, so that it does not flicker.
@@ -246,18 +311,14 @@ fn best_place(
     } else {
         limit
     };
-    let width = width(text);
-    let cost = |index: usize| {
-        let seat = &SEATS[index];
-        let (col, row) = origin(seat, point, width);
-        let inertia = i32::from(last == LabelPlace::Seat(index)) * INERTIA;
-        let cover = cover(raster, col, row, width, is_selected)?;
-        Some(cover + seat.cost - inertia).filter(|&cost| cost <= limit)
+    let priced = |seat: usize| {
+        let inertia = i32::from(last == LabelPlace::Seat(seat)) * INERTIA;
+        let cost = name.cost(raster, seat)? - inertia;
+        (cost <= limit).then_some((cost, seat))
     };
-    let priced = |index: usize| Some((cost(index)?, index));
     let usual = (0..USUAL).filter_map(priced).min();
     let best = usual.or_else(|| (USUAL..SEATS.len()).filter_map(priced).min());
-    best.map_or(LabelPlace::Hidden, |(_, index)| LabelPlace::Seat(index))
+    best.map_or(LabelPlace::Hidden, |(_, seat)| LabelPlace::Seat(seat))
 }
 
 /// Returns the first cells of all places next to a cell where a text hides nothing, best place

@@ -176,16 +176,17 @@ impl Hue {
         }
     }
 
-    /// Returns a palette name that most palettes keep legible on any background. There are only
+    /// Returns a palette name that xterm's palette keeps visible on any background. There are only
     /// two; other hues are distinguished by shape.
     fn plain(self) -> Color {
         match self {
-            Hue::Red => Color::Red,
-            Hue::Yellow | Hue::Magenta => Color::Magenta,
+            Hue::Red => Color::LightRed,
+            Hue::Magenta => Color::Magenta,
             Hue::Grey => Color::DarkGray,
             Hue::Moss
             | Hue::Orange
             | Hue::Brown
+            | Hue::Yellow
             | Hue::Lime
             | Hue::Green
             | Hue::Teal
@@ -195,35 +196,40 @@ impl Hue {
         }
     }
 
-    /// Returns the palette name that is more legible on a dark background.
+    /// Returns the palette name that is more legible on a dark background. Of xterm's palette, red,
+    /// blue and magenta are too dark for links and names on Solarized's background or on grey. In
+    /// Solarized's own palette, most bright names are dark greys.
     fn bright(self) -> Color {
         match self {
-            Hue::Red => Color::LightRed,
-            Hue::Orange | Hue::Brown => Color::Yellow,
-            Hue::Yellow => Color::LightYellow,
-            Hue::Lime => Color::Green,
-            Hue::Moss => Color::Reset,
-            Hue::Green => Color::LightGreen,
-            Hue::Teal => Color::Cyan,
-            Hue::Cyan => Color::LightCyan,
-            Hue::Blue => Color::LightBlue,
-            Hue::Violet => Color::Magenta,
-            Hue::Magenta => Color::LightMagenta,
+            Hue::Red => Color::Yellow,
+            Hue::Orange
+            | Hue::Brown
+            | Hue::Yellow
+            | Hue::Green
+            | Hue::Violet
+            | Hue::Teal
+            | Hue::Moss => Color::Reset,
+            Hue::Lime | Hue::Magenta => Color::Green,
+            Hue::Cyan => Color::Cyan,
+            Hue::Blue => Color::LightCyan,
             Hue::Grey => Color::Gray,
         }
     }
 
-    /// Returns the palette name that is more legible on a light background. In most palettes yellow,
-    /// green and cyan have a contrast of 1.7 to 3.6 on white: notices are magenta as in
-    /// [`Hue::plain`], arrows blue, and other lines have the colour of text.
+    /// Returns the palette name that is more legible on a light background. Of xterm's palette, only
+    /// blue is dark enough there for links, and only red for arrows and names.
     fn dark_variant(self) -> Color {
         match self {
-            Hue::Red => Color::Red,
-            Hue::Orange | Hue::Brown | Hue::Moss | Hue::Lime | Hue::Green | Hue::Teal => {
-                Color::Reset
-            }
-            Hue::Blue | Hue::Cyan => Color::Blue,
-            Hue::Violet | Hue::Magenta | Hue::Yellow => Color::Magenta,
+            Hue::Red => Color::Blue,
+            Hue::Cyan | Hue::Magenta | Hue::Yellow => Color::Red,
+            Hue::Orange
+            | Hue::Brown
+            | Hue::Moss
+            | Hue::Lime
+            | Hue::Green
+            | Hue::Teal
+            | Hue::Blue
+            | Hue::Violet => Color::Reset,
             Hue::Grey => Color::DarkGray,
         }
     }
@@ -262,8 +268,7 @@ impl Hue {
     fn shade_on_light(self) -> Shade {
         match self {
             Hue::Red => shade(88, 165, 14, 22),
-            Hue::Orange => shade(52, 125, 62, 0),
-            Hue::Brown => both(52),
+            Hue::Orange | Hue::Brown => shade(52, 125, 62, 0),
             Hue::Yellow => shade(94, 132, 90, 0),
             Hue::Lime => shade(58, 84, 104, 0),
             Hue::Moss => both(65),
@@ -324,7 +329,10 @@ impl Palette {
             (Colours::Sixteen, Some(hue)) => match self.theme {
                 Theme::Auto | Theme::Plain => hue.plain(),
                 Theme::Light => hue.dark_variant(),
-                Theme::Dark => hue.bright(),
+                Theme::Dark => match hue.bright() {
+                    Color::Reset if self.has_weak_text && hue != Hue::Moss => self.ink(),
+                    sent => sent,
+                },
             },
             (Colours::Indexed, Some(hue)) => hue.colour(self.theme, false),
             (Colours::True, Some(hue)) => hue.colour(self.theme, true),
@@ -352,6 +360,20 @@ impl Palette {
         let is_link = |hue| Hue::OF_LINKS.contains(&hue);
         let few = matches!(self.colours, Colours::None | Colours::Sixteen);
         few && Hue::hue_of_name(named).is_some_and(is_link)
+    }
+
+    /// Removes bold from sent colours that many terminals show in their bright form then: it is too
+    /// bright on a light background, and a grey in Solarized's palette.
+    pub(crate) fn weight(self, sent: Color, modifier: Modifier) -> Modifier {
+        let has_bright_form = matches!(
+            sent,
+            Color::Red | Color::Green | Color::Yellow | Color::Blue | Color::Cyan
+        );
+        let is_chosen = matches!(self.theme, Theme::Light | Theme::Dark);
+        match self.colours == Colours::Sixteen && is_chosen && has_bright_form {
+            true => modifier - Modifier::BOLD,
+            false => modifier,
+        }
     }
 
     /// Returns the colour of text: the brightest one instead of a weak one of the terminal. Faint text
@@ -557,6 +579,103 @@ mod tests {
         }
     }
 
+    /// Returns a colour of xterm's own palette, by its default resources.
+    fn of_xterm(colour: Color) -> Color {
+        let [r, g, b] = match colour {
+            Color::Black => [0; 3],
+            Color::Red => [205, 0, 0],
+            Color::Green => [0, 205, 0],
+            Color::Yellow => [205, 205, 0],
+            Color::Blue => [0, 0, 238],
+            Color::Magenta => [205, 0, 205],
+            Color::Cyan => [0, 205, 205],
+            Color::Gray => [229; 3],
+            Color::DarkGray => [127; 3],
+            Color::LightRed => [255, 0, 0],
+            Color::LightGreen => [0, 255, 0],
+            Color::LightYellow => [255, 255, 0],
+            Color::LightBlue => [92, 92, 255],
+            Color::LightMagenta => [255, 0, 255],
+            Color::LightCyan => [0, 255, 255],
+            Color::White => [255; 3],
+            other => exact(other),
+        };
+        Color::Rgb(r, g, b)
+    }
+
+    /// Returns the colour that xterm displays for bold text in another one.
+    fn in_bold(colour: Color) -> Color {
+        match colour {
+            Color::Black => Color::DarkGray,
+            Color::Red => Color::LightRed,
+            Color::Green => Color::LightGreen,
+            Color::Yellow => Color::LightYellow,
+            Color::Blue => Color::LightBlue,
+            Color::Magenta => Color::LightMagenta,
+            Color::Cyan => Color::LightCyan,
+            Color::Gray => Color::White,
+            other => other,
+        }
+    }
+
+    /// Regression: bold names in magenta had a contrast of 3.1 on white, red bars of 3.2 on grey. Text
+    /// in the terminal's own colour is left out.
+    #[test]
+    fn sixteen_colours_keep_their_contrast_on_every_ground() {
+        let grounds = [BLACK, WHITE, SOLARIZED, SOFT_WHITE, GREY];
+        let levels = [(&BRIGHT[..], 7.0), (&NORMAL[..], 4.5), (&DIM[..], 2.5)];
+        for ground in grounds {
+            let known = Ground::of(exact(ground)).theme();
+            for (theme, (hues, minimum)) in [known, Theme::Auto]
+                .into_iter()
+                .flat_map(|theme| levels.map(|level| (theme, level)))
+            {
+                let palette = Palette {
+                    colours: Colours::Sixteen,
+                    theme,
+                    has_weak_text: false,
+                };
+                // No red or magenta has a higher one on all backgrounds.
+                let minimum = if theme == Theme::Auto { 2.5 } else { minimum };
+                for named in hues.iter().map(|hue| hue.named()).chain([INK]) {
+                    let sent = palette.colour(named);
+                    let bold = palette.weight(sent, Modifier::BOLD) == Modifier::BOLD;
+                    let shown = [Some(sent), bold.then(|| in_bold(sent))];
+                    let shown = shown.into_iter().flatten();
+                    for colour in shown.filter(|colour| *colour != Color::Reset) {
+                        let contrast = contrast(of_xterm(colour), ground);
+                        assert!(
+                            contrast >= minimum,
+                            "{named:?} as {colour:?} on {ground:?}, {theme:?}: {contrast}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    /// The curves of a plot and the arrows of a drawing have different colours wherever there are
+    /// enough.
+    #[test]
+    fn curves_differ_with_sixteen_colours() {
+        for theme in [Theme::Auto, Theme::Light, Theme::Dark] {
+            let palette = Palette {
+                colours: Colours::Sixteen,
+                theme,
+                has_weak_text: false,
+            };
+            let curves = [Role::Datum, Role::Second, Role::Third];
+            let sent = curves.map(|role| {
+                let named = theme::role(role).fg.unwrap_or(Color::Reset);
+                palette.colour(named)
+            });
+            assert!(
+                sent[0] != sent[1] && sent[1] != sent[2] && sent[0] != sent[2],
+                "{theme:?}"
+            );
+        }
+    }
+
     /// The roles of the drawing have the luminances of their kinds.
     #[test]
     fn roles_have_luminances_of_their_kinds() {
@@ -681,13 +800,7 @@ mod tests {
     #[test]
     fn light_theme_uses_dark_ansi_colours_only() {
         for hue in ALL {
-            let read = [
-                Color::Reset,
-                Color::Red,
-                Color::Blue,
-                Color::Magenta,
-                Color::DarkGray,
-            ];
+            let read = [Color::Reset, Color::Red, Color::Blue, Color::DarkGray];
             assert!(
                 read.contains(&hue.dark_variant()),
                 "{hue:?}: {:?}",
@@ -732,10 +845,10 @@ mod tests {
             };
             palette.colour(named)
         };
-        assert_eq!(sent(Theme::Auto, Color::Red), Color::Red);
+        assert_eq!(sent(Theme::Auto, Color::Red), Color::LightRed);
         assert_eq!(sent(Theme::Auto, Color::Blue), Color::Reset);
-        assert_eq!(sent(Theme::Dark, Color::Red), Color::LightRed);
-        assert_eq!(sent(Theme::Light, Color::Cyan), Color::Blue);
+        assert_eq!(sent(Theme::Dark, Color::Red), Color::Yellow);
+        assert_eq!(sent(Theme::Light, Color::Cyan), Color::Red);
         assert_eq!(sent(Theme::Dark, Color::Reset), Color::Reset);
     }
 

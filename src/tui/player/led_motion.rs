@@ -8,9 +8,9 @@ use crate::tui::player::playback::Track;
 use std::sync::Arc;
 
 /// Number of pieces in which the path is followed to find how far the inputs can follow.
-const PIECES: u16 = 360;
+const PIECES: u16 = 180;
 /// Number of positions between which the motion is solved, and of those of a large linkage.
-const PLACES: u16 = 360;
+const PLACES: u16 = 180;
 const MIN_PLACES: u16 = 6;
 /// Maximum number of rows of all kept states.
 const MAX_ROWS: usize = 20_000;

@@ -64,8 +64,11 @@ impl OpenScene {
         let timetable = Timetable::new(&opened.scene, opened.solver.motion().range);
         let places = places(&opened.scene, &driver_range, timetable.as_ref());
         let mut samples = samples(&opened, &places, &mut state);
-        let led = led_motion.iter().flat_map(LedMotion::states);
-        samples.extend(led.map(|state| Tables::new(&opened.scene, state)));
+        if let Some(led) = &led_motion {
+            let step = (led.states().count() / usize::from(SAMPLES)).max(1);
+            let states = led.states().step_by(step);
+            samples.extend(states.map(|state| Tables::new(&opened.scene, state)));
+        }
         let driver_state = places[0];
         let mut enclosure = opened.solver.enclosure();
         let mut open_scene = OpenScene {

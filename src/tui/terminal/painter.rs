@@ -382,7 +382,7 @@ mod tests {
         let frame = painter.full_frame(wanted).to_vec();
         assert_eq!(
             frame.escape_ascii().to_string(),
-            r"\x1b[1;1H\x1b[1;31ma\x1b[mb"
+            r"\x1b[1;1H\x1b[1;91ma\x1b[mb"
         );
     }
 

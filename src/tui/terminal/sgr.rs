@@ -64,10 +64,11 @@ impl CellStyle {
             }
             false => modifier - Modifier::DIM,
         };
+        let fg = self.palette.colour(fg);
         Sgr {
-            fg: self.palette.colour(fg),
+            fg,
             bg: self.palette.colour(sgr.bg),
-            modifier,
+            modifier: self.palette.weight(fg, modifier),
         }
     }
 

@@ -248,13 +248,14 @@ fn placed(app: &App) -> Vec<PlacedView> {
     app.views.placement.of(app)
 }
 
-/// Returns the shown views, each with the number of its lines and of the visible ones.
+/// Returns the shown views, each with the number of its lines, of the visible ones, and of all rows of
+/// its pane.
 #[cfg(test)]
-pub(crate) fn extents(app: &App) -> Vec<(View, usize, usize)> {
+pub(crate) fn extents(app: &App) -> Vec<(View, usize, usize, usize)> {
     let placed = placed(app).into_iter();
     let extent = |pane: PlacedView| {
         let (lines, visible) = pane_of(app, pane.view, pane.title.is_some()).extent(app, pane.area);
-        (pane.view, lines, visible)
+        (pane.view, lines, visible, usize::from(pane.area.height))
     };
     placed.map(extent).collect()
 }

@@ -10,8 +10,8 @@
 //! is left out, long enough that it does not blink.
 
 use super::{
-    Align, LabelPlace, Labels, MAX_ROW, ON_BAR, SEATS, TOUCHING, cell_of, cover, names, origin,
-    width,
+    Align, LabelPlace, Labels, MAX_ROW, ON_BAR, PlacedName, SEATS, TOUCHING, cell_of, names,
+    origin, points,
 };
 use crate::drawing::cells::raster::Raster;
 use crate::drawing::cells::render::{Glyphs, render_bare};
@@ -98,23 +98,15 @@ impl Side {
 }
 
 /// Returns the best place of a name on the side of its planned seat: this seat if it is free.
-pub(super) fn best_place(
-    raster: &Raster,
-    point: (i32, i32),
-    text: &str,
-    is_selected: bool,
-    planned: Option<usize>,
-) -> LabelPlace {
-    let Some(planned) = planned.filter(|_| raster.cell(point.0, point.1).is_some()) else {
+pub(super) fn best_place(raster: &Raster, name: &PlacedName, planned: Option<usize>) -> LabelPlace {
+    let (col, row) = name.point;
+    let Some(planned) = planned.filter(|_| raster.cell(col, row).is_some()) else {
         return LabelPlace::Hidden;
     };
     let seats = (0..SEATS.len()).filter(|seat| SEAT_SIDES[*seat] == SEAT_SIDES[planned]);
-    let width = width(text);
     let priced = seats.filter_map(|seat| {
-        let (col, row) = origin(&SEATS[seat], point, width);
-        let cover = cover(raster, col, row, width, is_selected)?;
         let gain = i32::from(planned == seat) * PLANNED;
-        Some((cover + SEATS[seat].cost - gain, seat))
+        Some((name.cost(raster, seat)? - gain, seat))
     });
     let best = priced.min();
     best.map_or(LabelPlace::Hidden, |(_, seat)| LabelPlace::Seat(seat))
@@ -201,9 +193,12 @@ impl Labels {
         let mut names = vec![SeatCosts::default(); count];
         for figure in figures {
             render_bare(&figure, view, glyphs, &mut raster);
-            let mut known = own_names(&figure);
+            let points = points(&figure, view);
+            let mut known = own_names(&figure).map(|(at, text, role)| {
+                PlacedName::new(cell_of(view.cell(at)), text, role, &points)
+            });
             for name in &mut names {
-                name.add(known.next(), view, &raster);
+                name.add(known.next(), &raster);
             }
         }
         let start = step_of(share, names[0].names.len());
@@ -339,23 +334,19 @@ type SideCosts = [i32; SIDES.len()];
 
 impl SeatCosts {
     /// Adds a step.
-    fn add(&mut self, name: Option<(crate::Vec2, &str, Role)>, view: &WorldView, raster: &Raster) {
-        let is_selected = name.is_some_and(|(_, _, role)| role == Role::Lit);
-        let name = name.map(|(at, text, _)| NameAt {
-            point: cell_of(view.cell(at)),
-            width: width(text),
-        });
+    fn add(&mut self, name: Option<PlacedName>, raster: &Raster) {
         let name = name.filter(|name| raster.cell(name.point.0, name.point.1).is_some());
         let mut costs = [None; SEATS.len()];
-        if let Some(NameAt { point, width }) = name {
-            for (seat, cost) in SEATS.iter().zip(&mut costs) {
-                let (col, row) = origin(seat, point, width);
-                let cover = cover(raster, col, row, width, is_selected);
-                *cost = cover.map(|cover| (cover + seat.cost).min(ON_BAR));
+        if let Some(name) = &name {
+            for (seat, cost) in costs.iter_mut().enumerate() {
+                *cost = name.cost(raster, seat).map(|cost| cost.min(ON_BAR));
             }
         }
         self.costs.push(costs);
-        self.names.push(name);
+        self.names.push(name.map(|name| NameAt {
+            point: name.point,
+            width: name.width,
+        }));
     }
 
     /// Makes other seats than this one more expensive at a step.

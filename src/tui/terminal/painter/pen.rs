@@ -76,12 +76,11 @@ impl CellPen {
             if has_begun && self.bytes.len() >= space {
                 break;
             }
-            let blanks = blanks_in_row(screens, &changes[list.written..]);
-            if blanks >= MIN_ERASED_CELLS {
+            if let Some((cells, blanks)) = blanks_in_row(screens, &changes[list.written..]) {
                 let (shown, row) = screens.row(change.y);
                 self.go_to(change, screens.look, shown, row);
                 self.set(change.style);
-                escape(&mut self.bytes, format_args!("\x1b[{blanks}X"));
+                escape(&mut self.bytes, format_args!("\x1b[{cells}X"));
                 list.written += blanks;
             } else {
                 self.write_change(screens, change);
@@ -208,17 +207,27 @@ impl CellPen {
     }
 }
 
-/// Returns the number of adjacent blanks at the start of a list that can be erased at once.
-fn blanks_in_row(screens: Screens<'_>, changes: &[CellChange]) -> usize {
-    let Some(first) = changes.first().filter(|_| screens.look.erases_cells) else {
-        return 0;
-    };
+/// Returns the number of cells at the start of a list that are erased at once, and the number of their
+/// changes; `None` if writing blanks is shorter. Blanks between them that do not change are erased,
+/// too.
+fn blanks_in_row(screens: Screens<'_>, changes: &[CellChange]) -> Option<(usize, usize)> {
+    let first = changes.first().filter(|_| screens.look.erases_cells)?;
     let (_, row) = screens.row(first.y);
-    let is_next = |(x, change): &(u16, &CellChange)| {
-        (change.x, change.y) == (*x, first.y)
+    let is_erased = |change: &&CellChange| {
+        change.y == first.y
             && change.what == ToWrite::Cell
             && change.style.is_blank_background()
             && row[usize::from(change.x)].symbol() == " "
     };
-    (first.x..).zip(changes).take_while(is_next).count()
+    let from = usize::from(first.x);
+    let (mut end, mut count, mut written) = (from, 0, 0);
+    for change in changes.iter().take_while(is_erased) {
+        let x = usize::from(change.x);
+        if x < end || !row[end..x].iter().all(|cell| screens.look.is_blank(cell)) {
+            break;
+        }
+        written += (x - end).min(usize::from(REWRITE)) + 1;
+        (end, count) = (x + 1, count + 1);
+    }
+    (written >= MIN_ERASED_CELLS).then_some((end - from, count))
 }

@@ -81,7 +81,9 @@ impl PaneNeeds for Contents<'_> {
         let Contents(app) = self;
         let lines = match view {
             View::Tables => tables::min_lines(app, width),
-            View::Scene => {
+            // A message takes the place of the plot.
+            View::Plots if app.open_scene().led().is_some() => 2,
+            View::Scene | View::Forces => {
                 // The lines that are no values are those that a pane does not count as visible.
                 let height = u16::MAX / 2;
                 let (values, visible) = view

@@ -200,8 +200,8 @@ fn between(at: f64, low: f64, high: f64, decimals: usize, unit: &str) -> String 
     words().place_in_range(&format!("{at:>width$}"), &low, &high, unit)
 }
 
-/// Renders the line into a row.
-pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+/// Renders the line into a row; a simple one without numbers.
+pub(super) fn render(app: &App, is_simple: bool, area: Rect, buffer: &mut Buffer) {
     if area.height == 0 || area.width < MIN_BAR {
         return;
     }
@@ -214,7 +214,11 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     while used(&texts) + MIN_BAR > area.width {
         texts.pop();
     }
-    let bar = line.bar(app.glyphs(), area.width - used(&texts));
+    let glyphs = match is_simple {
+        true => Glyphs::Ascii,
+        false => app.glyphs(),
+    };
+    let bar = line.bar(glyphs, area.width - used(&texts));
     let quiet = theme::part(ScreenPart::Quiet);
     let here = line.cell(line.share, bar.len());
     let mut x = area.x;
@@ -226,7 +230,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         buffer[(x, area.y)].set_char(glyph).set_style(style);
         x += 1;
     }
-    for text in texts {
+    for text in texts.into_iter().filter(|_| !is_simple) {
         x += GAP;
         let space = area.right().saturating_sub(x);
         x = print(buffer, x, area.y, space, text, quiet);

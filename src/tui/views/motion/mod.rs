@@ -28,6 +28,9 @@ use ratatui::layout::{Position, Rect};
 /// The action that fits the window, offered when only a part of the motion is visible.
 pub(super) const FIT: Action = Action::Motion(MotionAction::Fit);
 
+/// Maximum width of a simple drawing with names. They take a tenth of the bytes of a larger one.
+const MAX_SIMPLE_WIDTH: u16 = 100;
+
 /// The last drawing, kept so that labels stay on the same sides from frame to frame.
 #[derive(Debug, Default)]
 pub(crate) struct Sketch {
@@ -39,7 +42,8 @@ pub(crate) struct Sketch {
     window: Option<(Rect, drawing::WorldView)>,
     /// The visible polygons.
     polygons: Vec<PolygonSketch>,
-    /// Whether the linkage is drawn in ASCII, which takes fewer bytes than dots.
+    /// Whether to draw with as few bytes as possible: in ASCII, without trails, a large drawing without
+    /// names, and the position in the cycle without numbers.
     pub(crate) is_simple: bool,
 }
 
@@ -163,8 +167,14 @@ impl Sketch {
             true => Glyphs::Ascii,
             false => app.glyphs(),
         };
+        let mut figure = figure_of(app, highlighted);
+        if !self.is_simple {
+            add_trails(&mut figure, app);
+        } else if area.width > MAX_SIMPLE_WIDTH {
+            figure.remove_names();
+        }
         let Sketch { labels, raster, .. } = self;
-        drawing::render_into(&figure_of(app, highlighted), &view, glyphs, labels, raster);
+        drawing::render_into(&figure, &view, glyphs, labels, raster);
     }
 
     /// Starts new labels for another scene or layer. Plans their sides over the whole motion with
@@ -220,7 +230,9 @@ impl Sketch {
     pub(crate) fn document(&self, app: &App, ground: SvgGround) -> Option<(String, Rect)> {
         let (area, view) = self.window?;
         let labels = &mut self.labels.clone();
-        let svg = drawing::svg_on(ground, &figure_of(app, None), &view, "", &[], labels);
+        let mut figure = figure_of(app, None);
+        add_trails(&mut figure, app);
+        let svg = drawing::svg_on(ground, &figure, &view, "", &[], labels);
         Some((svg, area))
     }
 }
@@ -230,11 +242,6 @@ fn figure_of(app: &App, highlighted: Option<Subject>) -> Figure {
     let open_scene = app.open_scene();
     let viewport = &app.views.viewport;
     let mut figure = viewport.figure(open_scene, highlighted);
-    viewport.add_trails(
-        &mut figure,
-        open_scene.state(),
-        app.playback().is_backwards(),
-    );
     if let Mode::Assemblies(assemblies) = app.mode() {
         for ghost in assemblies.ghosts() {
             drawing::add_ghost(&mut figure, open_scene.scene(), open_scene.state(), ghost);
@@ -249,6 +256,12 @@ fn figure_of(app: &App, highlighted: Option<Subject>) -> Figure {
         drawing::add_before(&mut figure, now, before);
     }
     figure
+}
+
+/// Adds the part of each trace that its point has just left behind.
+fn add_trails(figure: &mut Figure, app: &App) {
+    let (state, is_backwards) = (app.open_scene().state(), app.playback().is_backwards());
+    app.views.viewport.add_trails(figure, state, is_backwards);
 }
 
 /// The drawing with live tables.
@@ -273,7 +286,7 @@ impl Pane for DrawingPane {
     fn render(&self, app: &App, sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
         let [drawing, cycle, legend] = arrangement::with_legend(app, body);
         show(&sketch.raster, drawing, buffer);
-        cycle_line::render(app, cycle, buffer);
+        cycle_line::render(app, sketch.is_simple, cycle, buffer);
         explain(app, drawing, legend, buffer);
     }
 
@@ -297,7 +310,7 @@ impl Pane for MotionView {
             title::render(app, title, buffer);
         }
         show(&sketch.raster, arrangement.drawing, buffer);
-        cycle_line::render(app, arrangement.cycle, buffer);
+        cycle_line::render(app, sketch.is_simple, arrangement.cycle, buffer);
         explain(app, arrangement.drawing, arrangement.legend, buffer);
         rule(app.glyphs(), arrangement.rule, buffer);
         if let Mode::Assemblies(assemblies) = app.mode() {
