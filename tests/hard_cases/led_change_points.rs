@@ -793,7 +793,7 @@ fn near_miss_at_change_point_of_parallelogram_is_not_jumped_across() {
         let mut workspace = solver.state();
         for k in 0..STEPS {
             let at = 360.0 * f64::from(k) / f64::from(STEPS);
-            solver.solve(at, Order::Position, &mut workspace);
+            let _ = solver.solve(at, Order::Position, &mut workspace);
             assert!(workspace.state().position(b).unwrap().y > 0.0, "at {at}");
         }
         assert!(!solver.motion().near_misses.is_empty());
@@ -838,7 +838,7 @@ fn slot_between_given_points_chooses_the_assembly() {
         let (scene, solver) = open(&format!("{text}{rounded}"));
         let c = point(&scene, "C");
         let mut workspace = solver.state();
-        solver.solve(10.6486, Order::Position, &mut workspace);
+        let _ = solver.solve(10.6486, Order::Position, &mut workspace);
         let off = (workspace.state().position(c).unwrap() - Vec2::new(2.040716, 3.509656)).norm();
         assert!(off < 1e-5, "{decimals} decimals: C is off by {off:e}");
     }
