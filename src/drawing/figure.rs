@@ -303,6 +303,7 @@ impl Figure {
     }
 
     /// Removes all names except the selected one.
+    #[cfg(feature = "tui")]
     pub(crate) fn remove_names(&mut self) {
         let is_name = |shape: &Shape| match shape {
             Shape::Label { role, .. } => *role != Role::Lit,
