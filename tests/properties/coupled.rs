@@ -175,7 +175,9 @@ proptest! {
                 let there = placed(end + inwards * by, Condition::Ok);
                 (0..3).map(|i| (there[i] - limit[i]).norm()).sum::<f64>()
             });
-            prop_assert!((far / near - 10.0).abs() < 0.2, "{far} {near} at {end}");
+            // The other limit, a turn further, may be as close.
+            let is_alone = 360.0 - (high - low) > 1e4 * share;
+            prop_assert!(!is_alone || (far / near - 10.0).abs() < 0.2, "{far} {near} at {end}");
         }
     }
 

@@ -5,7 +5,6 @@ use super::change::ReachExtreme;
 use super::crossing::CloseMiss;
 use super::proved_ends::BoundedEnd;
 use super::{Folded, MeetingAssemblies, NearMiss, ONE_MISS, Stretched};
-use crate::Double;
 use crate::solver::change_point::ChangePointCrossings;
 use crate::solver::conditioning::condition;
 use crate::solver::elements::Stretching;
@@ -16,6 +15,7 @@ use crate::solver::plan::GroupId;
 use crate::solver::state::{Condition, State};
 use crate::solver::workspace::Workspace;
 use crate::solver::{Order, angle_turn};
+use crate::{Double, Number};
 use std::ops::Range;
 
 /// Maximum rotation of a link in one step, as the length of the change of its unit vector.
@@ -253,7 +253,7 @@ impl Walker<'_> {
                     let limit = if is_known {
                         end
                     } else {
-                        BoundedEnd::unproved(limit)
+                        BoundedEnd::unproved(self.before_refused(limit))
                     };
                     if limit.bound.is_none() {
                         self.add_singular_groups(&last);
@@ -697,6 +697,20 @@ impl Walker<'_> {
                 rates.next().is_some_and(|then| turns_sharply(then, now))
             })
         })
+    }
+
+    /// Returns a limit, or its neighbour if a change point that was not passed lies between: directly
+    /// before a fold, even this distance is much on the other side.
+    fn before_refused(&self, limit: f64) -> f64 {
+        let is_beyond = |(_, at): (usize, Double)| {
+            let by = (Double::exactly(limit) - at).hi * self.sense;
+            by > 0.0 && at.nearest() == limit
+        };
+        match self.refused.filter(|&refused| is_beyond(refused)) {
+            Some(_) if self.sense > 0.0 => limit.next_down(),
+            Some(_) => limit.next_up(),
+            None => limit,
+        }
     }
 
     /// Narrows a barrier down to neighbouring doubles and returns the last coordinate that exists,
