@@ -234,7 +234,7 @@ fn write(raster: &mut Raster, col: i32, row: i32, text: &str, role: Role) {
     }
 }
 
-/// Returns the cells of all points that have a mark or a name.
+/// Returns the cells of all points that have a mark or a name, from left to right, each once.
 fn points(figure: &Figure, view: &WorldView) -> Vec<(i32, i32)> {
     let points = figure.shapes().iter().filter_map(|shape| match shape {
         Shape::Mark { at, .. } => Some(*at),
@@ -245,7 +245,10 @@ fn points(figure: &Figure, view: &WorldView) -> Vec<(i32, i32)> {
         } => Some(*at),
         _ => None,
     });
-    points.map(|at| cell_of(view.cell(at))).collect()
+    let mut cells: Vec<(i32, i32)> = points.map(|at| cell_of(view.cell(at))).collect();
+    cells.sort_unstable();
+    cells.dedup();
+    cells
 }
 
 /// A name to place, with its point.
@@ -258,18 +261,25 @@ struct PlacedName {
 }
 
 impl PlacedName {
-    /// Creates the name of the point in a cell, among the cells of all points.
+    /// Creates the name of the point in a cell, among the cells of all points from left to right.
     fn new(point: (i32, i32), text: &str, role: Role, points: &[(i32, i32)]) -> PlacedName {
         let width = width(text);
+        let reach = width + 2 * MAX_COL;
+        let [first, last] = [point.0 - reach, point.0 + reach + 1];
+        let [first, last] = [first, last].map(|col| points.partition_point(|p| p.0 < col));
         let is_near = |other: &&(i32, i32)| {
             let (cols, rows) = ((other.0 - point.0).abs(), (other.1 - point.1).abs());
             // Points in adjacent cells of a row coincide, such as a pin and its block.
             let coincide = cols <= 1 && rows == 0;
-            cols <= width + 2 * MAX_COL && rows <= 2 * MAX_ROW && !coincide
+            rows <= 2 * MAX_ROW && !coincide
         };
         // Names of links stand next to bars, and the selected name is always shown.
         let others = match role {
-            Role::Label => points.iter().filter(is_near).copied().collect(),
+            Role::Label => points[first..last]
+                .iter()
+                .filter(is_near)
+                .copied()
+                .collect(),
             _ => Vec::new(),
         };
         PlacedName {
