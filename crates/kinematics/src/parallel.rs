@@ -13,8 +13,9 @@ pub fn cores() -> usize {
 /// the number of threads.
 ///
 /// `buffers` creates the scratch space of each thread. With one thread, or if none can be created,
-/// the calling thread does the work. `watch` receives the completed fraction; once it returns `false`, no further job
-/// starts, and the results so far are returned. A panic in a job is propagated.
+/// the calling thread does the work. `watch` receives the completed fraction; once it returns
+/// `false`, no further job starts, and the results so far are returned. A panic in a job is
+/// propagated.
 pub fn each<R, T: Send>(
     count: usize,
     threads: usize,

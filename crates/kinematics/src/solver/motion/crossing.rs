@@ -271,8 +271,8 @@ impl Walker<'_> {
         self.state = saved;
     }
 
-    /// Adds the coupled groups that are singular within rounding in the last state before an end without
-    /// a bound to those that are not proved to pass, unless others are known.
+    /// Adds the coupled groups that are almost singular in the last state before an end without a bound
+    /// to those that are not proved to pass, unless others are known.
     pub(super) fn add_singular_groups(&mut self, last: &Workspace) {
         if !self.unproved.is_empty() {
             return;

@@ -400,15 +400,22 @@ impl Walker<'_> {
         // fourth power.
         let power = (other / one).ln() / NEARER.ln();
         // Directly before a fold, a minimum is a rounding error.
-        if !(power > MIN_POWER) {
+        if power <= MIN_POWER {
             return false;
         }
+        // The width is unknown if a measure is that of no state: then steps become as short as possible.
+        let power = if power.is_nan() {
+            2.0
+        } else {
+            power.clamp(2.0, 4.0)
+        };
+        let width = far * (measure / one).powf(1.0 / power);
         let miss = CloseMiss {
             group,
             sine: measure.sqrt(),
             at,
             between: [from, to],
-            width: far * (measure / one).powf(1.0 / power.clamp(2.0, 4.0)),
+            width: if width.is_finite() { width } else { 0.0 },
         };
         let anchors = self.anchors.clone();
         let reached = self.step_past(&miss);
