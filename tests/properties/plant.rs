@@ -124,8 +124,13 @@ pub(crate) fn sine(a: Vec2, b: Vec2) -> f64 {
 }
 
 /// Returns the maximum distance of a joint from its known position, in units of the longest length.
+///
+/// A length error of g changes the square of the joint's height by 2 g. The height itself then changes by
+/// g / sin mu in first order, and by up to twice as much if it is lost completely.
 pub(crate) fn allowance(roundings: f64, sin_mu: f64) -> f64 {
-    roundings * U / sin_mu.max(U.sqrt())
+    let error = 2.0 * roundings * U;
+    let left = (sin_mu * sin_mu - error).max(0.0).sqrt();
+    error / (sin_mu.max(error.sqrt()) + left)
 }
 
 /// Opens a mechanism with a known pose. Returns `None` where rounding has pulled a toggle apart or
@@ -137,7 +142,8 @@ pub(crate) fn open(
     sin_mu: f64,
     roundings: f64,
 ) -> Option<Solver> {
-    let allowed = allowance(roundings, sin_mu) * scale;
+    // Each assembly is at most half as far from the position in which the arms are in line.
+    let apart = 2.0 * (sin_mu + allowance(roundings, sin_mu)) * scale;
     // A length error of g separates an extended dyad by about the square root of 2 g.
     let stretched = sin_mu < (8.0 * roundings * U).sqrt();
     match Solver::new(mechanism) {
@@ -145,7 +151,7 @@ pub(crate) fn open(
         Ok(solver) => Some(solver),
         Err(Fault::Open { gap, .. }) if stretched && gap <= 8.0 * roundings * U * scale => None,
         Err(Fault::Vague { choices, .. })
-            if stretched && (choices[0] - choices[1]).norm() <= allowed =>
+            if stretched && (choices[0] - choices[1]).norm() <= apart =>
         {
             None
         }
