@@ -301,6 +301,71 @@ fn change_points_beside_reversal_of_linkage_in_front_are_both_passed() {
     }
 }
 
+/// A crank-rocker reverses the coupler of a coupled parallelogram 3e-3 to 2e-2 rad of its crank beyond the
+/// change point. The parallelogram itself moves by 5e-8 to 1e-6 rad only between the two crossings. Beyond
+/// the second one the motion was lost, and the range was more than a turn.
+#[test]
+fn change_points_of_coupler_beside_reversal_are_both_passed() {
+    let p = Vec2::new(0.28, 0.96) * (1750.0 + 1648.031);
+    let assert_passes = |o: Vec2, crank: f64, angle: f64, rod: f64, start: [Vec2; 2]| {
+        let [b, c] = start;
+        let text = format!(
+            "unit = \"mm\"
+            [ground]
+            A = [0, 0]
+            D = [840, 2880]
+            O = [{}, {}]
+            [driver]
+            link = \"k\"
+            angle = {angle}
+            [links]
+            k = {{ from = \"O\", to = \"F\", length = {crank} }}
+            rod = {{ from = \"F\", to = \"P\", length = {rod:.9} }}
+            r2 = {{ from = \"A\", to = \"B\", length = 1750 }}
+            r3 = {{ from = \"B\", to = \"C\", length = 3000, points = {{ P = [1648.031, 0] }} }}
+            r4 = {{ from = \"D\", to = \"C\", length = 1750 }}
+            [start]
+            B = [{}, {}]
+            C = [{}, {}]",
+            o.x, o.y, b.x, b.y, c.x, c.y
+        );
+        let (scene, solver) = open(&text);
+        assert_keeps_offset_within(
+            &scene,
+            &solver,
+            (["B", "C"], Vec2::new(840.0, 2880.0)),
+            1e-6,
+        );
+        // At a change point, the law of cosines holds for the triangle O, F, P.
+        let distance = (p - o).norm();
+        let cosine = (crank * crank + distance * distance - rod * rod) / (2.0 * crank * distance);
+        let direction = (p - o).angle();
+        let mut expected = [-1.0, 1.0].map(|side| {
+            let at = direction + side * cosine.acos();
+            at.to_degrees().rem_euclid(360.0)
+        });
+        expected.sort_by(f64::total_cmp);
+        assert_places(&solver, None, &expected);
+    };
+    let o = Vec2::new(1609.5998542, 2376.4241499);
+    let start = [Vec2::new(10.501, 1749.968), Vec2::new(850.501, 4629.968)];
+    for rod in [
+        1568.272562726,
+        1568.267394621,
+        1568.262463,
+        1568.259667,
+        1568.2545172,
+    ] {
+        assert_passes(o, 464.824273764, -128.542, rod, start);
+    }
+    let o = Vec2::new(-544.3294214, 3512.5811209);
+    let start = [
+        Vec2::new(479.1682, 1683.1215),
+        Vec2::new(1319.1682, 4563.1215),
+    ];
+    assert_passes(o, 15.0, -84.506109, 1501.606148191, start);
+}
+
 const TWO_CRANKS: &str = include_str!("scenes/cylinder_between_cranks.toml");
 
 /// Returns a scene with the lines of `[links]` in every order.

@@ -19,6 +19,8 @@ use crate::{Double, LinkId, PointId, Vec2};
 /// radians or scaled lengths. Beyond it, a dyad's own second derivatives are off by less than about
 /// 1e-11, and its positions by some roundings. A wider zone would replace accurate equations.
 const MAX_WIDTH: f64 = 0.02;
+/// Minimum width of a series about two change points, in units of their distance from its centre.
+const MIN_WIDTH: f64 = 3.0;
 /// Maximum size of the last terms of a series in the second derivatives, within its zone: about a
 /// rounding error.
 const MAX_LAST_TERM: f64 = 1e-15;
@@ -304,15 +306,16 @@ impl ChangePointCrossing {
         }
     }
 
-    /// Stores the motion of a group's points and links from a state in series about `at`. Returns
-    /// `None` if too few coefficients are known.
+    /// Stores the motion of a group's points and links from a state in series about `at`, which is
+    /// singular up to a distance `spread` from it. Returns `None` if too few coefficients are known.
     pub(super) fn new(
-        at: Double,
+        (at, spread): (Double, f64),
         of: (usize, bool),
         outputs: (Vec<PointId>, Vec<LinkId>),
         series: &State<Series>,
     ) -> Option<ChangePointCrossing> {
-        ChangePointCrossing::within(MAX_WIDTH, at, of, outputs, series)
+        let width = MAX_WIDTH.max(MIN_WIDTH * spread);
+        ChangePointCrossing::within(width, at, of, outputs, series)
     }
 
     /// Stores the motion as [`ChangePointCrossing::new`] does, from series along a curve. The

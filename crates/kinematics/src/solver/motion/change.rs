@@ -43,10 +43,6 @@ const IN_LINE: f64 = 1e-13;
 /// Maximum measure, at a limit, of a dyad that ends the motion or has a change point there.
 const LARGE: f64 = 1e-3;
 
-/// Maximum distance of two change points of a coupled group from the reversal between them, if one
-/// series represents the motion through both. Closer to each other, a series about one of them has
-/// too few digits.
-const TOGETHER: f64 = 2e-3;
 /// Minimum distance of two close change points that can be passed one by one.
 const APART: f64 = 1e-4;
 /// Maximum difference between a change point of a pair and its coordinate as a single one.
@@ -137,7 +133,7 @@ impl Walker<'_> {
     /// Crosses a limit if it is a change point. Returns the coordinate reached beyond it.
     fn pass_change_point(&mut self, limit: f64) -> Option<f64> {
         if self.has_path()
-            && let Some(beyond) = self.cross_twice(limit, TOGETHER)
+            && let Some(beyond) = self.cross_twice(limit)
         {
             return Some(beyond);
         }

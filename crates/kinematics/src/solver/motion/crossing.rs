@@ -79,14 +79,13 @@ impl Walker<'_> {
         // If the motion is shorter than the widest step, its anchors are restored for the next
         // step.
         let anchors = self.anchors.clone();
-        let passed = approaches().take(WAYS).chain(FURTHER).find_map(|by| {
+        approaches().take(WAYS).chain(FURTHER).find_map(|by| {
             let passed = self.cross_at(limit, by);
             if passed.is_none() {
                 self.anchors.clone_from(&anchors);
             }
             passed
-        });
-        passed.or_else(|| self.cross_twice(limit, f64::INFINITY))
+        })
     }
 
     /// Crosses a limit as [`Walker::cross`] does, from a distance `by` before it to the same

@@ -4,7 +4,7 @@
 //! reversal between them, like the square of a dyad's height (see [`super::pair`]). One series about
 //! the reversal represents the motion through both (see [`crate::solver::coupled`]).
 
-use super::pair::paired_opening;
+use super::pair::{SPREAD, paired_opening};
 use super::{Junction, MORE, Missed, Refusal, SingularGroup};
 use crate::Double;
 use crate::arithmetic::{Series, TERMS};
@@ -16,7 +16,7 @@ use crate::solver::state::{Condition, State};
 use crate::solver::workspace::Workspace;
 
 /// Distances before a reversal, in radians or scaled lengths, from which both crossings are passed.
-const BEFORE: [f64; 4] = [0.03, 0.01, 3e-3, 1e-3];
+const BEFORE: [f64; 5] = [0.07, 0.03, 0.01, 3e-3, 1e-3];
 /// Number of terms with which both crossings are searched.
 const FEW_TERMS: usize = 14;
 /// Maximum number of moves of the centre.
@@ -32,8 +32,6 @@ struct ChangePair {
     step: usize,
     /// The coordinate of the reversal, the centre of the series.
     centre: Double,
-    /// The maximum distance of the crossings from the centre.
-    spread: f64,
     opening: Opening,
 }
 
@@ -52,13 +50,12 @@ impl CoupledPair {
 }
 
 impl Walker<'_> {
-    /// Crosses two change points of a coupled group close to a limit, at most `spread` from the
-    /// reversal between them. Returns the coordinate reached beyond both.
-    pub(in crate::solver::motion) fn cross_twice(
-        &mut self,
-        limit: f64,
-        spread: f64,
-    ) -> Option<f64> {
+    /// Crosses two change points of a coupled group close to a limit. Returns the coordinate reached beyond
+    /// both.
+    ///
+    /// After the first of them alone, the group moves so little up to the second one that doubles do not
+    /// follow it.
+    pub(in crate::solver::motion) fn cross_twice(&mut self, limit: f64) -> Option<f64> {
         let engine = self.engine;
         let (anchors, saved) = (self.anchors.clone(), self.state.clone());
         for step in 0..engine.program.steps.len() {
@@ -68,7 +65,7 @@ impl Walker<'_> {
             self.predict_nearest(limit);
             let pair = self.change_pair(step, limit);
             self.state.clone_from(&saved);
-            let Some(pair) = pair.filter(|pair| pair.spread <= spread) else {
+            let Some(pair) = pair else {
                 continue;
             };
             for by in BEFORE {
@@ -107,16 +104,18 @@ impl Walker<'_> {
         for _ in 0..MOVES {
             let opening = self.opening(step, centre.hi)?;
             let (found, _) = self.opening_series(step, centre, &opening, FEW_TERMS)?;
-            let paired = paired_opening(found.by, self.opening_slack(step))?;
-            if paired.middle.abs().hi <= CENTRED * paired.spread {
-                return Some(ChangePair {
-                    step,
-                    centre,
-                    spread: paired.spread,
-                    opening,
-                });
-            }
-            centre = self.moved_exactly(centre, paired.middle);
+            let by = match paired_opening(found.by, self.opening_slack(step)) {
+                Some(paired) if paired.middle.abs().hi <= CENTRED * paired.spread => {
+                    return Some(ChangePair {
+                        step,
+                        centre,
+                        opening,
+                    });
+                }
+                Some(paired) => paired.middle,
+                None => off_centre(found.by)?,
+            };
+            centre = self.moved_exactly(centre, by);
         }
         None
     }
@@ -325,4 +324,11 @@ impl Walker<'_> {
             off.norm().hi <= maximum
         })
     }
+}
+
+/// Returns the mean distance of the three extremes of an opening from the centre of its series, if the
+/// centre is not yet between them.
+fn off_centre(opening: Series) -> Option<Double> {
+    let mean = -opening.c[3].hi / (4.0 * opening.c[4].hi);
+    (mean.abs() <= 2.0 * SPREAD).then_some(Double::exactly(mean))
 }

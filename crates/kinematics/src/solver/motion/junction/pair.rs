@@ -15,14 +15,14 @@ use crate::solver::state::State;
 
 /// Maximum distance of the three extremes from the centre of a series about all of them, in radians
 /// or scaled lengths. If they are further apart, each has a series of its own.
-const SPREAD: f64 = 1e-2;
+pub(super) const SPREAD: f64 = 2e-2;
 /// Distance below which both change points count as one, at which the motion reverses: the input
 /// exceeds the change point by less than the rounding of a double.
 const MERGED: f64 = 1e-8;
 /// Distance below which the extremes are one extreme of a higher order.
 const SINGLE: f64 = 1e-12;
 /// Maximum radius of a disc that contains three zeros of the derivative and no others.
-const DISC: f64 = 0.04;
+const DISC: f64 = 0.08;
 /// Number of discs tried, each half as wide as the last.
 const DISCS: i32 = 16;
 /// Maximum number of corrections of the cubic polynomial. Each reduces the error by the ratio of

@@ -33,7 +33,7 @@ impl Walker<'_> {
         let crossings = junction.folds.iter().map(|fold| {
             let of = (fold.group, fold.turns.len() == 1);
             let mut crossing = ChangePointCrossing::new(
-                junction.at,
+                (junction.at, fold.spread),
                 of,
                 engine.outputs(fold.step),
                 &junction.series,
