@@ -933,3 +933,15 @@ fn change_point_directly_before_fold_in_front_is_passed() {
         assert!(off < 1e-6, "at {at} C is off by {off:e}");
     }
 }
+
+/// The cylinder ends within one step of the search from the opening. The way there was searched in steps
+/// that each halve its rest: the links turned by 39 degrees in the first one, and the change point in it was
+/// not seen. Beyond it, E was on the other side with proved bounds.
+#[test]
+fn change_point_before_end_within_one_step_is_found() {
+    let (scene, solver) = open(include_str!("scenes/ends_within_one_step.toml"));
+    let changes = [10.045503672788139, 12.950897286288699];
+    assert_places(&solver, Some([6.246, 12.950968650739]), &changes);
+    assert_keeps_offset(&scene, &solver, ["Q", "E"], Vec2::new(420.0, 560.0));
+    assert_keeps_offset(&scene, &solver, ["B", "C"], Vec2::new(255.0, 340.0));
+}

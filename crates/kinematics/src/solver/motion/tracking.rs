@@ -77,6 +77,8 @@ const REFINED: f64 = 1e-9;
 /// Parts of the distance to a limit, of which the first one that can be assembled is taken as the next
 /// step towards it. A step may end exactly at a change point.
 const PARTS: [f64; 3] = [0.5, 0.6, 0.7];
+/// Fraction of the distance from the last sample to a limit within which samples are not kept.
+const CLOSE_PART: f64 = 0.1;
 /// Distance from a limit, in radians or scaled lengths, below which only the first of [`PARTS`] is
 /// tried: there, the limit itself is lost in rounding.
 const STEPPING: f64 = 1e-12;
@@ -220,7 +222,7 @@ impl Walker<'_> {
                     Stop::Limit(limit) => self.before_limit(limit),
                     Stop::Barrier { good, bad } => {
                         let limit = self.bisect(good, bad);
-                        self.approach(limit).unwrap_or(limit)
+                        self.approach(limit)
                     }
                 };
                 // Limits beyond a closed turn were found at its beginning.
@@ -734,17 +736,20 @@ impl Walker<'_> {
         good
     }
 
-    /// Approaches a limit from the last sample, about halving the distance each time, and returns the
-    /// first limit found before it. Returns `None` if states depend on the path, because bisection
-    /// did this already.
-    fn approach(&mut self, limit: f64) -> Option<f64> {
+    /// Approaches a limit from the last sample, about halving the distance each time, in steps over which
+    /// no link turns too far. Returns the first limit found before it, or a barrier before it. Returns
+    /// `limit` if states depend on the path, because bisection did this already.
+    fn approach(&mut self, limit: f64) -> f64 {
         if self.has_path() {
-            return None;
+            return limit;
         }
-        let (at_end, walked) = (self.state.clone(), self.samples.len());
-        let mut from = self.seen.last()?.at;
-        let mut found = None;
-        while found.is_none() {
+        let (mut limit, walked) = (limit, self.samples.len());
+        let Some(mut from) = self.seen.last().map(|sample| sample.at) else {
+            return limit;
+        };
+        let mut at_end = self.state.clone();
+        let nearest = CLOSE_PART * (limit - from).abs();
+        loop {
             let is_far = self.engine.difference(from, limit).abs() > STEPPING;
             let parts = if is_far { &PARTS[..] } else { &PARTS[..1] };
             let tried = parts.iter().map(|part| from + part * (limit - from));
@@ -755,13 +760,34 @@ impl Walker<'_> {
             let Some(next) = next else {
                 break;
             };
-            self.note(next);
-            found = self.limit_passed();
-            from = next;
+            if self.run(from, Order::Acceleration) != Condition::Ok {
+                break;
+            }
+            match self.advance(from, next) {
+                Ok(()) => from = next,
+                Err(Stop::Limit(earlier)) => {
+                    limit = earlier;
+                    break;
+                }
+                Err(Stop::Barrier { good, bad }) => {
+                    limit = self.bisect(good, bad);
+                    at_end.clone_from(&self.state);
+                    from = good;
+                }
+            }
         }
-        self.samples.truncate(walked);
+        // Samples close to the limit are only those of this search.
+        let mut far = walked;
+        while self
+            .samples
+            .get(far)
+            .is_some_and(|at| (limit - at).abs() > nearest)
+        {
+            far += 1;
+        }
+        self.samples.truncate(far);
         self.state = at_end;
-        found
+        limit
     }
 
     /// Returns the first limit at or before a limit found between the last two samples.
