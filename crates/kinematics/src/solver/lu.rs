@@ -10,9 +10,10 @@ use crate::Number;
 pub(super) fn factor<T: Number>(matrix: &mut [T], pivots: &mut [usize], n: usize) -> Option<f64> {
     let mut sign = 1.0;
     for k in 0..n {
-        let size = |row: usize, m: &[T]| m[row * n + k].nearest().abs();
-        let pivot = (k..n).max_by(|&i, &j| size(i, matrix).total_cmp(&size(j, matrix)))?;
-        let largest = size(pivot, matrix);
+        // The bits of absolute values are in their order, NaN last.
+        let size = |row: &usize| matrix[row * n + k].nearest().abs();
+        let pivot = (k..n).max_by_key(|row| size(row).to_bits())?;
+        let largest = size(&pivot);
         if !(largest > 0.0 && largest.is_finite()) {
             return None;
         }
@@ -22,13 +23,20 @@ pub(super) fn factor<T: Number>(matrix: &mut [T], pivots: &mut [usize], n: usize
             let (upper, lower) = matrix.split_at_mut(pivot * n);
             upper[k * n..(k + 1) * n].swap_with_slice(&mut lower[..n]);
         }
-        sign *= matrix[k * n + k].nearest().signum();
-        let inverse = T::exactly(1.0) / matrix[k * n + k];
-        for i in k + 1..n {
-            let factor = matrix[i * n + k] * inverse;
-            matrix[i * n + k] = factor;
-            for j in k + 1..n {
-                matrix[i * n + j] = matrix[i * n + j] - factor * matrix[k * n + j];
+        let (upper, lower) = matrix.split_at_mut((k + 1) * n);
+        let [pivot, right @ ..] = &upper[k * n + k..] else {
+            return None;
+        };
+        sign *= pivot.nearest().signum();
+        let inverse = T::exactly(1.0) / *pivot;
+        for row in lower.chunks_exact_mut(n) {
+            let [first, rest @ ..] = &mut row[k..] else {
+                return None;
+            };
+            let factor = *first * inverse;
+            *first = factor;
+            for (value, &above) in rest.iter_mut().zip(right) {
+                *value = *value - factor * above;
             }
         }
     }

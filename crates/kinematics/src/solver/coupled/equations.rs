@@ -4,7 +4,7 @@
 use super::{Base, Bearing, Coupled, GroupEquation, GroupScratch, Spot, SpotMotion, Turning};
 use crate::solver::further_inputs::{Following, InputMotion};
 use crate::solver::state::{LinkState, PointState, State};
-use crate::{Number, Vec2};
+use crate::{Constant, Number, Vec2};
 
 impl Coupled {
     // ---- motion of spots
@@ -64,6 +64,37 @@ impl Coupled {
         moving
     }
 
+    /// Returns the position of a spot.
+    fn place<T: Number>(
+        &self,
+        spot: &Spot,
+        q: T,
+        state: &State<T>,
+        buffers: &GroupScratch<'_, T>,
+    ) -> Vec2<T> {
+        let base = match spot.base {
+            Base::Known(point) => state.points[point.index()].p,
+            Base::Free(i) => Vec2::new(buffers.z[2 * i], buffers.z[2 * i + 1]),
+        };
+        match spot.arm {
+            Some((turning, arm)) => base + self.turned_arm(spot, (turning, arm), q, state, buffers),
+            None => base,
+        }
+    }
+
+    /// Returns the vector from the base of a spot to its end.
+    fn turned_arm<T: Number>(
+        &self,
+        spot: &Spot,
+        (turning, arm): (Turning, Vec2<Constant>),
+        q: T,
+        state: &State<T>,
+        buffers: &GroupScratch<'_, T>,
+    ) -> Vec2<T> {
+        let direction = self.turning_state(turning, state, buffers).d;
+        spot.reach(arm, q).turned(direction)
+    }
+
     // ---- equations
 
     pub(super) fn residuals<T: Number>(
@@ -76,8 +107,7 @@ impl Coupled {
         for equation in &self.equations {
             match equation {
                 GroupEquation::Distance { a, b, length, .. } => {
-                    let e =
-                        self.moving(a, q, state, buffers).p - self.moving(b, q, state, buffers).p;
+                    let e = self.place(a, q, state, buffers) - self.place(b, q, state, buffers);
                     let size = e.norm2().sqrt();
                     // (|e| - r)(|e| + r) / 2 keeps the digits that |e|^2 - r^2 would lose.
                     let length = T::of(*length);
@@ -85,8 +115,7 @@ impl Coupled {
                     row += 1;
                 }
                 GroupEquation::Meeting { a, b, .. } => {
-                    let gap =
-                        self.moving(a, q, state, buffers).p - self.moving(b, q, state, buffers).p;
+                    let gap = self.place(a, q, state, buffers) - self.place(b, q, state, buffers);
                     (buffers.right[row], buffers.right[row + 1]) = (gap.x, gap.y);
                     row += 2;
                 }
@@ -97,8 +126,7 @@ impl Coupled {
                     turning,
                     ..
                 } => {
-                    let gap =
-                        self.moving(x, q, state, buffers).p - self.moving(on, q, state, buffers).p;
+                    let gap = self.place(x, q, state, buffers) - self.place(on, q, state, buffers);
                     let t = Vec2::of(*along).turned(self.turning_state(*turning, state, buffers).d);
                     buffers.right[row] = t.cross(gap);
                     row += 1;
@@ -211,8 +239,7 @@ impl Coupled {
         for equation in &self.equations {
             match equation {
                 GroupEquation::Distance { a, b, .. } => {
-                    let e =
-                        self.moving(a, q, state, buffers).p - self.moving(b, q, state, buffers).p;
+                    let e = self.place(a, q, state, buffers) - self.place(b, q, state, buffers);
                     self.add_columns(a, e, row * n, q, state, buffers);
                     self.add_columns(b, -e, row * n, q, state, buffers);
                     row += 1;
@@ -233,8 +260,7 @@ impl Coupled {
                     ..
                 } => {
                     let t = Vec2::of(*along).turned(self.turning_state(*turning, state, buffers).d);
-                    let gap =
-                        self.moving(x, q, state, buffers).p - self.moving(on, q, state, buffers).p;
+                    let gap = self.place(x, q, state, buffers) - self.place(on, q, state, buffers);
                     self.add_columns(x, t.perp(), row * n, q, state, buffers);
                     self.add_columns(on, -t.perp(), row * n, q, state, buffers);
                     if let Turning::Unknown(i) = turning {
@@ -271,7 +297,7 @@ impl Coupled {
         buffers: &GroupScratch<'_>,
         mut size: impl FnMut(f64),
     ) {
-        let place = |spot: &Spot| self.moving(spot, q, state, buffers).p;
+        let place = |spot: &Spot| self.place(spot, q, state, buffers);
         let arm = |spot: &Spot| arm_of(spot, q);
         let free =
             |a: &Spot, b: &Spot| [a, b].into_iter().filter(|s| s.has_free_base()).count() as f64;
@@ -341,9 +367,7 @@ impl Coupled {
             buffers.matrix[row + 2 * i + 1] += weight.y;
         }
         if let Some((turning @ Turning::Unknown(i), arm)) = spot.arm {
-            let r = spot
-                .reach(arm, q)
-                .turned(self.turning_state(turning, state, buffers).d);
+            let r = self.turned_arm(spot, (turning, arm), q, state, buffers);
             buffers.matrix[row + 2 * self.free + i] += weight.dot(r.perp());
         }
     }
