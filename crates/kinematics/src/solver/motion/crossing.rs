@@ -16,6 +16,13 @@ use crate::solver::workspace::Workspace;
 
 /// Maximum number of Newton steps to a crossing, from a start with half of the digits.
 const STEPS: usize = 20;
+/// Ratio of a Newton step to the previous one above which the method diverges, if the step is also
+/// larger than the longest link or a radian, and far away. Directly beside a near miss, steps grow and
+/// shrink without leaving it.
+const MAX_GROWTH: f64 = 2.0;
+/// Distance from a limit, relative to that within which its crossing is accepted, from which a growing
+/// Newton step does not return.
+const FAR: f64 = 100.0;
 /// Number of series tried at a crossing, each with more terms than the last.
 const SERIES: usize = 3;
 /// Minimum zone of a series with more terms, in radians or scaled lengths. A smaller one lies directly
@@ -468,6 +475,7 @@ impl Walker<'_> {
         let group = &engine.program.coupled[engine.program.steps[step].coupled()?];
         let mut at = limit;
         let mut crossing = None;
+        let mut last = f64::INFINITY;
         for _ in 0..STEPS {
             if !self.place_inputs(step, at, inputs) {
                 return None;
@@ -484,6 +492,11 @@ impl Walker<'_> {
             let Correction { size, dq } = correction?;
             crossing = start;
             at = engine.moved(at, dq);
+            let is_far = engine.difference(limit, at).abs() > FAR * by;
+            if is_far && size > 1.0 && size > MAX_GROWTH * last {
+                return None;
+            }
+            last = size;
             if size < MAX_LAST_CORRECTION {
                 break;
             }

@@ -38,6 +38,8 @@ const GOLDEN_SECTIONS: usize = 44;
 const EQUALITY_TOLERANCE: f64 = 1e-14;
 /// Maximum error of an extreme found in doubles, in radians or scaled lengths.
 const NEIGHBOURING: f64 = 1e-5;
+/// Length of a Newton step, in units of [`NEIGHBOURING`], from which the method does not return.
+const DEPARTURE: f64 = 100.0;
 /// Half width of an interval around a coordinate, in radians or scaled lengths. Dyads whose stretch
 /// is extreme within it are stretched at this coordinate.
 const PLACE_TOLERANCE: f64 = 1e-12;
@@ -184,7 +186,7 @@ impl Walker<'_> {
     /// Returns the coordinate close to `at` where a dyad's reach is extreme, in double-double.
     /// Returns `None` if Newton's method converges to another extreme.
     pub(super) fn exactly_near(&mut self, step: usize, at: f64) -> Option<Double> {
-        let exact = self.exactly(step, at);
+        let exact = self.exactly_by(step, at, DEPARTURE * NEIGHBOURING);
         exact.filter(|exact| self.engine.difference(exact.hi, at).abs() <= NEIGHBOURING)
     }
 

@@ -191,24 +191,56 @@ impl Walker<'_> {
     /// Returns `None` if Newton's method does not converge, or if a step before the dyad is
     /// singular or open there.
     pub(in crate::solver::motion) fn exactly(&mut self, step: usize, at: f64) -> Option<Double> {
-        let engine = &self.exact?.engine;
+        self.exactly_by(step, at, f64::INFINITY)
+    }
+
+    /// Returns the coordinate of an extreme as [`Walker::exactly`] does, or `None` if a Newton step
+    /// is longer than `maximum`, in radians or scaled lengths.
+    pub(in crate::solver::motion) fn exactly_by(
+        &mut self,
+        step: usize,
+        at: f64,
+        maximum: f64,
+    ) -> Option<Double> {
         // At an extreme of higher order, the leading coefficients are rounding errors.
-        [DOUBLE_DOUBLE_THRESHOLD, DOUBLE_THRESHOLD]
-            .into_iter()
-            .find_map(|part| {
-                let mut at = Double::exactly(at);
-                for _ in 0..STEPS {
-                    let (q, direction) = self.coordinate_of(at, FEW_TERMS);
-                    let mut series = engine.state::<Series>(self.state.travels.len());
-                    self.place_in_series(0..step, at.hi, q, direction, &mut series)?;
-                    let by = extreme(engine.program.steps[step].dyad()?, part, &series)?;
-                    at = self.moved_exactly(at, by);
-                    if by.abs().hi < PLACED {
-                        return Some(at);
-                    }
-                }
-                None
-            })
+        let mut parts = [DOUBLE_DOUBLE_THRESHOLD, DOUBLE_THRESHOLD];
+        let mut is_different = false;
+        let found = self.approach_extreme(step, (at, maximum), parts, &mut is_different);
+        if found.is_some() || !is_different {
+            return found;
+        }
+        parts.reverse();
+        self.approach_extreme(step, (at, maximum), parts, &mut is_different)
+    }
+
+    /// Returns the coordinate of an extreme, where coefficients below `part` of their size count as
+    /// zero. Sets `is_different` if the part `other` leads to another Newton step.
+    fn approach_extreme(
+        &mut self,
+        step: usize,
+        (at, maximum): (f64, f64),
+        [part, other]: [f64; 2],
+        is_different: &mut bool,
+    ) -> Option<Double> {
+        let engine = &self.exact?.engine;
+        let mut at = Double::exactly(at);
+        for _ in 0..STEPS {
+            let (q, direction) = self.coordinate_of(at, FEW_TERMS);
+            let mut series = engine.state::<Series>(self.state.travels.len());
+            self.place_in_series(0..step, at.hi, q, direction, &mut series)?;
+            let dyad = engine.program.steps[step].dyad()?;
+            let [by, otherwise] = [part, other].map(|part| extreme(dyad, part, &series));
+            *is_different |= by != otherwise;
+            let by = by?;
+            at = self.moved_exactly(at, by);
+            if by.abs().hi < PLACED {
+                return Some(at);
+            }
+            if by.abs().hi > maximum {
+                return None;
+            }
+        }
+        None
     }
 }
 
