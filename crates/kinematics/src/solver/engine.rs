@@ -152,6 +152,7 @@ impl Engine {
             numbers: vec![T::default(); coupled.iter().map(|c| c.scratch_len()).sum()],
             pivots: vec![0; coupled.iter().map(|c| c.unknowns()).max().unwrap_or(0)],
             first: vec![0.0; coupled.len()],
+            max_first: vec![f64::INFINITY; coupled.len()],
             work: Vec::new(),
         }
     }
@@ -498,7 +499,7 @@ impl Engine {
         scratch: &mut Scratch,
     ) -> StepOutcome {
         let group = &self.program.coupled[index];
-        let corrected = group.correct(q, state, scratch);
+        let corrected = group.correct_within(scratch.max_first[index], q, state, scratch);
         scratch.first[index] = corrected.first;
         let kept = corrected.side * group.side * state.signs[group.group] >= 0.0;
         let solved = corrected.settled && kept && group.finish(q, order, state, scratch);

@@ -233,6 +233,8 @@ pub(super) struct Scratch<T = f64> {
     pub pivots: Vec<usize>,
     /// The size of every group's first correction when it was last solved.
     pub first: Vec<f64>,
+    /// The maximum size of every group's first correction. A larger one is not solved further.
+    pub max_first: Vec<f64>,
     /// Buffer for bounds, and for the matrix in doubles during refinement.
     pub work: Vec<f64>,
 }
@@ -243,6 +245,7 @@ impl<T: Copy> Clone for Scratch<T> {
             numbers: self.numbers.clone(),
             pivots: self.pivots.clone(),
             first: self.first.clone(),
+            max_first: self.max_first.clone(),
             work: self.work.clone(),
         }
     }
@@ -252,11 +255,13 @@ impl<T: Copy> Clone for Scratch<T> {
             numbers,
             pivots,
             first,
+            max_first,
             work,
         } = self;
         numbers.clone_from(&other.numbers);
         pivots.clone_from(&other.pivots);
         first.clone_from(&other.first);
+        max_first.clone_from(&other.max_first);
         work.clone_from(&other.work);
     }
 }
@@ -442,6 +447,18 @@ impl Coupled {
 
     /// Applies Newton's corrections to the z in the scratch, until a step no longer shrinks.
     pub(super) fn correct(&self, q: f64, state: &mut State, scratch: &mut Scratch) -> Corrected {
+        self.correct_within(f64::INFINITY, q, state, scratch)
+    }
+
+    /// Applies Newton's corrections as [`Coupled::correct`] does, unless the first one is larger than
+    /// `max_first`.
+    pub(super) fn correct_within(
+        &self,
+        max_first: f64,
+        q: f64,
+        state: &mut State,
+        scratch: &mut Scratch,
+    ) -> Corrected {
         let mut buffers = self.open(scratch);
         let n = self.unknowns();
         let mut outcome = Corrected {
@@ -461,6 +478,9 @@ impl Coupled {
             let size = lu::largest(buffers.right);
             if i == 0 {
                 outcome.first = size;
+                if size > max_first {
+                    return outcome;
+                }
             }
             // Negated so that NaN also ends the loop.
             if !(size < last || size > MAX_LAST_CORRECTION) {

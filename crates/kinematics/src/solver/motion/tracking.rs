@@ -656,32 +656,33 @@ impl Walker<'_> {
             return false;
         }
         let dq = self.engine.difference(from, to);
-        let mut planned = Vec::new();
-        for group in &self.engine.program.coupled {
+        let mut is_bent = false;
+        for (index, group) in self.engine.program.coupled.iter().enumerate() {
             let mut buffers = group.open(&mut self.state.scratch);
             let [first, second] = group.move_sizes(&buffers, dq);
-            if second > BEND * first + BEND_FLOOR {
-                return false;
-            }
-            planned.push(first);
+            is_bent |= second > BEND * first + BEND_FLOOR;
             group.predict(&mut buffers, dq);
+            self.state.scratch.max_first[index] = MAX_RELATIVE_CORRECTION * first + STRAIN_FLOOR;
         }
+        let is_reached = !is_bent && self.run_within(count, to);
+        self.state.scratch.max_first.fill(f64::INFINITY);
+        let mut turns = self.state.links.iter().zip(&before.links);
+        let is_smooth =
+            is_reached && turns.all(|(now, then)| (now.d - then.d).norm2() < TURN_STEP * TURN_STEP);
+        is_smooth && !self.has_corner(to)
+    }
+
+    /// Runs the first `count` steps of the plan. Returns `true` if they can be assembled and the first
+    /// correction of each coupled group is small enough.
+    fn run_within(&mut self, count: usize, to: f64) -> bool {
         let condition = if count == self.engine.program.steps.len() {
             self.run(to, Order::Acceleration)
         } else {
             self.run_some(0..count, to, Order::Acceleration)
         };
-        if condition != Condition::Ok {
-            return false;
-        }
-        let corrections = &self.state.scratch.first;
-        let mut strains = corrections.iter().zip(&planned);
-        let strained =
-            strains.any(|(c, planned)| *c > MAX_RELATIVE_CORRECTION * planned + STRAIN_FLOOR);
-        let mut turns = self.state.links.iter().zip(&before.links);
-        let is_smooth =
-            !strained && turns.all(|(now, then)| (now.d - then.d).norm2() < TURN_STEP * TURN_STEP);
-        is_smooth && !self.has_corner(to)
+        let scratch = &self.state.scratch;
+        let mut corrections = scratch.first.iter().zip(&scratch.max_first);
+        condition == Condition::Ok && !corrections.any(|(first, maximum)| first > maximum)
     }
 
     /// Returns `true` if a coupled group turns sharply just before the coordinate of the state.
