@@ -45,7 +45,7 @@ impl Lanes {
 
     /// Returns `true` if a condition holds in every lane.
     #[inline(always)]
-    fn all(self, holds: impl Fn(f64) -> bool) -> bool {
+    pub(crate) fn all(self, holds: impl Fn(f64) -> bool) -> bool {
         let [a, b, c, d, e, g, h, i] = self.0;
         (holds(a) & holds(b) & holds(c) & holds(d)) & (holds(e) & holds(g) & holds(h) & holds(i))
     }

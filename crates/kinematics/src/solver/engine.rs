@@ -127,6 +127,7 @@ impl Engine {
             links: self.program.links.iter().map(fixed_link).collect(),
             travels: vec![TravelState::default(); slides],
             measures: vec![T::exactly(1.0); self.program.group_starts.len()],
+            is_thin: false,
             signs: self.signs.iter().map(|&s| T::exactly(s)).collect(),
             forces: None,
             frame: self.frame,
@@ -247,7 +248,7 @@ impl Engine {
         workspace: &mut Workspace,
     ) -> Condition {
         let Workspace { state, scratch, .. } = workspace;
-        let (q, direction) = self.coordinate(at);
+        let (q, direction) = self.coordinate_in_doubles(at);
         let mut condition = Condition::Ok;
         let mut steps = steps.iter();
         // The driver's own steps come first: they are placed before any code spills its direction
@@ -450,6 +451,17 @@ impl Engine {
             (q, T::unit(at))
         } else {
             (at / T::exactly(self.frame.scale), Vec2::X.exactly())
+        }
+    }
+
+    /// Returns the driver's coordinate as [`Engine::coordinate`] does, but always with the angle: a
+    /// test whether any step reads it would take longer.
+    #[inline(always)]
+    pub(super) fn coordinate_in_doubles<T: Number>(&self, at: T) -> (T, Vec2<T>) {
+        if self.is_rotary {
+            (at, T::unit(at))
+        } else {
+            self.coordinate(at)
         }
     }
 

@@ -34,12 +34,12 @@ impl Solver {
         let is_smooth = order < Order::Force || self.balance.as_ref().is_none_or(|b| b.is_smooth());
         let solved = self.engine.program.coupled.is_empty()
             && is_smooth
-            && at.iter().all(|&at| self.is_ordinary(at))
+            && self.are_ordinary(at)
             && {
                 self.choose_in_lanes(at, state);
                 self.engine.run_lanes(Lanes(at), order, state)
             }
-            && !state.is_thin();
+            && !state.is_thin;
         if solved {
             state.condition = Condition::Ok;
         }
@@ -57,12 +57,15 @@ impl Solver {
         );
     }
 
-    /// Returns `true` if a coordinate is inside the motion and away from its singularities.
-    fn is_ordinary(&self, at: f64) -> bool {
-        self.motion.is_clear(at) && !self.is_passing(at)
+    /// Returns `true` if all coordinates are inside the motion and away from its singularities.
+    #[inline(always)]
+    fn are_ordinary(&self, at: [f64; LANES]) -> bool {
+        Lanes(at).all(|at| self.motion.is_clear(at))
+            && (self.motion.crossings.is_empty() || !at.into_iter().any(|at| self.is_passing(at)))
     }
 
     /// Sets the signs of all groups in all lanes. Change points may lie between the lanes.
+    #[inline(always)]
     pub(super) fn choose_in_lanes(&self, at: [f64; LANES], state: &mut State<Lanes>) {
         let crossings = &self.motion.crossings;
         if crossings.is_empty() {
@@ -104,7 +107,7 @@ impl Engine {
 
     #[inline(always)]
     fn run_lanes_to<const ORDER: u8>(&self, at: Lanes, state: &mut State<Lanes>) -> bool {
-        let (q, direction) = self.coordinate(at);
+        let (q, direction) = self.coordinate_in_doubles(at);
         for step in &self.program.steps {
             match step.run::<Lanes, ORDER>(q, direction, state) {
                 StepOutcome::Done => {}

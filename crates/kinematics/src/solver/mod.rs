@@ -415,7 +415,7 @@ impl Solver {
             );
         if !is_solved {
             self.solve_closely(at, order, workspace);
-        } else if workspace.state.is_thin() {
+        } else if workspace.state.is_thin {
             self.refine(at, order, workspace);
         }
         if self.follows_forces(workspace) {

@@ -7,6 +7,10 @@ use super::plan::pruning::Marks;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 use std::sync::Arc;
 
+/// If the square of the sine of a transmission angle is not above this limit, doubles lose three
+/// digits of a position and six of its rates.
+const THIN: f64 = 1.0 / 1_048_576.0;
+
 /// The kind of a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[must_use = "a state may have no rates, or nothing at all"]
@@ -104,6 +108,8 @@ pub struct State<T = f64> {
     /// One signed measure for each group: the square of the sine of its transmission angle, or an
     /// equivalent. Zero at a singularity, negative if the group cannot close.
     pub(super) measures: Vec<T>,
+    /// Whether a dyad of the last solve is near its limit, in any lane.
+    pub(super) is_thin: bool,
     /// For each group the sign that selects its assembly, if it has two.
     pub(super) signs: Vec<T>,
     /// The forces, if the mechanism has loads.
@@ -133,6 +139,7 @@ impl<T: Copy> Clone for State<T> {
             links: self.links.clone(),
             travels: self.travels.clone(),
             measures: self.measures.clone(),
+            is_thin: self.is_thin,
             signs: self.signs.clone(),
             forces: self.forces.clone(),
             left_out: self.left_out.clone(),
@@ -150,6 +157,7 @@ impl<T: Copy> Clone for State<T> {
             links,
             travels,
             measures,
+            is_thin,
             signs,
             forces,
             frame,
@@ -166,6 +174,7 @@ impl<T: Copy> Clone for State<T> {
         links.clone_from(&other.links);
         travels.clone_from(&other.travels);
         measures.clone_from(&other.measures);
+        *is_thin = other.is_thin;
         signs.clone_from(&other.signs);
         forces.clone_from(&other.forces);
         left_out.clone_from(&other.left_out);
@@ -179,7 +188,16 @@ impl<T: Number> State<T> {
     /// Starts a solve: sets its coordinate and order.
     #[inline(always)]
     pub(super) fn start(&mut self, at: T, order: Order) {
-        (self.at, self.order) = (at, order);
+        (self.at, self.order, self.is_thin) = (at, order, false);
+    }
+
+    /// Stores the measure of a dyad.
+    #[inline(always)]
+    pub(super) fn set_measure(&mut self, group: usize, measure: T) {
+        self.measures[group] = measure;
+        if !measure.exceeds(T::exactly(THIN)) {
+            self.is_thin = true;
+        }
     }
 
     /// Returns the kind of this state.

@@ -110,13 +110,15 @@ impl Element for CircleLine {
         state: &mut State<T>,
     ) -> StepOutcome {
         let (guide, from, h0, chord) = self.chord(state);
-        state.measures[self.group] = chord.product * T::exactly(self.inverse_square);
+        let measure = chord.product * T::exactly(self.inverse_square);
         if !chord.is_clear() {
+            state.set_measure(self.group, measure);
             return StepOutcome::Unclear;
         }
         let root = state.signs[self.group] * chord.product.sqrt();
         let e = guide.t * root - guide.n * h0;
         self.place::<T, ORDER>(&guide, guide.t.dot(from) + root, e, [h0, root], state);
+        state.set_measure(self.group, measure);
         StepOutcome::Done
     }
 

@@ -112,7 +112,7 @@ impl Element for CircleRail {
         state: &mut State<T>,
     ) -> StepOutcome {
         let (Vec2 { x: along, y: h0 }, chord) = self.chord(state);
-        state.measures[self.group] = chord.product * T::exactly(self.inverse_square);
+        state.set_measure(self.group, chord.product * T::exactly(self.inverse_square));
         if !chord.is_clear() {
             return StepOutcome::Unclear;
         }

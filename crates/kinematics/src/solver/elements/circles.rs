@@ -201,9 +201,10 @@ impl Element for Circles {
         let d2 = u.norm2();
         let (inner, outer) = self.reaches(d2);
         let product = inner * outer;
-        state.measures[self.group] = product * T::exactly(self.inverse_square);
+        let measure = product * T::exactly(self.inverse_square);
         let [minimum, maximum] = self.slacks();
         if !(inner.exceeds(minimum) && outer.exceeds(maximum)) {
+            state.set_measure(self.group, measure);
             return StepOutcome::Unclear;
         }
         let x = (d2 + self.squares::<T>()).scaled(0.5);
@@ -211,6 +212,8 @@ impl Element for Circles {
         let sh = state.signs[self.group].scaled(0.5) * product.sqrt();
         let e = (u * x + u.perp() * sh) * inverse;
         self.place::<T, ORDER>(e, e - u, sh, state);
+        // Stored last: after a store, the compiler checks the indices of the pivots again.
+        state.set_measure(self.group, measure);
         StepOutcome::Done
     }
 

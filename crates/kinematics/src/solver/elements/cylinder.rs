@@ -165,7 +165,7 @@ impl Element for Cylinder {
         let of = self.triangle(q, state);
         let c = self.far.length.hi;
         let scale = of.rho2 * T::exactly(4.0 * c * c);
-        state.measures[self.group] = of.product / scale;
+        state.set_measure(self.group, of.product / scale);
         let slack = (of.rho + T::exactly(c)).scaled(REACH_SLACK * T::RELATIVE_ROUNDING);
         if !of.inner.min(of.outer).exceeds(slack) {
             return StepOutcome::Unclear;

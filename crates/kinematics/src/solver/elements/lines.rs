@@ -42,7 +42,7 @@ impl Element for Lines {
     ) -> StepOutcome {
         let (one, two) = (self.first.at(state), self.second.at(state));
         let det = two.n.dot(one.t);
-        state.measures[self.group] = det * det;
+        state.set_measure(self.group, det * det);
         let Some(met) = meet::<T, ORDER>(&one, &two) else {
             return StepOutcome::Open;
         };

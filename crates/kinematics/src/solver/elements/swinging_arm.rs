@@ -92,7 +92,7 @@ impl Element for Swing {
         let e = T::of(self.offset);
         let inner = d - e.abs();
         let product = inner * (d + e.abs());
-        state.measures[self.group] = product;
+        state.set_measure(self.group, product);
         if !inner.exceeds(slack) {
             return StepOutcome::Unclear;
         }

@@ -9,28 +9,7 @@ use crate::solver::exact::Exact;
 use crate::solver::plan::pruning::PlacedPart;
 use crate::solver::state::{Condition, LinkState, PointState, State, TravelState};
 use crate::solver::{Order, Solver, Workspace};
-use crate::{Double, Lanes, Number};
-
-/// If the square of the sine of a transmission angle is below this limit, doubles lose three digits
-/// of a position and six of its rates.
-const THIN: f64 = 1.0 / 1_048_576.0;
-
-impl State {
-    /// Returns `true` if any dyad is near its limit.
-    #[inline(always)]
-    pub(in crate::solver) fn is_thin(&self) -> bool {
-        self.measures.iter().any(|&measure| measure < THIN)
-    }
-}
-
-impl State<Lanes> {
-    /// Returns `true` if any dyad is near its limit in any lane.
-    #[inline(always)]
-    pub(in crate::solver) fn is_thin(&self) -> bool {
-        let mut lanes = self.measures.iter().flat_map(|measure| measure.0);
-        lanes.any(|measure| measure < THIN)
-    }
-}
+use crate::{Double, Number};
 
 impl Solver {
     /// Solves at any coordinate, with the motion's knowledge of its ends, and in double-double
