@@ -218,7 +218,7 @@ impl Assembler<'_> {
         };
         let (q, _) = engine.coordinate::<f64>(self.request.at);
         let mut roots: Vec<Vec<f64>> = Vec::new();
-        let middles = self.middles(number, workspace, wanted);
+        let middles = self.middles(group, workspace, wanted);
         let guesses = self.guesses(number, group, wanted, workspace);
         let (maximum, stride) = match care {
             SearchEffort::Newton => (usize::MAX, 1),
@@ -263,7 +263,7 @@ impl Assembler<'_> {
 
     /// Returns starting positions for joints without a start: the centroid of the known points, and
     /// a ring around it.
-    fn middles(&self, number: usize, state: &State, wanted: &[(PointId, Vec2)]) -> Vec<Vec2> {
+    fn middles(&self, group: &Coupled, state: &State, wanted: &[(PointId, Vec2)]) -> Vec<Vec2> {
         let grounds = self
             .network
             .mechanism
@@ -279,8 +279,8 @@ impl Assembler<'_> {
         // An irregular ring: exact symmetry would make the first matrix singular.
         let around = (0..5).map(|i| middle + crate::angle::unit(13.0 + 72.0 * f64::from(i)));
         let near = middle + Vec2::new(0.01, 0.017);
-        let mut points = self.group(number).points.iter();
-        if points.all(|p| wanted.iter().any(|w| w.0 == *p)) {
+        let mut guessed = group.guessed_joints();
+        if guessed.all(|point| wanted.iter().any(|w| w.0 == point)) {
             vec![near]
         } else {
             std::iter::once(near).chain(around).collect()

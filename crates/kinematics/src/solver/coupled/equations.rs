@@ -29,6 +29,22 @@ impl Coupled {
         }
     }
 
+    /// Returns the direction of a known or unknown link.
+    fn direction<T: Number>(
+        &self,
+        turning: Turning,
+        state: &State<T>,
+        buffers: &GroupScratch<'_, T>,
+    ) -> Vec2<T> {
+        match turning {
+            Turning::Known(link) => state.links[link.index()].d,
+            Turning::Unknown(i) => {
+                let at = 2 * (self.free + i);
+                Vec2::new(buffers.z[at], buffers.z[at + 1])
+            }
+        }
+    }
+
     pub(super) fn moving<T: Number>(
         &self,
         spot: &Spot,
@@ -91,7 +107,7 @@ impl Coupled {
         state: &State<T>,
         buffers: &GroupScratch<'_, T>,
     ) -> Vec2<T> {
-        let direction = self.turning_state(turning, state, buffers).d;
+        let direction = self.direction(turning, state, buffers);
         spot.reach(arm, q).turned(direction)
     }
 
@@ -127,7 +143,7 @@ impl Coupled {
                     ..
                 } => {
                     let gap = self.place(x, q, state, buffers) - self.place(on, q, state, buffers);
-                    let t = Vec2::of(*along).turned(self.turning_state(*turning, state, buffers).d);
+                    let t = Vec2::of(*along).turned(self.direction(*turning, state, buffers));
                     buffers.right[row] = t.cross(gap);
                     row += 1;
                 }
@@ -240,15 +256,17 @@ impl Coupled {
             match equation {
                 GroupEquation::Distance { a, b, .. } => {
                     let e = self.place(a, q, state, buffers) - self.place(b, q, state, buffers);
-                    self.add_columns(a, e, row * n, q, state, buffers);
-                    self.add_columns(b, -e, row * n, q, state, buffers);
+                    let levers = [a, b].map(|spot| self.lever(spot, q, state, buffers));
+                    self.add_columns(a, levers[0], e, row * n, buffers);
+                    self.add_columns(b, levers[1], -e, row * n, buffers);
                     row += 1;
                 }
                 GroupEquation::Meeting { a, b, .. } => {
+                    let levers = [a, b].map(|spot| self.lever(spot, q, state, buffers));
                     for axis in [Vec2::X, Vec2::X.perp()] {
                         let axis = axis.exactly();
-                        self.add_columns(a, axis, row * n, q, state, buffers);
-                        self.add_columns(b, -axis, row * n, q, state, buffers);
+                        self.add_columns(a, levers[0], axis, row * n, buffers);
+                        self.add_columns(b, levers[1], -axis, row * n, buffers);
                         row += 1;
                     }
                 }
@@ -259,10 +277,11 @@ impl Coupled {
                     turning,
                     ..
                 } => {
-                    let t = Vec2::of(*along).turned(self.turning_state(*turning, state, buffers).d);
+                    let t = Vec2::of(*along).turned(self.direction(*turning, state, buffers));
                     let gap = self.place(x, q, state, buffers) - self.place(on, q, state, buffers);
-                    self.add_columns(x, t.perp(), row * n, q, state, buffers);
-                    self.add_columns(on, -t.perp(), row * n, q, state, buffers);
+                    let levers = [x, on].map(|spot| self.lever(spot, q, state, buffers));
+                    self.add_columns(x, levers[0], t.perp(), row * n, buffers);
+                    self.add_columns(on, levers[1], -t.perp(), row * n, buffers);
                     if let Turning::Unknown(i) = turning {
                         buffers.matrix[row * n + 2 * self.free + i] += -t.dot(gap);
                     }
@@ -344,11 +363,25 @@ impl Coupled {
         buffers: &GroupScratch<'_, T>,
     ) -> (T, T) {
         let [link, from] = ways.map(|bearing| {
-            let d = self.turning_state(bearing.turning, state, buffers).d;
+            let d = self.direction(bearing.turning, state, buffers);
             Vec2::of(bearing.turn).turned(d)
         });
         let wanted = from.turned(T::unit(InputMotion::of(following, q).p));
         (wanted.cross(link), wanted.dot(link))
+    }
+
+    /// Returns the unknown direction that turns a spot, and the derivative of the spot by its angle.
+    fn lever<T: Number>(
+        &self,
+        spot: &Spot,
+        q: T,
+        state: &State<T>,
+        buffers: &GroupScratch<'_, T>,
+    ) -> Option<(usize, Vec2<T>)> {
+        let (turning, arm) = spot.arm?;
+        let index = turning.unknown()?;
+        let arm = self.turned_arm(spot, (turning, arm), q, state, buffers);
+        Some((index, arm.perp()))
     }
 
     /// Adds `weight . (derivative of the spot)` to the row of the matrix that starts at index
@@ -356,19 +389,17 @@ impl Coupled {
     fn add_columns<T: Number>(
         &self,
         spot: &Spot,
+        lever: Option<(usize, Vec2<T>)>,
         weight: Vec2<T>,
         row: usize,
-        q: T,
-        state: &State<T>,
         buffers: &mut GroupScratch<'_, T>,
     ) {
         if let Base::Free(i) = spot.base {
             buffers.matrix[row + 2 * i] += weight.x;
             buffers.matrix[row + 2 * i + 1] += weight.y;
         }
-        if let Some((turning @ Turning::Unknown(i), arm)) = spot.arm {
-            let r = self.turned_arm(spot, (turning, arm), q, state, buffers);
-            buffers.matrix[row + 2 * self.free + i] += weight.dot(r.perp());
+        if let Some((index, lever)) = lever {
+            buffers.matrix[row + 2 * self.free + index] += weight.dot(lever);
         }
     }
 }

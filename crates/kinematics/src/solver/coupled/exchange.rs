@@ -1,6 +1,6 @@
 //! Writes a coupled group's unknowns into states and reads them back.
 
-use super::{Base, Coupled, GroupScratch, Spot, SpotMotion};
+use super::{Base, Coupled, GroupEquation, GroupScratch, Spot, SpotMotion, Turning};
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Number, PointId, Vec2};
 
@@ -29,6 +29,32 @@ impl Coupled {
             let SpotMotion { p, v, a } = self.moving(spot, q, state, buffers);
             state.points[point.index()] = PointState { p, v, a };
         }
+    }
+
+    /// Returns the joints whose rough positions decide to which solution Newton's method converges.
+    /// Equations that are linear in a joint place it anywhere in one step.
+    pub(in crate::solver) fn guessed_joints(&self) -> impl Iterator<Item = PointId> {
+        let is_nonlinear = |i: usize| {
+            let has = |spot: &Spot| matches!(spot.base, Base::Free(other) if other == i);
+            self.equations.iter().any(|equation| match equation {
+                GroupEquation::Distance { a, b, .. } => has(a) || has(b),
+                GroupEquation::Slot {
+                    x,
+                    q,
+                    turning: Turning::Unknown(_),
+                    ..
+                } => has(x) || has(q),
+                GroupEquation::Slot { .. }
+                | GroupEquation::Meeting { .. }
+                | GroupEquation::Elbow { .. } => false,
+            })
+        };
+        self.spots.iter().filter_map(move |(point, spot)| {
+            let Base::Free(i) = spot.base else {
+                return None;
+            };
+            (spot.arm.is_none() && is_nonlinear(i)).then_some(*point)
+        })
     }
 
     /// Sets z to a rough guess, from the positions of the free joints and the directions of the
