@@ -10,6 +10,7 @@
 //! lowest           the minimum around a place, from values alone
 //! random           random numbers, the same for the same seed
 //! evolution        trial designs of a search without derivatives
+//! damping          the damping of a least-squares search with derivatives
 //! chebyshev        a smooth function as a sum of polynomials, with its extrema, roots and integral
 //! ```
 //!
@@ -18,6 +19,7 @@
 //! because a function is flat there.
 
 pub mod chebyshev;
+mod damping;
 mod evolution;
 mod lowest;
 mod polynomial;
@@ -25,6 +27,7 @@ mod random;
 mod root;
 mod sampled_extrema;
 
+pub use damping::DampedSearch;
 pub use evolution::mutate;
 pub use lowest::{MinimumError, lowest};
 pub use polynomial::polynomial_roots;

@@ -9,20 +9,11 @@
 use super::linkage::FunctionLinkage;
 use super::task::{FunctionLaw, TargetFunction, wrapped};
 use crate::Output;
+use kinematics::numeric::DampedSearch;
 use nalgebra::{SMatrix, SVector};
 
 /// Three lengths and four numbers of the law.
 const NUMBERS: usize = 7;
-/// Initial damping, its factors of growth and shrinking, and its limits; above the maximum there is
-/// no descent.
-const DAMPING: f64 = 1e-3;
-const GROWTH: f64 = 6.0;
-const SHRINKING: f64 = 0.15;
-const MAX_DAMPING: f64 = 1e14;
-const MIN_DAMPING: f64 = 1e-30;
-/// The iteration has converged if `CONVERGED_STEPS` successive steps gain less than this fraction of the sum.
-const MIN_GAIN: f64 = 1e-10;
-const CONVERGED_STEPS: usize = 4;
 
 type DesignNumbers = SVector<f64, NUMBERS>;
 
@@ -103,18 +94,19 @@ impl FunctionDesign {
     /// the result is not a sound linkage, or does not close at every pair.
     pub(super) fn refined(self, target: &TargetFunction, steps: usize) -> Option<FunctionDesign> {
         let (mut here, mut slopes) = (self, self.slopes(target));
-        let (mut damping, mut still) = (DAMPING, 0);
-        for _ in 0..steps {
-            if !(slopes.sum > 0.0) || still >= CONVERGED_STEPS {
-                break;
-            }
-            let Some((next, there)) = here.step(target, &slopes, &mut damping) else {
-                break;
-            };
-            let gain = 1.0 - there.sum / slopes.sum;
-            still = if gain < MIN_GAIN { still + 1 } else { 0 };
-            (here, slopes) = (next, there);
-        }
+        let rules = DampedSearch {
+            steps,
+            shrinking: 0.15,
+            ..DampedSearch::UNLIMITED
+        };
+        rules.run(slopes.sum, |damping| {
+            let next = here.with(&(here.numbers() - slopes.step(damping)));
+            let there = next.slopes(target);
+            (there.sum < slopes.sum).then(|| {
+                (here, slopes) = (next, there);
+                slopes.sum
+            })
+        });
         (here.linkage.is_valid() && here.rms(target).is_some()).then_some(here)
     }
 
@@ -123,25 +115,6 @@ impl FunctionDesign {
         let (a, b) = (self.numbers(), other.numbers());
         let mut pairs = a.iter().zip(b.iter());
         self.side == other.side && pairs.all(|(a, b)| (a - b).abs() <= part * (1.0 + a.abs()))
-    }
-
-    /// Takes one step downhill; `None` if no damping gives one.
-    fn step(
-        &self,
-        target: &TargetFunction,
-        slopes: &MissSlopes,
-        damping: &mut f64,
-    ) -> Option<(FunctionDesign, MissSlopes)> {
-        while *damping < MAX_DAMPING {
-            let next = self.with(&(self.numbers() - slopes.step(*damping)));
-            let there = next.slopes(target);
-            if there.sum < slopes.sum {
-                *damping = (*damping * SHRINKING).max(MIN_DAMPING);
-                return Some((next, there));
-            }
-            *damping *= GROWTH;
-        }
-        None
     }
 
     fn slopes(&self, target: &TargetFunction) -> MissSlopes {

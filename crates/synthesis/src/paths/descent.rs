@@ -19,6 +19,7 @@ use super::evolution::{Raw, SearchTarget};
 use super::linear::{LinkagePlace, Projection};
 use super::shape::{LinkageForm, LinkageShape};
 use super::task::{GivenPivots, TargetPath};
+use kinematics::numeric::DampedSearch;
 use kinematics::{Vec2, angle};
 use nalgebra::{DMatrix, DVector};
 
@@ -26,12 +27,16 @@ use nalgebra::{DMatrix, DVector};
 /// first angle.
 const MAX_COUNT: usize = 10;
 const RADIAN: f64 = 180.0 / std::f64::consts::PI;
-/// Mean square of the misses, relative to the path's size, at which the descent ends.
-const EXACT: f64 = 1e-31;
-/// Damping above which the descent has converged.
-const CONVERGED_DAMPING: f64 = 1e10;
-/// A step that reduces the mean square by less than this part makes no progress.
-const LEVEL: f64 = 1e-9;
+/// The measure is the mean square of the misses, relative to the path's size.
+const DESCENT: DampedSearch = DampedSearch {
+    growth: 2.0,
+    growth_of_growth: 2.0,
+    min_damping: 1e-14,
+    max_damping: 1e10,
+    exact: 1e-31,
+    min_gain: 1e-9,
+    ..DampedSearch::UNLIMITED
+};
 /// Singular values below this fraction of the largest belong to unknowns that the path does not
 /// determine.
 const RANK_TOLERANCE: f64 = 1e-11;
@@ -304,37 +309,26 @@ impl Fit {
         }
         self.square = now.square;
         let holds = self.meets_preferences(target);
-        let (mut damping, mut growth) = (1e-3, 2.0);
         let mut spare = Vec::new();
-        let mut level = 0;
-        for _ in 0..steps {
-            if self.square < EXACT || damping > CONVERGED_DAMPING || level > 3 {
-                break;
-            }
-            let Some(step) = now.solve(layout.count, damping) else {
-                (damping, growth) = (damping * growth, growth * 2.0);
-                continue;
-            };
+        let rules = DampedSearch {
+            tries: steps,
+            ..DESCENT
+        };
+        rules.run(self.square, |damping| {
+            let step = now.solve(layout.count, damping)?;
             let mut trial = self.stepped(layout, &step[..layout.count], &mut spare);
             now.turn(&mut trial.angles, &step[..layout.count], damping);
             let is_better = trial.sum(target, layout, &mut next)
                 && next.square < self.square
                 && !(holds && trial.violation(target) > 0.0);
             if is_better {
-                level = if next.square > self.square * (1.0 - LEVEL) {
-                    level + 1
-                } else {
-                    0
-                };
                 trial.square = next.square;
                 std::mem::swap(self, &mut trial);
                 std::mem::swap(&mut now, &mut next);
-                (damping, growth) = ((damping * 0.2).max(1e-14), 2.0);
-            } else {
-                (damping, growth) = (damping * growth, growth * 2.0);
             }
             spare = trial.angles;
-        }
+            is_better.then_some(self.square)
+        });
         true
     }
 

@@ -10,17 +10,20 @@ use super::projection::is_finite;
 use super::{GoalSearch, GoalSense};
 use crate::study::NoFigure;
 use crate::study::excursion::EvaluatedFigures;
+use kinematics::numeric::DampedSearch;
 use nalgebra::{DMatrix, DVector};
 
-/// Maximum number of steps of a search.
-const STEPS: usize = 80;
 /// Step of differences for derivatives, relative to a number's size.
 const DIFFERENCE: f64 = 1e-5;
-/// Initial damping, its growth and shrinking factors, and the damping at which a search ends.
-const DAMPING: f64 = 1e-3;
-const GROWTH: f64 = 8.0;
-const SHRINKING: f64 = 0.2;
-const MAX_DAMPING: f64 = 1e12;
+/// The measure is the norm of the misses.
+const SEARCH: DampedSearch = DampedSearch {
+    steps: 80,
+    growth: 8.0,
+    max_damping: 1e12,
+    min_gain: f64::EPSILON,
+    level_steps: 1,
+    ..DampedSearch::UNLIMITED
+};
 /// The relative size below which a singular value counts as zero; differences are more accurate
 /// than that.
 const RANK: f64 = 1e-6;
@@ -56,48 +59,32 @@ impl GoalSearch {
     /// Searches from a start until no step improves.
     pub(super) fn search(&mut self, start: Vec<f64>) -> Option<Place> {
         let mut place = self.place(start)?;
-        let mut damping = DAMPING;
-        for _ in 0..STEPS {
-            if place.misses.norm() == 0.0 {
-                break;
-            }
-            let Some(slopes) = self.slopes(&place) else {
-                break;
-            };
-            let Some(better) = self.step(&place, &slopes, &mut damping) else {
-                break;
-            };
-            let gain = 1.0 - better.misses.norm() / place.misses.norm();
-            place = better;
-            if gain < f64::EPSILON {
-                break;
-            }
-        }
+        let mut slopes = None;
+        SEARCH.run(place.misses.norm(), |damping| {
+            let slopes_here = slopes.get_or_insert_with(|| self.slopes(&place));
+            let better = self.step(&place, slopes_here.as_ref()?, damping)?;
+            let norm = better.misses.norm();
+            (norm < place.misses.norm()).then(|| {
+                (place, slopes) = (better, None);
+                norm
+            })
+        });
         Some(place)
     }
 
-    /// Returns an improving step, increasing the damping as necessary.
-    fn step(&mut self, place: &Place, slopes: &DMatrix<f64>, damping: &mut f64) -> Option<Place> {
-        let square = slopes.tr_mul(slopes);
+    /// Returns the place after a damped step.
+    fn step(&mut self, place: &Place, slopes: &DMatrix<f64>, damping: f64) -> Option<Place> {
+        let mut square = slopes.tr_mul(slopes);
         let pull = slopes.tr_mul(&place.misses);
         let size = square.diagonal().max().max(f64::MIN_POSITIVE);
-        while *damping < MAX_DAMPING {
-            let damped =
-                &square + DMatrix::identity(square.nrows(), square.ncols()) * (*damping * size);
-            let travel = damped.cholesky()?.solve(&pull);
-            let moved = place.numbers.iter().zip(&self.sizes).zip(travel.iter());
-            let mut numbers: Vec<f64> =
-                moved.map(|((v, size), travel)| v - travel * size).collect();
-            self.keep_within(&mut numbers);
-            match self.misses(&numbers) {
-                Some(misses) if misses.norm() < place.misses.norm() => {
-                    *damping *= SHRINKING;
-                    return Some(Place { numbers, misses });
-                }
-                _ => *damping *= GROWTH,
-            }
+        for i in 0..square.nrows() {
+            square[(i, i)] += damping * size;
         }
-        None
+        let travel = square.cholesky()?.solve(&pull);
+        let moved = place.numbers.iter().zip(&self.sizes).zip(travel.iter());
+        let mut numbers: Vec<f64> = moved.map(|((v, size), travel)| v - travel * size).collect();
+        self.keep_within(&mut numbers);
+        self.place(numbers)
     }
 
     pub(super) fn keep_within(&self, numbers: &mut [f64]) {
