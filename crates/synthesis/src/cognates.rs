@@ -113,7 +113,7 @@ fn pins(a: Vec2, [b, c]: [Vec2; 2], ratio: Vec2) -> [Vec2; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::planted::{KnownLinkage, tracer};
+    use crate::tests::planted::{KnownLinkage, tracer};
     use kinematics::numeric::SeededRng;
 
     /// Drives each cognate by its own crank with its own lengths: it must draw the points of the

@@ -19,18 +19,12 @@ mod candidate;
 mod cognates;
 mod crank_motion;
 mod defects;
-#[cfg(test)]
-mod driven_functions;
 pub mod functions;
 mod machine;
 mod output_misses;
 mod paths;
-#[cfg(test)]
-mod planted;
 mod poses;
 mod proposal;
-#[cfg(test)]
-mod round_trips;
 mod run;
 mod task;
 #[cfg(test)]

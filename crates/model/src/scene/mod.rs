@@ -419,6 +419,4 @@ pub fn stem(origin: &str) -> String {
 }
 
 #[cfg(test)]
-mod refusals;
-#[cfg(test)]
 mod tests;

@@ -1,5 +1,5 @@
-use super::super::planted::{KnownLinkage, tracer};
 use super::*;
+use crate::tests::planted::{KnownLinkage, tracer};
 use kinematics::Vec2;
 use kinematics::numeric::SeededRng;
 

@@ -1,5 +1,9 @@
 //! Drives linkages with a known motion through tasks derived from it.
 
+mod driven_functions;
+pub(super) mod planted;
+mod round_trips;
+
 use super::*;
 use kinematics::Vec2;
 use kinematics::angle::{degrees, unit};

@@ -1,5 +1,7 @@
 //! Tests of reading valid scenes.
 
+mod refusals;
+
 use super::*;
 use crate::{Body, Input, Load, Profile, Slider, StrokeEnd, Vec2};
 

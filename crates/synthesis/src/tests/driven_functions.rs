@@ -1,6 +1,6 @@
 //! Tests of driving linkages with a known solution, against formulas of the tests' own.
 
-use super::{
+use crate::{
     Candidate, FunctionTask, GivenNumber, Output, Preferences, Task, TaskDefect, TaskKind,
     functions::FunctionSearch,
 };

@@ -1,10 +1,10 @@
 //! Round trips: the motion of a known linkage becomes a task, and [`Synthesis::run`] finds the
 //! linkage again. Also compares values with the solver's own.
 
-use super::machine::Machine;
 use super::planted::KnownLinkage;
-use super::poses::{PoseReach, propose};
-use super::*;
+use crate::machine::Machine;
+use crate::poses::{PoseReach, propose};
+use crate::*;
 use kinematics::Vec2;
 use kinematics::angle::{degrees, unit};
 use kinematics::numeric::SeededRng;

@@ -1,31 +1,31 @@
 //! Linkages with a known motion, computed by the tests' own formulas: two circles, or a circle and
 //! a line, by the law of cosines.
 
-use super::{PinConstraint, Proposal};
+use crate::{PinConstraint, Proposal};
 use kinematics::numeric::SeededRng;
 use kinematics::{Vec2, angle};
 
 /// A linkage, given by its lengths.
 #[derive(Clone, Debug)]
-pub(super) struct KnownLinkage {
-    pub(super) pivot: Vec2,
+pub(crate) struct KnownLinkage {
+    pub(crate) pivot: Vec2,
     /// The other pivot, or the slide's angle; the slide's line passes A at the distance `rocker`.
-    pub(super) far: PinConstraint,
-    pub(super) crank: f64,
-    pub(super) coupler: f64,
-    pub(super) rocker: f64,
+    pub(crate) far: PinConstraint,
+    pub(crate) crank: f64,
+    pub(crate) coupler: f64,
+    pub(crate) rocker: f64,
     /// The tracer relative to B in coupler lengths, along B-C and perpendicular to it.
-    pub(super) arm: Vec2,
+    pub(crate) arm: Vec2,
     /// The crank's first angle, in degrees.
-    pub(super) start: f64,
-    pub(super) sign: f64,
+    pub(crate) start: f64,
+    pub(crate) sign: f64,
     /// The minimum part of the coupler perpendicular to the base line: it keeps the linkage away
     /// from dead points.
-    pub(super) across: f64,
+    pub(crate) across: f64,
 }
 
 impl KnownLinkage {
-    pub(super) fn random(rng: &mut SeededRng, slides: bool) -> KnownLinkage {
+    pub(crate) fn random(rng: &mut SeededRng, slides: bool) -> KnownLinkage {
         let mut place = |maximum: f64| Vec2::new(maximum * rng.even(), maximum * rng.even());
         let (pivot, d, arm) = (place(3.0), place(3.0), place(1.5));
         let mut length = || 10_f64.powf(0.5 * rng.even());
@@ -53,7 +53,7 @@ impl KnownLinkage {
     }
 
     /// Returns the longest length.
-    pub(super) fn size(&self) -> f64 {
+    pub(crate) fn size(&self) -> f64 {
         let ground = match self.far {
             PinConstraint::Rocker(d) => (d - self.pivot).norm(),
             PinConstraint::Slide(_) => 0.0,
@@ -64,7 +64,7 @@ impl KnownLinkage {
 
     /// Returns B, C and the tracer at a rotation of the crank, in degrees; `None` near a dead point
     /// and beyond it.
-    pub(super) fn at(&self, turn: f64) -> Option<[Vec2; 3]> {
+    pub(crate) fn at(&self, turn: f64) -> Option<[Vec2; 3]> {
         let b = self.pivot + angle::unit(self.start + turn) * self.crank;
         let (e, x) = match self.far {
             PinConstraint::Rocker(d) => {
@@ -88,7 +88,7 @@ impl KnownLinkage {
 
     /// Returns the linkage as a proposal at these rotations of its crank; `None` if it does not
     /// reach one of them.
-    pub(super) fn proposal(&self, turns: &[f64]) -> Option<Proposal> {
+    pub(crate) fn proposal(&self, turns: &[f64]) -> Option<Proposal> {
         let all: Option<Vec<_>> = turns.iter().map(|turn| self.at(*turn)).collect();
         let all = all?;
         Some(Proposal {
@@ -101,7 +101,7 @@ impl KnownLinkage {
 }
 
 /// Returns the position of a proposal's tracer at a point of the task.
-pub(super) fn tracer(proposal: &Proposal, point: usize) -> Vec2 {
+pub(crate) fn tracer(proposal: &Proposal, point: usize) -> Vec2 {
     let [b, c] = proposal.places[0];
     let k = c - b;
     let arm = (proposal.tracer.unwrap() - b).turned(k.conj()) * (1.0 / k.norm2());
