@@ -80,10 +80,10 @@ pub(super) fn clock(scene: &Scene) -> Result<Clock, Failure> {
 /// Notes that rows by coordinate use the scene's constant speed, if the scene has a motion over
 /// time.
 pub(super) fn note_constant_speed(scene: &Scene, screen: TextScreen) {
-    let unit = match scene.mechanism.driver().input {
-        Input::Turn(_) => "rad/s".to_owned(),
-        Input::Push(_) => format!("{}/s", scene.unit.symbol()),
-    };
+    let unit = format!(
+        "{}/s",
+        scene.input_rate_unit(scene.mechanism.driver().input)
+    );
     if scene.motion.is_some() {
         note(&words().rates_by_coordinate(&unit), screen);
     }

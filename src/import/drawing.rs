@@ -196,7 +196,26 @@ impl Remarks {
     }
 }
 
+impl DrawnSlide {
+    /// Creates a slide without a name and without limits.
+    pub(super) fn new(slider: DrawnSlider, on: DrawnPart, angle: f64) -> DrawnSlide {
+        DrawnSlide {
+            name: None,
+            slider,
+            on,
+            angle,
+            through: None,
+            travel: None,
+        }
+    }
+}
+
 impl Drawing {
+    /// Adds a remark on a place in the file.
+    pub(super) fn remark(&mut self, place: &str, text: &str) {
+        self.remarks.add(place, text);
+    }
+
     /// Adds a point and returns its index.
     pub(super) fn point(&mut self, name: Option<String>, at: [f64; 2]) -> usize {
         self.points.push(DrawnPoint { name, at });

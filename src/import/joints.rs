@@ -120,13 +120,12 @@ impl Joints {
         }
         if parts.is_empty() {
             self.drawing
-                .remarks
-                .add(&joint.place, words().import_joint_without_links());
+                .remark(&joint.place, words().import_joint_without_links());
             return None;
         }
         let (kind, place) = (joint.kind, joint.place.as_str());
         if kind == JointKind::Gears {
-            self.drawing.remarks.add(place, words().import_gears());
+            self.drawing.remark(place, words().import_gears());
             return None;
         }
         let point = self.drawing.point(joint.name.clone(), joint.at);
@@ -146,9 +145,7 @@ impl Joints {
             }
             (_, [one, other, more @ ..]) => {
                 if !more.is_empty() {
-                    self.drawing
-                        .remarks
-                        .add(place, words().import_slider_of_many());
+                    self.drawing.remark(place, words().import_slider_of_many());
                 }
                 self.slider(point, [*one, *other], joint.angle)
             }
@@ -169,8 +166,7 @@ impl Joints {
             });
         } else if joint.is_input {
             self.drawing
-                .remarks
-                .add(place, words().import_input_of_one_link());
+                .remark(place, words().import_input_of_one_link());
         }
         Some(point)
     }
@@ -201,14 +197,7 @@ impl Joints {
 
     /// Adds a slide and returns its index.
     fn slide(&mut self, slider: DrawnSlider, on: DrawnPart, angle: f64) -> usize {
-        self.drawing.slides.push(DrawnSlide {
-            name: None,
-            slider,
-            on,
-            angle,
-            through: None,
-            travel: None,
-        });
+        self.drawing.slides.push(DrawnSlide::new(slider, on, angle));
         self.drawing.slides.len() - 1
     }
 
@@ -240,8 +229,7 @@ impl Joints {
         if has_one && marked.len() > 1 {
             for other in marked.split_off(1) {
                 self.drawing
-                    .remarks
-                    .add(&other.place, words().import_second_input());
+                    .remark(&other.place, words().import_second_input());
             }
         }
         if marked.is_empty() {
@@ -254,12 +242,11 @@ impl Joints {
                 Some(input) => {
                     if !input.is_named {
                         self.drawing
-                            .remarks
-                            .add(&input.place, words().import_first_joint());
+                            .remark(&input.place, words().import_first_joint());
                     }
                     marked.push(input);
                 }
-                None => self.drawing.remarks.add("", words().import_no_input()),
+                None => self.drawing.remark("", words().import_no_input()),
             }
         }
         for input in marked {

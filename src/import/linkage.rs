@@ -187,7 +187,7 @@ impl<'d> LinkageReader<'d> {
 
     fn remark(&mut self, node: Node<'_, '_>, text: &str) {
         let place = self.place(node);
-        self.drawing.remarks.add(&place, text);
+        self.drawing.remark(&place, text);
     }
 
     /// Returns a length of the file in the scene's unit.
@@ -241,7 +241,7 @@ impl<'d> LinkageReader<'d> {
         }
         for ((_, name), (place, count)) in unknown {
             let text = words().import_unknown_attribute(&name, count);
-            self.drawing.remarks.add(&place, &text);
+            self.drawing.remark(&place, &text);
         }
     }
 
@@ -405,11 +405,8 @@ impl<'d> LinkageReader<'d> {
         let angle = self.drawing.direction(foot, eye);
         self.drawing.slides.push(DrawnSlide {
             name: name.map(str::to_owned),
-            slider: DrawnSlider::Pin(eye),
-            on: DrawnPart::Link(barrel),
-            angle,
             through: Some(foot),
-            travel: None,
+            ..DrawnSlide::new(DrawnSlider::Pin(eye), DrawnPart::Link(barrel), angle)
         });
         let throw = self.length(node, "throw").unwrap_or(0.0);
         if throw < 0.0 {
@@ -569,13 +566,11 @@ impl<'d> LinkageReader<'d> {
             match radius == 0.0 {
                 true => {
                     let travel = self.travel(node, pin, [one, other]);
+                    let angle = self.drawing.direction(one, other);
                     self.drawing.slides.push(DrawnSlide {
-                        name: None,
-                        slider: DrawnSlider::Pin(pin),
-                        on,
-                        angle: self.drawing.direction(one, other),
                         through: Some(one),
                         travel,
+                        ..DrawnSlide::new(DrawnSlider::Pin(pin), on, angle)
                     });
                 }
                 false => self.arc(node, pin, [one, other], on, radius.abs()),
@@ -728,8 +723,7 @@ impl<'d> LinkageReader<'d> {
                 .collect();
             let [first, others @ ..] = turned.as_slice() else {
                 self.drawing
-                    .remarks
-                    .add(&input.place, words().import_input_turns_nothing());
+                    .remark(&input.place, words().import_input_turns_nothing());
                 continue;
             };
             for &other in others {
@@ -766,7 +760,7 @@ impl<'d> LinkageReader<'d> {
         inputs.sort_by_key(|input| input.law == DrawnLaw::Speed(0.0, "rpm"));
         inputs.append(&mut self.rods);
         if inputs.is_empty() {
-            self.drawing.remarks.add("", words().import_no_input());
+            self.drawing.remark("", words().import_no_input());
         }
         self.drawing.inputs = inputs;
     }

@@ -173,7 +173,7 @@ pub fn import(bytes: &[u8], name: &str) -> Result<Imported, ImportError> {
         }
     };
     if is_address(text) && text.lines().skip(1).any(address::has_scheme) {
-        drawing.remarks.add("", words().import_other_addresses());
+        drawing.remark("", words().import_other_addresses());
     }
     reduce::settle(&mut drawing);
     let mut remarks = std::mem::take(&mut drawing.remarks);

@@ -60,7 +60,7 @@ pub(super) fn read_pmks(
             true => setting(&mut joints, key, value, &place),
             false => {
                 let text = words().import_unknown_parameter();
-                joints.drawing.remarks.add(&place, text);
+                joints.drawing.remark(&place, text);
             }
         }
     }
@@ -111,7 +111,7 @@ fn setting(joints: &mut Joints, key: &str, value: &str, place: &str) {
         joints.drawing.title = Some(value.to_owned());
     } else if ["s", "d"].iter().any(|own| key.eq_ignore_ascii_case(own)) && !value.is_empty() {
         let text = words().import_setting_left_out(key, value);
-        joints.drawing.remarks.add(place, &text);
+        joints.drawing.remark(place, &text);
     }
 }
 

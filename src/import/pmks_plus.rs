@@ -17,8 +17,9 @@ pub(super) fn read_pmks_plus(parameters: &[(String, String)]) -> Result<Drawing,
     for (name, text) in parameters {
         if !["j", "l", "f", "s"].contains(&name.as_str()) && !text.is_empty() {
             let place = format!("`{name}`");
-            let remarks = &mut joints.drawing.remarks;
-            remarks.add(&place, words().import_unknown_parameter());
+            joints
+                .drawing
+                .remark(&place, words().import_unknown_parameter());
         }
     }
     let mut points = Vec::new();
@@ -28,7 +29,7 @@ pub(super) fn read_pmks_plus(parameters: &[(String, String)]) -> Result<Drawing,
             Some((mut joint, is_fixed)) => {
                 for (name, cell) in unread_cells(&row) {
                     let text = words().import_unread_cell(name, &cell);
-                    joints.drawing.remarks.add(&place, &text);
+                    joints.drawing.remark(&place, &text);
                 }
                 if is_fixed {
                     joint.links.insert(0, "ground".to_owned());
@@ -38,10 +39,7 @@ pub(super) fn read_pmks_plus(parameters: &[(String, String)]) -> Result<Drawing,
                 let point = joints.add(&joint).filter(|_| joint.kind == JointKind::Pin);
                 points.push((name, point));
             }
-            None => joints
-                .drawing
-                .remarks
-                .add(&place, words().import_not_a_joint()),
+            None => joints.drawing.remark(&place, words().import_not_a_joint()),
         }
     }
     if points.is_empty() {
@@ -54,10 +52,7 @@ pub(super) fn read_pmks_plus(parameters: &[(String, String)]) -> Result<Drawing,
     for (number_of_row, row) in rows(value("f")) {
         let place = words().import_force_row(number_of_row);
         if force(&mut joints, &row).is_none() {
-            joints
-                .drawing
-                .remarks
-                .add(&place, words().import_not_a_force());
+            joints.drawing.remark(&place, words().import_not_a_force());
         }
     }
     let settings: Vec<&str> = value("s").split(',').map(str::trim).collect();
@@ -157,8 +152,7 @@ fn link(joints: &mut Joints, points: &[(String, Option<usize>)], row: &[String],
     let Some(part) = joints.known(name) else {
         joints
             .drawing
-            .remarks
-            .add(place, &words().import_link_without_joints(name));
+            .remark(place, &words().import_link_without_joints(name));
         return;
     };
     let own = row
@@ -172,8 +166,7 @@ fn link(joints: &mut Joints, points: &[(String, Option<usize>)], row: &[String],
             is_shifted |= number(joint).is_some();
             joints
                 .drawing
-                .remarks
-                .add(place, &words().import_unknown_joint(joint));
+                .remark(place, &words().import_unknown_joint(joint));
             continue;
         };
         if let Some(point) = *point {
@@ -200,8 +193,7 @@ fn link(joints: &mut Joints, points: &[(String, Option<usize>)], row: &[String],
     let is_without_centre =
         matches!(values[..], [Some(mass), _, None, _] | [Some(mass), _, _, None] if mass != 0.0);
     if !is_read || is_without_centre {
-        let remarks = &mut joints.drawing.remarks;
-        remarks.add(place, words().import_not_a_mass());
+        joints.drawing.remark(place, words().import_not_a_mass());
     }
 }
 
@@ -253,7 +245,7 @@ fn settings_of(drawing: &mut Drawing, settings: &[&str]) -> DrawnLaw {
     let mut unread = |name: &str, cell: &str| {
         if !is_absent(cell) {
             let text = words().import_unread_cell(name, cell);
-            drawing.remarks.add("`s`", &text);
+            drawing.remark("`s`", &text);
         }
     };
     let rpm = number(speed);
@@ -268,7 +260,7 @@ fn settings_of(drawing: &mut Drawing, settings: &[&str]) -> DrawnLaw {
     drawing.unit = Unit::ALL.into_iter().find(|known| known.symbol() == unit);
     if drawing.unit.is_none() && !is_absent(unit) {
         let text = words().import_unknown_unit(unit);
-        drawing.remarks.add("`s`", &text);
+        drawing.remark("`s`", &text);
     }
     if is_true(has_gravity) {
         drawing.gravity = Some(GRAVITY);

@@ -80,7 +80,7 @@ pub(super) fn read_pylinkage(text: &str) -> Result<Drawing, ImportError> {
         return Err(ImportError::new(words().import_no_joints()));
     }
     if reader.drawing.inputs.is_empty() {
-        reader.drawing.remarks.add("", words().import_no_input());
+        reader.drawing.remark("", words().import_no_input());
     }
     match reader.drawing.is_too_large() {
         true => Err(ImportError::too_large()),
@@ -129,20 +129,17 @@ impl MechanismReader {
     fn joint(&mut self, number: usize, joint: &Value) {
         let place = format!("joints[{number}]");
         let (Some(id), Some(at)) = (text_of(joint, "id"), pair_of(joint, "position")) else {
-            self.drawing
-                .remarks
-                .add(&place, words().import_not_a_joint());
+            self.drawing.remark(&place, words().import_not_a_joint());
             return;
         };
         let kind = text_of(joint, "type").unwrap_or("revolute");
         if !["ground", "revolute", "prismatic", "tracker"].contains(&kind) {
             self.drawing
-                .remarks
-                .add(&place, &words().import_unknown_kind(kind));
+                .remark(&place, &words().import_unknown_kind(kind));
             return;
         }
         if self.joints.contains_key(id) {
-            self.drawing.remarks.add(&place, words().import_same_id());
+            self.drawing.remark(&place, words().import_same_id());
             return;
         }
         let name = text_of(joint, "name").unwrap_or(id);
@@ -153,8 +150,7 @@ impl MechanismReader {
         let axis = (kind == "prismatic").then(|| {
             let axis = pair_of(joint, "axis").filter(|axis| *axis != [0.0; 2]);
             if axis.is_none() {
-                let remarks = &mut self.drawing.remarks;
-                remarks.add(&place, words().import_no_axis());
+                self.drawing.remark(&place, words().import_no_axis());
             }
             direction(axis.unwrap_or([1.0, 0.0]))
         });
@@ -163,8 +159,8 @@ impl MechanismReader {
             let (sin, cos) = axis.to_radians().sin_cos();
             let off = (dx * sin - dy * cos).abs();
             if off > BESIDE * dx.hypot(dy) {
-                let remarks = &mut self.drawing.remarks;
-                remarks.add(&place, &words().import_joint_beside_line(off));
+                self.drawing
+                    .remark(&place, &words().import_joint_beside_line(off));
             }
         }
         let joint = MechanismJoint {
@@ -183,21 +179,16 @@ impl MechanismReader {
     fn link(&mut self, number: usize, link: &Value, ground: Option<&str>) {
         let place = format!("links[{number}]");
         let Some(id) = text_of(link, "id") else {
-            self.drawing
-                .remarks
-                .add(&place, words().import_not_a_link());
+            self.drawing.remark(&place, words().import_not_a_link());
             return;
         };
         let kind = text_of(link, "type").unwrap_or("link");
         if !["ground", "link", "driver", "arc_driver"].contains(&kind) {
             self.drawing
-                .remarks
-                .add(&place, &words().import_unknown_link_kind(kind));
+                .remark(&place, &words().import_unknown_link_kind(kind));
         }
         if list(link, "joints").is_none() {
-            self.drawing
-                .remarks
-                .add(&place, words().import_not_a_link());
+            self.drawing.remark(&place, words().import_not_a_link());
             return;
         }
         let part = match kind == "ground" || ground == Some(id) {
@@ -218,8 +209,7 @@ impl MechanismReader {
                 None => {
                     let joint = joint.as_str().unwrap_or_default();
                     self.drawing
-                        .remarks
-                        .add(&place, &words().import_unknown_joint(joint));
+                        .remark(&place, &words().import_unknown_joint(joint));
                 }
             }
             if self.drawing.is_too_large() {
@@ -237,7 +227,7 @@ impl MechanismReader {
                 && number_of(link, key).is_none()
             {
                 let text = words().import_unread_cell(key, &value.to_string());
-                self.drawing.remarks.add(&place, &text);
+                self.drawing.remark(&place, &text);
             }
         }
         if let Some(id) = link.get("motor_joint").filter(|value| !value.is_null()) {
@@ -247,7 +237,7 @@ impl MechanismReader {
                 Some(point) => self.drawing.attach(point, DrawnPart::Frame),
                 None => {
                     let text = words().import_unknown_joint(id);
-                    self.drawing.remarks.add(&place, &text);
+                    self.drawing.remark(&place, &text);
                 }
             }
         }
@@ -265,8 +255,7 @@ impl MechanismReader {
             _ => None,
         };
         if range.is_none() && (link.get("arc_start").is_some() || link.get("arc_end").is_some()) {
-            let remarks = &mut self.drawing.remarks;
-            remarks.add(&place, words().import_beyond_arc());
+            self.drawing.remark(&place, words().import_beyond_arc());
         }
         self.drawing.links[part].is_needed = true;
         self.drawing.inputs.push(DrawnInput {
@@ -303,7 +292,7 @@ impl MechanismReader {
                 None if !is_held => {
                     let place = format!("joints[{}]", joint.number);
                     let text = words().import_joint_without_links();
-                    self.drawing.remarks.add(&place, text);
+                    self.drawing.remark(&place, text);
                 }
                 None => {}
             }
@@ -317,44 +306,25 @@ impl MechanismReader {
         joints.sort_by_key(|joint| joint.number);
         for joint in joints {
             let Some(angle) = joint.axis else { continue };
-            let (slider, on) = match joint.links[..] {
-                [] => {
-                    let place = format!("joints[{}]", joint.number);
-                    let text = words().import_joint_without_links();
-                    self.drawing.remarks.add(&place, text);
-                    continue;
-                }
-                // A point that slides on the frame.
-                [part] => {
+            let place = format!("joints[{}]", joint.number);
+            if joint.links.is_empty() {
+                let text = words().import_joint_without_links();
+                self.drawing.remark(&place, text);
+                continue;
+            }
+            // The frame carries the guides of this program; a joint of one part slides on it.
+            let is_alone = joint.links.len() == 1;
+            for &part in &joint.links {
+                if is_alone || part != DrawnPart::Frame {
                     self.drawing.attach(joint.point, part);
-                    (DrawnSlider::Pin(joint.point), DrawnPart::Frame)
                 }
-                // The frame carries the guides of this program.
-                _ => {
-                    let mut has_frame = false;
-                    for &part in &joint.links {
-                        match part {
-                            DrawnPart::Frame => has_frame = true,
-                            part => self.drawing.attach(joint.point, part),
-                        }
-                    }
-                    if !has_frame {
-                        let place = format!("joints[{}]", joint.number);
-                        self.drawing
-                            .remarks
-                            .add(&place, words().import_slider_on_frame());
-                    }
-                    (DrawnSlider::Pin(joint.point), DrawnPart::Frame)
-                }
-            };
-            self.drawing.slides.push(DrawnSlide {
-                name: None,
-                slider,
-                on,
-                angle,
-                through: None,
-                travel: None,
-            });
+            }
+            if !is_alone && !joint.links.contains(&DrawnPart::Frame) {
+                self.drawing
+                    .remark(&place, words().import_slider_on_frame());
+            }
+            let (slider, on) = (DrawnSlider::Pin(joint.point), DrawnPart::Frame);
+            self.drawing.slides.push(DrawnSlide::new(slider, on, angle));
         }
     }
 }

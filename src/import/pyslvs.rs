@@ -55,14 +55,11 @@ pub(super) fn read_pyslvs(text: &str) -> Result<Drawing, ImportError> {
             Some((joint, has_other_place)) => {
                 if has_other_place {
                     let text = words().import_second_place();
-                    joints.drawing.remarks.add(&place, text);
+                    joints.drawing.remark(&place, text);
                 }
                 joints.add(&joint);
             }
-            None => joints
-                .drawing
-                .remarks
-                .add(&place, words().import_not_a_joint()),
+            None => joints.drawing.remark(&place, words().import_not_a_joint()),
         }
     }
     if joints.drawing.points.is_empty() {

@@ -23,7 +23,7 @@ pub(super) fn settle(drawing: &mut Drawing) {
     join_repeated_joints(drawing);
     let is_fixed = |slide: &DrawnSlide| slide.on == DrawnPart::Frame;
     if drawing.ground.is_empty() && !drawing.slides.iter().any(is_fixed) {
-        drawing.remarks.add("", words().import_no_ground());
+        drawing.remark("", words().import_no_ground());
     }
     weld(drawing, size);
     drop_idle_inputs(drawing);
@@ -63,7 +63,7 @@ fn join_coincident_joints(drawing: &mut Drawing) {
             // A block is at one place; a crank or a body usually is not.
             if drawn.is_needed || drawn.mass.is_some() {
                 let text = words().import_zero_link(&name);
-                drawing.remarks.add("", &text);
+                drawing.remark("", &text);
             }
             continue;
         }
@@ -73,7 +73,7 @@ fn join_coincident_joints(drawing: &mut Drawing) {
         }
         drawing.links[link] = DrawnLink::default();
         let text = words().import_joined_points(&name);
-        drawing.remarks.add("", &text);
+        drawing.remark("", &text);
     }
     replace_points(drawing, &leaders);
 }
@@ -96,7 +96,7 @@ fn join_repeated_joints(drawing: &mut Drawing) {
                 leaders[point] = other;
                 let [x, y] = drawing.points[point].at;
                 let text = words().import_repeated_joint(x, y);
-                drawing.remarks.add("", &text);
+                drawing.remark("", &text);
             }
             None => known.push(point),
         }
@@ -323,9 +323,7 @@ fn rename_parts(drawing: &mut Drawing, mut leader: impl FnMut(usize) -> usize) {
         let from = part_of(from);
         match part_of(DrawnPart::Link(link)) {
             to if to == from => {
-                drawing
-                    .remarks
-                    .add(&input.place, words().import_input_is_fixed());
+                drawing.remark(&input.place, words().import_input_is_fixed());
                 false
             }
             DrawnPart::Link(link) => {
@@ -385,9 +383,7 @@ fn drop_idle_inputs(drawing: &mut Drawing) {
         let is_new = !seen.contains(&input.element);
         match is_new {
             true => seen.push(input.element),
-            false => drawing
-                .remarks
-                .add(&input.place, words().import_input_twice()),
+            false => drawing.remark(&input.place, words().import_input_twice()),
         }
         is_new
     });
@@ -401,9 +397,7 @@ fn drop_idle_inputs(drawing: &mut Drawing) {
         .collect();
     for &slide in &idle {
         let name = slide_name(drawing, slide);
-        drawing
-            .remarks
-            .add("", &words().import_slide_is_fixed(&name));
+        drawing.remark("", &words().import_slide_is_fixed(&name));
     }
     remove_slides(drawing, &idle);
 }
@@ -672,9 +666,7 @@ fn leave_out_idle_links(drawing: &mut Drawing, size: f64) {
         let is_lost = holders[first] == 1 && !slide_pins.contains(&first);
         let drawn: DrawnLink = std::mem::take(&mut drawing.links[link]);
         if let Some(name) = drawn.name.filter(|_| is_lost) {
-            drawing
-                .remarks
-                .add("", &words().import_link_of_one_point(&name));
+            drawing.remark("", &words().import_link_of_one_point(&name));
         }
     }
     for slide in 0..drawing.slides.len() {
@@ -687,9 +679,7 @@ fn leave_out_idle_links(drawing: &mut Drawing, size: f64) {
         let nearby = (dx * sin - dy * cos).abs();
         if nearby > BESIDE * size {
             let name = slide_name(drawing, slide);
-            drawing
-                .remarks
-                .add("", &words().import_pin_beside_slot(&name, nearby));
+            drawing.remark("", &words().import_pin_beside_slot(&name, nearby));
         }
     }
 }

@@ -43,9 +43,9 @@ pub(crate) use svg::marked_up;
 pub(crate) use table::with_unit;
 pub use table::{Cell, Head, Rest, Row, Setting, Table, Units, UnprovedDigits};
 pub use terminal_text::TextStyle;
-#[cfg(feature = "tui")]
-pub(crate) use words::cut;
 pub(crate) use words::wrapped;
+#[cfg(feature = "tui")]
+pub(crate) use words::{cut, truncate_lines};
 
 use crate::parallel;
 use std::fmt;

@@ -88,6 +88,17 @@ pub(crate) fn cut(text: &str, maximum: usize) -> String {
     format!("{}..", beginning.trim_end())
 }
 
+/// Keeps at most `maximum` lines; the last one then ends with dots.
+#[cfg(feature = "tui")]
+pub(crate) fn truncate_lines(lines: &mut Vec<String>, maximum: usize, width: usize) {
+    if lines.len() > maximum {
+        lines.truncate(maximum);
+        if let Some(last) = lines.last_mut() {
+            *last = cut(&format!("{last} ..."), width);
+        }
+    }
+}
+
 /// Shortens a name to at most `most` characters, with its beginning and end: `rocker_of..ss.angle`.
 /// The end distinguishes values of one element.
 pub(super) fn cut_within(name: &str, maximum: usize) -> String {

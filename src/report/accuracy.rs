@@ -8,7 +8,7 @@ use crate::scene::Scene;
 use crate::solver::{Method, Start, Unsuitable};
 use crate::study::{Finding, Findings, MethodErrors, MethodFigures, MethodVerdict, Spread};
 use crate::wording::{Words, english_words, words};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// Significant digits of an error.
@@ -145,10 +145,11 @@ impl Accuracy<'_> {
     /// Returns a table with a row per method and a column per measure.
     #[must_use]
     pub fn table(&self, measures: &[StudyMeasure]) -> Table {
-        let headers = measures.iter().map(|measure| measure.name());
+        let columns = measures.iter().map(|measure| measure.column());
+        let (headers, widths): (Vec<&str>, Vec<usize>) = columns.unzip();
         let mut table = Table::new(words().method(), headers).set(Setting {
             names: NAME,
-            least: measures.iter().map(|measure| measure.width()).collect(),
+            least: widths,
             rest: Rest::LeftOut,
             ..Setting::default()
         });
@@ -185,15 +186,16 @@ impl Accuracy<'_> {
     /// Returns the errors of the writer.
     pub fn write_csv(&self, dialect: CsvDialect, to: impl Write) -> io::Result<()> {
         let mut csv = CsvSheet::new(dialect, to);
-        csv.record(COLUMNS)?;
-        for finding in &self.findings.methods {
-            let row = self.record(finding);
-            let cells = COLUMNS.iter().map(|column| match row.get(*column) {
-                None | Some(Value::Null) => String::new(),
-                Some(Value::String(text)) => text.clone(),
-                Some(other) => other.to_string(),
-            });
-            csv.record(cells)?;
+        for (number, finding) in self.findings.methods.iter().enumerate() {
+            let record = self.record(finding);
+            if number == 0 {
+                csv.record(record.each_ref().map(|(column, _)| *column))?;
+            }
+            csv.record(record.map(|(_, value)| match value {
+                Value::Null => String::new(),
+                Value::String(text) => text,
+                other => other.to_string(),
+            }))?;
         }
         csv.finish()
     }
@@ -201,18 +203,22 @@ impl Accuracy<'_> {
     /// Returns all findings as one object.
     #[must_use]
     pub fn to_json(&self) -> Value {
-        let methods = self.findings.methods.iter().map(|f| self.record(f));
+        let methods = self.findings.methods.iter().map(|finding| {
+            let pairs = self.record(finding).into_iter();
+            Value::Object(pairs.map(|(key, value)| (key.to_owned(), value)).collect())
+        });
         json!({
             "scene": self.scene.name,
             "unit": self.scene.unit.symbol(),
             "longest": self.findings.longest,
             "positions": self.findings.positions,
             "finished": self.findings.finished,
-            "methods": methods.map(Value::Object).collect::<Vec<_>>(),
+            "methods": methods.collect::<Vec<_>>(),
         })
     }
 
-    fn record(&self, finding: &Finding) -> Map<String, Value> {
+    /// Returns the columns of CSV, which are the keys of a method in JSON, with their values.
+    fn record(&self, finding: &Finding) -> [(&'static str, Value); 14] {
         let figures = finding.figures();
         let time = figures.and_then(|f| f.time);
         let time = |part: fn(&Spread) -> f64| time.map(|t| part(&t) * 1e9);
@@ -225,27 +231,22 @@ impl Accuracy<'_> {
             MethodVerdict::Unsuitable(unfit) => Some(unsuitable_reason(unfit, self.scene, wording)),
             MethodVerdict::Pending => Some(wording.not_measured().into()),
         };
-        let values = [
-            json!(finding.key),
-            json!(named(finding.method, wording)),
-            json!(time(|t| t.median)),
-            json!(time(|t| t.low)),
-            json!(time(|t| t.high)),
-            json!(error(|e| e.position)),
-            json!(error(|e| e.velocity)),
-            json!(error(|e| e.acceleration)),
-            json!(figures.map(|f| f.tried)),
-            json!(figures.map(|f| f.failures)),
-            json!(finding.best),
-            json!(reason),
-            json!(iterations.map(|i| i.median)),
-            json!(iterations.map(|i| i.most)),
-        ];
-        COLUMNS
-            .iter()
-            .map(|c| (*c).to_owned())
-            .zip(values)
-            .collect()
+        [
+            ("key", json!(finding.key)),
+            ("method", json!(named(finding.method, wording))),
+            ("time [ns]", json!(time(|t| t.median))),
+            ("time.low [ns]", json!(time(|t| t.low))),
+            ("time.high [ns]", json!(time(|t| t.high))),
+            ("position", json!(error(|e| e.position))),
+            ("velocity", json!(error(|e| e.velocity))),
+            ("acceleration", json!(error(|e| e.acceleration))),
+            ("tried", json!(figures.map(|f| f.tried))),
+            ("failures", json!(figures.map(|f| f.failures))),
+            ("best", json!(finding.best)),
+            ("reason", json!(reason)),
+            ("iterations.median", json!(iterations.map(|i| i.median))),
+            ("iterations.most", json!(iterations.map(|i| i.most))),
+        ]
     }
 }
 
@@ -287,24 +288,6 @@ fn notes() -> [(&'static str, &'static str); 14] {
     ]
 }
 
-/// The columns of CSV, and the keys of a method in JSON.
-const COLUMNS: [&str; 14] = [
-    "key",
-    "method",
-    "time [ns]",
-    "time.low [ns]",
-    "time.high [ns]",
-    "position",
-    "velocity",
-    "acceleration",
-    "tried",
-    "failures",
-    "best",
-    "reason",
-    "iterations.median",
-    "iterations.most",
-];
-
 /// A quantity measured for each method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StudyMeasure {
@@ -336,28 +319,17 @@ impl StudyMeasure {
         StudyMeasure::Iterations,
     ];
 
-    fn name(self) -> &'static str {
+    /// Returns the name and the width of its column, fixed so that columns do not move while results
+    /// arrive.
+    fn column(self) -> (&'static str, usize) {
         match self {
-            StudyMeasure::Time => words().time(),
-            StudyMeasure::Quartiles => words().quartiles(),
-            StudyMeasure::Position => words().error_of_positions(),
-            StudyMeasure::Velocity => words().error_of_velocities(),
-            StudyMeasure::Acceleration => words().error_of_accelerations(),
-            StudyMeasure::Failures => words().failures(),
-            StudyMeasure::Iterations => words().iterations(),
-        }
-    }
-
-    /// Returns the width of its column, fixed so that columns do not move while results arrive.
-    fn width(self) -> usize {
-        match self {
-            StudyMeasure::Quartiles => 11,
-            StudyMeasure::Failures => 5,
-            StudyMeasure::Time
-            | StudyMeasure::Position
-            | StudyMeasure::Velocity
-            | StudyMeasure::Acceleration
-            | StudyMeasure::Iterations => 7,
+            StudyMeasure::Time => (words().time(), 7),
+            StudyMeasure::Quartiles => (words().quartiles(), 11),
+            StudyMeasure::Position => (words().error_of_positions(), 7),
+            StudyMeasure::Velocity => (words().error_of_velocities(), 7),
+            StudyMeasure::Acceleration => (words().error_of_accelerations(), 7),
+            StudyMeasure::Failures => (words().failures(), 5),
+            StudyMeasure::Iterations => (words().iterations(), 7),
         }
     }
 

@@ -6,64 +6,7 @@ use crate::{LinkId, PointId, SlideId};
 use std::collections::{HashMap, HashSet};
 
 /// The keywords of both languages, and constants of MATLAB and Octave.
-const KEYWORDS: [&str; 56] = [
-    "and",
-    "as",
-    "assert",
-    "async",
-    "await",
-    "break",
-    "class",
-    "continue",
-    "def",
-    "del",
-    "elif",
-    "else",
-    "except",
-    "finally",
-    "for",
-    "from",
-    "global",
-    "if",
-    "import",
-    "in",
-    "is",
-    "lambda",
-    "nonlocal",
-    "not",
-    "or",
-    "pass",
-    "raise",
-    "return",
-    "try",
-    "while",
-    "with",
-    "yield",
-    "None",
-    "True",
-    "False",
-    "end",
-    "function",
-    "case",
-    "catch",
-    "otherwise",
-    "parfor",
-    "persistent",
-    "spmd",
-    "switch",
-    "classdef",
-    "unwind_protect",
-    "until",
-    "do",
-    "endfunction",
-    "pi",
-    "i",
-    "j",
-    "e",
-    "nan",
-    "NaN",
-    "ans",
-];
+const KEYWORDS: &str = include_str!("keywords.txt");
 
 /// The variables of a scene's steps.
 const VARIABLES: [&str; 4] = ["q", "z", "seeds", "points"];
@@ -73,7 +16,7 @@ const VARIABLES: [&str; 4] = ["q", "z", "seeds", "points"];
 fn reserved() -> HashSet<String> {
     let frames = ScriptLanguage::ALL.into_iter();
     let used = frames.flat_map(|language| names_used(language.frame()));
-    let words = KEYWORDS.into_iter().chain(VARIABLES).chain(used);
+    let words = KEYWORDS.split_whitespace().chain(VARIABLES).chain(used);
     words.map(str::to_owned).collect()
 }
 

@@ -21,9 +21,7 @@ mod preferences;
 pub use examples::ExampleTask;
 
 use crate::Vec2;
-use crate::document::{
-    self, ByteSpan, Diagnostic, Diagnostics, DocumentKind, Entries, Reader, WrittenValue, items,
-};
+use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, DocumentKind, Entries, Reader};
 use crate::nearest::did_you_mean;
 use crate::scene::{self, KeyTable, MAX_FILE_SIZE, Measure, Unit};
 use crate::synthesis::{Task, TaskKind};
@@ -87,10 +85,7 @@ impl TaskFile {
         if bytes.len() > MAX_FILE_SIZE {
             return Err(scene::too_large(origin));
         }
-        match std::str::from_utf8(bytes) {
-            Ok(text) => TaskFile::parse(text, origin),
-            Err(error) => Err(document::not_utf8(bytes, error.valid_up_to(), origin)),
-        }
+        TaskFile::parse(document::utf8_text(bytes, origin)?, origin)
     }
 
     /// Parses a task; `origin` is the name of the file in messages.
@@ -206,7 +201,10 @@ fn linkages(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> (bool, bool) {
         return (true, false);
     };
     let mut found = [false; 2];
-    for form in list(reader, "`linkages`", "[\"four-bar\"]", written).unwrap_or_default() {
+    for form in reader
+        .list("`linkages`", words().a_list(), "[\"four-bar\"]", written)
+        .unwrap_or_default()
+    {
         let Some(name) = reader.string("`linkages`", form) else {
             continue;
         };
@@ -229,26 +227,13 @@ fn linkages(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> (bool, bool) {
     (found[0], found[1])
 }
 
-/// Returns the items of a list; reports another value.
-fn list<'v>(
-    reader: &mut Reader<'_>,
-    what: &str,
-    example: &str,
-    value: &'v WrittenValue<'v>,
-) -> Option<&'v [WrittenValue<'v>]> {
-    let items = items(value);
-    if items.is_none() {
-        let fault = reader.mistyped(what, words().a_list(), value);
-        reader.report(fault.help(words().for_example(example)));
-    }
-    items
-}
-
 /// Reads the numbers of a list; returns `None` if one of them is invalid.
 fn numbers(reader: &mut Reader<'_>, file: &KeyTable<'_>, key: &str) -> Option<Vec<f64>> {
     let what = format!("`{key}`");
     let measure = file.measure(key);
-    let items = list(reader, &what, "[0, 30, 60]", file.get(key)?).unwrap_or_default();
+    let items = reader
+        .list(&what, words().a_list(), "[0, 30, 60]", file.get(key)?)
+        .unwrap_or_default();
     let read: Vec<Option<f64>> = items
         .iter()
         .map(|item| reader.in_units(&what, measure, item))
@@ -266,12 +251,14 @@ fn rows<const N: usize>(
     measures: [Option<Measure>; N],
 ) -> Option<Vec<([f64; N], ByteSpan)>> {
     let (what, all) = (format!("`{key}`"), format!("[{example}]"));
-    let items = list(reader, &what, &all, file.get(key)?).unwrap_or_default();
+    let items = reader
+        .list(&what, words().a_list(), &all, file.get(key)?)
+        .unwrap_or_default();
     let before = reader.found.len();
     let mut rows = Vec::new();
     for (number, item) in (1..).zip(items) {
         let what = words().item_of(number, key);
-        let parts = list(reader, &what, example, item);
+        let parts = reader.list(&what, words().a_list(), example, item);
         if let Some(parts) = parts
             && parts.len() != N
         {

@@ -161,7 +161,7 @@ impl App {
     pub(crate) fn warn_of_config(&mut self, warnings: &Diagnostics) {
         let more = warnings.items.len().saturating_sub(1);
         let first = warnings.first_words();
-        self.shell.set_message(words().ignored(first, more));
+        self.set_message(words().ignored(first, more));
     }
 
     /// Applies the user's configuration.
@@ -185,7 +185,7 @@ impl App {
             list.rebuild_texts();
         }
         self.update_needs();
-        self.shell.set_message(words().language_is());
+        self.set_message(words().language_is());
     }
 
     /// Returns the dialect of written CSV files.
@@ -328,6 +328,10 @@ impl App {
     pub(crate) fn verdict_before(&self) -> Option<&Verdict> {
         let before = self.scene_before()?.verdict();
         (before != self.player.open_scene.verdict()).then_some(before)
+    }
+
+    fn set_message(&mut self, message: impl Into<String>) {
+        self.shell.set_message(message);
     }
 
     pub(crate) fn message(&self) -> Option<&str> {

@@ -84,11 +84,45 @@ pub(in crate::cli) struct PlotArgs {
 }
 
 /// Default size of an SVG in characters, and the size of a character in its units.
-pub(in crate::cli) const SVG: Size = Size {
+const SVG: Size = Size {
     cols: 100,
     rows: 40,
 };
-pub(in crate::cli) const CHARACTER: Vec2 = Vec2 { x: 8.0, y: 16.0 };
+const CHARACTER: Vec2 = Vec2 { x: 8.0, y: 16.0 };
+
+/// Returns the size of an SVG in its units.
+pub(in crate::cli) fn svg_size(requested: Option<Size>) -> Vec2 {
+    let Size { cols, rows } = requested.unwrap_or(SVG);
+    Vec2::new(f64::from(cols) * CHARACTER.x, f64::from(rows) * CHARACTER.y)
+}
+
+/// Draws a plot in characters, in the requested size or that of the terminal. Returns the text and
+/// its style.
+pub(in crate::cli) fn plotted(
+    plot: &Plot,
+    (requested, output): (Option<Size>, &OutputArgs),
+    glyphs: OrAuto<Glyphs>,
+    extrema: bool,
+) -> Result<(String, PlotStyle), Failure> {
+    let Size { cols, rows } = picture::size(requested, output.output.as_deref());
+    let look = PlotStyle {
+        cols,
+        // Every panel gets its minimum height, because the length of paper is unlimited.
+        rows: match requested {
+            Some(_) => rows,
+            None => rows.max(plot.min_rows()),
+        },
+        glyphs: picture::glyphs(glyphs),
+        aspect: ASPECT,
+        extrema,
+        first: 0,
+    };
+    if !plot.fits(&look) {
+        return Err(Failure::Usage(words().too_small_for_plot(cols, rows)));
+    }
+    let text = plot.render(&look, None).text();
+    Ok((picture::lettered(text, look.glyphs), look))
+}
 
 pub(in crate::cli) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Failure> {
     let opened = args.scene.open_for(&args.output)?;
@@ -131,11 +165,7 @@ pub(in crate::cli) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Fa
     }
     let text = match args.format {
         PictureFormat::Text => text(args, &drawn, screen)?,
-        PictureFormat::Svg => {
-            let Size { cols, rows } = args.size.unwrap_or(SVG);
-            let size = Vec2::new(f64::from(cols) * CHARACTER.x, f64::from(rows) * CHARACTER.y);
-            drawn.svg(&scene.name, size, !args.no_extrema, None)
-        }
+        PictureFormat::Svg => drawn.svg(&scene.name, svg_size(args.size), !args.no_extrema, None),
     };
     write_text(args.output.output.as_deref(), &text)?;
     match &curves.hidden {
@@ -163,30 +193,14 @@ fn add_band(
 }
 
 fn text(args: &PlotArgs, plot: &Plot, screen: TextScreen) -> Result<String, Failure> {
-    let Size { cols, rows } = picture::size(args.size, args.output.output.as_deref());
-    let look = PlotStyle {
-        cols,
-        // Every panel gets its minimum height, because the length of paper is unlimited.
-        rows: rows
-            .max(plot.min_rows())
-            .min(if args.size.is_some() { rows } else { u16::MAX }),
-        glyphs: picture::glyphs(args.glyphs),
-        aspect: ASPECT,
-        extrema: !args.no_extrema,
-        first: 0,
-    };
-    if !plot.fits(&look) {
-        return Err(Failure::Usage(words().too_small_for_plot(cols, rows)));
-    }
+    let size = (args.size, &args.output);
+    let (text, look) = plotted(plot, size, args.glyphs, !args.no_extrema)?;
     let hidden = plot.panels.len() - plot.panels_in(look.rows);
     if hidden > 0 {
         let all = plot.min_rows();
-        note(&words().panels_without_room(hidden, cols, all), screen);
+        note(&words().panels_without_room(hidden, look.cols, all), screen);
     }
-    Ok(picture::lettered(
-        plot.render(&look, None).text(),
-        look.glyphs,
-    ))
+    Ok(text)
 }
 
 /// Parses the quantity on the x axis.

@@ -48,27 +48,17 @@ pub fn effort(duty: &Duty, coordinate: [&str; 2], effort: [&str; 2]) -> Plot {
             .map(|piece| piece.into_iter().map(|[x, y]| Vec2::new(x, y)).collect())
             .collect(),
         turns,
-        is_dotted: false,
-        link: None,
-        band: None,
-    };
-    let axis = |name: &str, unit: &str, low: f64, high: f64| Axis {
-        name: name.to_owned(),
-        unit: unit.to_owned(),
-        is_angle: unit == "deg",
-        low,
-        high,
+        ..PlotCurve::default()
     };
     let high = if high > low { high } else { low + 1.0 };
     Plot {
-        x: axis(
+        x: Axis::new(
             coordinate[0],
             coordinate[1],
-            cycle.course.low,
-            cycle.course.high,
+            (cycle.course.low, cycle.course.high),
         ),
         panels: vec![Panel {
-            y: axis("", unit, low, high),
+            y: Axis::new("", unit, (low, high)),
             curves: vec![line],
         }],
         is_true: false,

@@ -197,20 +197,14 @@ impl GridMap {
     #[must_use]
     pub fn contours(maps: &[GridMap]) -> Option<Plot> {
         let first = maps.first()?;
-        let axis = |of: &GridAxis, name: String| Axis {
-            name,
-            unit: of.unit.clone(),
-            is_angle: of.unit == "deg",
-            low: of.ends()[0],
-            high: of.ends()[1],
-        };
+        let axis = |of: &GridAxis, name: &str| Axis::new(name, &of.unit, of.ends().into());
         let panel = |map: &GridMap| Panel {
-            y: axis(&map.up, String::new()),
+            y: axis(&map.up, ""),
             curves: map.curves(),
         };
         let x = words().axes_of_map(&first.up.title(), &first.along.name);
         Some(Plot {
-            x: axis(&first.along, x),
+            x: axis(&first.along, &x),
             panels: maps.iter().map(panel).collect(),
             is_true: false,
         })
@@ -223,12 +217,8 @@ impl GridMap {
                 0 => format!("{}: {label}", self.titled()),
                 _ => label,
             },
-            figure: None,
             pieces: self.line_at(level),
-            turns: Vec::new(),
-            is_dotted: false,
-            link: None,
-            band: None,
+            ..PlotCurve::default()
         };
         levels.labels().enumerate().map(curve).collect()
     }

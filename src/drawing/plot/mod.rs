@@ -79,7 +79,7 @@ pub struct Panel {
 }
 
 /// A curve.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct PlotCurve {
     /// The name in the legend.
     pub name: String,
@@ -149,33 +149,17 @@ impl Plot {
     /// occurrence.
     #[must_use]
     pub fn of(curves: &Curves) -> Plot {
-        let [name, unit] = curves.title.clone();
-        let (low, high) = spread(curves.span());
-        let x = Axis {
-            name,
-            is_angle: unit == "deg",
-            unit,
-            low,
-            high,
-        };
-        let mut panels: Vec<Panel> = Vec::new();
-        let mut ranges: Vec<Option<(f64, f64)>> = Vec::new();
-        for (index, curve) in curves.curves.iter().enumerate() {
-            let unit = &curve.quantity.unit;
-            let known = panels.iter().position(|panel| panel.y.unit == *unit);
-            let place_index = known.unwrap_or_else(|| {
-                panels.push(Panel::of(unit));
-                ranges.push(None);
-                panels.len() - 1
-            });
-            panels[place_index].curves.push(line(curves, index));
-            ranges[place_index] = union(ranges[place_index], curve.range());
+        let [name, unit] = &curves.title;
+        let drawn = curves.curves.iter().enumerate();
+        let drawn = drawn.map(|(index, curve)| {
+            let unit = curve.quantity.unit.as_str();
+            (unit, line(curves, index), curve.range())
+        });
+        Plot {
+            x: Axis::new(name, unit, spread(curves.span())),
+            panels: Panel::by_unit(drawn),
+            is_true: is_true(curves),
         }
-        for (panel, range) in panels.iter_mut().zip(ranges) {
-            (panel.y.low, panel.y.high) = spread(range);
-        }
-        let is_true = is_true(curves);
-        Plot { x, panels, is_true }
     }
 
     /// Creates the plot of values over a variable. Each entry of `figures` has a name, a unit and
@@ -187,45 +171,25 @@ impl Plot {
         figures: &[([&str; 2], Vec<Option<f64>>)],
     ) -> Plot {
         let range = |values: &mut dyn Iterator<Item = f64>| {
-            values
-                .map(|v| (v, v))
-                .fold(None, |all, one| union(all, Some(one)))
+            let values = values.map(|v| Some((v, v)));
+            values.fold(None, union)
         };
-        let (low, high) = spread(range(&mut coordinates.iter().copied()));
-        let mut panels: Vec<Panel> = Vec::new();
-        for (number, ([name, unit], values)) in figures.iter().enumerate() {
-            let known = panels.iter().position(|panel| panel.y.unit == *unit);
-            let index = known.unwrap_or_else(|| {
-                panels.push(Panel::of(unit));
-                panels.len() - 1
-            });
-            panels[index].curves.push(PlotCurve {
+        let drawn = figures.iter().enumerate();
+        let drawn = drawn.map(|(number, ([name, unit], values))| {
+            let curve = PlotCurve {
                 name: (*name).to_owned(),
                 figure: Some(number),
                 pieces: pieces(coordinates, values),
-                turns: Vec::new(),
-                is_dotted: false,
-                link: None,
-                band: None,
-            });
-        }
-        for panel in &mut panels {
-            let points = panel
-                .curves
-                .iter()
-                .flat_map(|curve| curve.pieces.iter().flatten());
-            (panel.y.low, panel.y.high) = spread(range(&mut points.map(|p| p.y)));
-        }
-        let x = Axis {
-            name: name.to_owned(),
-            unit: unit.to_owned(),
-            is_angle: unit == "deg",
-            low,
-            high,
-        };
+                ..PlotCurve::default()
+            };
+            let points = curve.pieces.iter().flatten();
+            let range = range(&mut points.map(|p| p.y));
+            (*unit, curve, range)
+        });
+        let x = spread(range(&mut coordinates.iter().copied()));
         Plot {
-            x,
-            panels,
+            x: Axis::new(name, unit, x),
+            panels: Panel::by_unit(drawn),
             is_true: false,
         }
     }
@@ -234,23 +198,20 @@ impl Plot {
     /// axes as needed. A curve has the hue of the one with the same name. Curves without a panel of their unit are left out, as there is nothing to
     /// compare them with.
     pub fn compare(&mut self, other: &Plot, name: &str) {
-        let (low, high) = (self.x.low.min(other.x.low), self.x.high.max(other.x.high));
-        (self.x.low, self.x.high) = (low, high);
+        self.x.include([other.x.low, other.x.high]);
         for panel in &mut self.panels {
-            let same = other.panels.iter().filter(|o| o.y.unit == panel.y.unit);
+            let unit = panel.y.unit.clone();
+            let same = other.panels.iter().filter(|o| o.y.unit == unit);
             for from in same {
-                panel.y.low = panel.y.low.min(from.y.low);
-                panel.y.high = panel.y.high.max(from.y.high);
+                panel.y.include([from.y.low, from.y.high]);
                 let added = from.curves.iter().map(|line| {
                     let own = panel.curves.iter().position(|own| own.name == line.name);
                     PlotCurve {
                         name: format!("{} {name}", line.name),
-                        figure: None,
-                        turns: Vec::new(),
                         is_dotted: true,
                         pieces: line.pieces.clone(),
                         link: own.map(|own| panel.role(own)),
-                        band: None,
+                        ..PlotCurve::default()
                     }
                 });
                 let added: Vec<PlotCurve> = added.collect();
@@ -268,22 +229,18 @@ impl Plot {
         let places = places.iter().map(|&(x, y)| Vec2::new(x, y));
         let places: Vec<Vec2> = places.filter(|position| position.is_finite()).collect();
         for position in &places {
-            (self.x.low, self.x.high) = (self.x.low.min(position.x), self.x.high.max(position.x));
-            panel.y.low = panel.y.low.min(position.y);
-            panel.y.high = panel.y.high.max(position.y);
+            self.x.include([position.x]);
+            panel.y.include([position.y]);
         }
         panel.curves.push(PlotCurve {
             name: name.to_owned(),
-            figure: None,
-            turns: Vec::new(),
             is_dotted: true,
             // A line from a point to itself is a single point.
             pieces: places
                 .into_iter()
                 .map(|position| vec![position, position])
                 .collect(),
-            link: None,
-            band: None,
+            ..PlotCurve::default()
         });
     }
 
@@ -319,19 +276,21 @@ impl Plot {
             // Only where the curve itself is visible.
             let shown = value.filter(|value| (low..=high).contains(value));
             if let (Some(value), Some([below, above])) = (shown, offset) {
-                panel.y.low = panel.y.low.min((value + below).max(low - maximum));
-                panel.y.high = panel.y.high.max((value + above).min(high + maximum));
+                let ends = [
+                    (value + below).max(low - maximum),
+                    (value + above).min(high + maximum),
+                ];
+                panel.y.include(ends);
             }
         }
         let role = panel.role(at);
         panel.curves.push(PlotCurve {
             name,
-            figure: None,
             pieces: pieces.collect(),
-            turns: Vec::new(),
             is_dotted: true,
             link: Some(role),
             band: Some(PlotBand::new(&curves.along, offsets)),
+            ..PlotCurve::default()
         });
     }
 
@@ -405,21 +364,48 @@ impl Panel {
         link.unwrap_or(ROLES[curve % ROLES.len()])
     }
 
-    fn of(unit: &str) -> Panel {
-        Panel {
-            y: Axis {
-                name: String::new(),
-                is_angle: unit == "deg",
-                unit: unit.to_owned(),
-                low: 0.0,
-                high: 1.0,
-            },
-            curves: Vec::new(),
+    /// Returns one panel per unit, in the order of first occurrence, of curves with their units and
+    /// ranges.
+    fn by_unit<'u>(
+        drawn: impl Iterator<Item = (&'u str, PlotCurve, Option<(f64, f64)>)>,
+    ) -> Vec<Panel> {
+        let mut panels: Vec<(Panel, Option<(f64, f64)>)> = Vec::new();
+        for (unit, curve, range) in drawn {
+            let known = panels.iter_mut().find(|(panel, _)| panel.y.unit == unit);
+            if let Some((panel, all)) = known {
+                panel.curves.push(curve);
+                *all = union(*all, range);
+            } else {
+                let (y, curves) = (Axis::new("", unit, (0.0, 1.0)), vec![curve]);
+                panels.push((Panel { y, curves }, range));
+            }
         }
+        let panels = panels.into_iter().map(|(mut panel, range)| {
+            (panel.y.low, panel.y.high) = spread(range);
+            panel
+        });
+        panels.collect()
     }
 }
 
 impl Axis {
+    pub(super) fn new(name: &str, unit: &str, (low, high): (f64, f64)) -> Axis {
+        Axis {
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            is_angle: unit == "deg",
+            low,
+            high,
+        }
+    }
+
+    /// Enlarges the range to include values.
+    fn include<const N: usize>(&mut self, values: [f64; N]) {
+        for value in values {
+            (self.low, self.high) = (self.low.min(value), self.high.max(value));
+        }
+    }
+
     /// Converts the axis of a length, or of its rate, to another unit. Returns the factor for its
     /// values, 1 for other quantities.
     fn convert(&mut self, unit: &str, other: &str, scale: f64) -> f64 {
@@ -456,9 +442,7 @@ fn line(curves: &Curves, index: usize) -> PlotCurve {
             .filter(|piece| !piece.is_empty())
             .collect(),
         turns: turns.filter(|turn| turn.at.is_finite()).collect(),
-        is_dotted: false,
-        link: None,
-        band: None,
+        ..PlotCurve::default()
     }
 }
 

@@ -43,10 +43,7 @@ impl CheckedScene<'_> {
         if self.scene.motion.is_some() {
             return words().driver_opens_at(&driven, &start);
         }
-        let unit = match driver.input {
-            Input::Turn(_) => "rad",
-            Input::Push(_) => self.length,
-        };
+        let unit = self.scene.input_rate_unit(driver.input);
         // Rates converted from rpm or deg/s may have meaningless digits.
         let [speed, acceleration] = [driver.speed, driver.acceleration].map(|v| concise(v, DIGITS));
         words().driver_opens(
@@ -91,7 +88,7 @@ impl CheckedScene<'_> {
         let place = |knot: Option<&[f64; 2]>| concise(knot.map_or(0.0, |k| k[0]), usize::MAX);
         let ends = [place(knots.first()), place(knots.last())];
         let ends = ends.each_ref().map(String::as_str);
-        let driven = with_kind(timed.input, own_name(self.scene, timed.input));
+        let driven = with_kind(timed.input, self.scene.input_name(timed.input));
         let mut text = words().input_follows_table(&driven, knots.len(), ends, &self.unit);
         if let Some(period) = table.period() {
             text += &words().table_repeats(&concise(period, usize::MAX));
@@ -105,7 +102,7 @@ impl CheckedScene<'_> {
     fn ratio_text(&self, input: Input, ratio: f64, phase: f64) -> String {
         let is_held = ratio == 0.0;
         let [ratio, phase] = [ratio, phase].map(|v| concise(v, usize::MAX));
-        let own = coordinate_unit(input, self.length);
+        let own = self.scene.input_unit(input);
         let ratio = match own == self.unit {
             true => ratio,
             false => format!("{ratio} {own}/{}", self.unit),
@@ -127,8 +124,8 @@ impl CheckedScene<'_> {
             format!("[{at}, {value}]")
         });
         let knots: Vec<String> = knots.collect();
-        let units = [&*self.unit, coordinate_unit(timed.input, self.length)];
-        let driven = with_kind(timed.input, own_name(self.scene, timed.input));
+        let units = [&*self.unit, self.scene.input_unit(timed.input)];
+        let driven = with_kind(timed.input, self.scene.input_name(timed.input));
         words().input_given_by_table(&driven, &knots.join(", "), units, table.period().is_some())
     }
 }
@@ -146,26 +143,11 @@ fn input_json(scene: &Scene, input: Input) -> Value {
         Input::Turn(_) => "link",
         Input::Push(_) => "slide",
     };
-    let mut value = json!({"kind": kind, "name": own_name(scene, input)});
+    let mut value = json!({"kind": kind, "name": scene.input_name(input)});
     if let Some(from) = scene.seat_name(input) {
         value["from"] = json!(from);
     }
     value
-}
-
-fn own_name(scene: &Scene, input: Input) -> &str {
-    match input {
-        Input::Turn(link) => scene.link_name(link),
-        Input::Push(slide) => scene.slide_name(slide),
-    }
-}
-
-/// Returns the unit of an input's coordinate; `length` is the unit of length.
-fn coordinate_unit(input: Input, length: &str) -> &str {
-    match input {
-        Input::Turn(_) => "deg",
-        Input::Push(_) => length,
-    }
 }
 
 /// Returns the name with a word for the kind.

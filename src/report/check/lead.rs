@@ -67,10 +67,7 @@ impl CheckedScene<'_> {
         for (&input, range) in inputs.iter().zip(&reach.ranges) {
             if range[0] <= range[1] {
                 let [low, high] = range.map(|end| concise(end, PLACES));
-                let unit = match input {
-                    Input::Turn(_) => "deg",
-                    Input::Push(_) => self.length,
-                };
+                let unit = self.scene.input_unit(input);
                 let name = self.scene.driven_name(input);
                 lines.push(words().following_input_covers(&name, &low, &high, unit));
             }

@@ -2,6 +2,7 @@
 
 use super::ReportedState;
 use crate::page::{Cell, Page, Row, Table};
+use crate::report::tables::index;
 use crate::report::working::{LoopVectors, VectorFigure};
 use crate::solver::Order;
 use crate::study::AnswerKey;
@@ -70,18 +71,17 @@ impl ReportedState<'_> {
         let headers = of.vectors.iter().map(|vector| vector.name.as_str());
         let mut table = Table::new(title, headers);
         let unit = self.scene.unit.symbol();
-        let (number, names) = match order {
-            Order::Position => (0, [format!("r [{unit}]"), "θ [deg]".into()]),
-            Order::Velocity => (1, [format!("dr/dt [{unit}/s]"), "ω [rad/s]".into()]),
-            Order::Acceleration | Order::Force => {
-                (2, [format!("d2r/dt2 [{unit}/s^2]"), "α [rad/s^2]".into()])
-            }
-        };
-        for (row, name) in names.into_iter().enumerate() {
+        let number = index(order);
+        let names = [
+            [format!("r [{unit}]"), "θ [deg]".into()],
+            [format!("dr/dt [{unit}/s]"), "ω [rad/s]".into()],
+            [format!("d2r/dt2 [{unit}/s^2]"), "α [rad/s^2]".into()],
+        ];
+        for (row, name) in names[number].iter().enumerate() {
             let figures = of.vectors.iter().map(|vector| &vector.figures[number][row]);
             table.rows.push(Row::Figures {
                 mark: String::new(),
-                name,
+                name: name.clone(),
                 more: None,
                 cells: figures.map(|f| Some(write(f))).collect(),
             });

@@ -194,20 +194,13 @@ impl Forces {
 
     /// Returns the word for the driver's effort.
     fn effort(&self) -> &'static str {
-        match self.drive.aspect {
-            Aspect::Force => words().force(),
-            _ => words().torque(),
-        }
+        effort_word(self.drive.aspect)
     }
 
     /// Returns every value with its name and unit, in the order of the catalogue.
     pub(crate) fn figures(&self) -> Vec<(String, &'static str, Entry)> {
         let Forces { drive, frame, .. } = self;
-        let effort = drive.aspect.name();
-        let unit = match drive.aspect {
-            Aspect::Force => "N",
-            _ => "N m",
-        };
+        let (effort, unit) = (drive.aspect.name(), effort_unit(drive.aspect));
         let mut all = vec![
             (format!("driver.{effort}"), unit, drive.total),
             ("driver.power".to_owned(), "W", drive.power),
@@ -257,6 +250,13 @@ pub(crate) fn effort_word(effort: Aspect) -> &'static str {
 }
 
 /// The parts of the driver's effort, and the residual of the checks, as named in columns.
+pub(in crate::report) fn effort_unit(effort: Aspect) -> &'static str {
+    match effort {
+        Aspect::Torque => "N m",
+        _ => "N",
+    }
+}
+
 pub(in crate::report) const PARTS: [&str; 3] = ["load", "gravity", "inertia"];
 const RESIDUAL: &str = "residual";
 
@@ -294,14 +294,12 @@ fn plane(subject: Subject, reading: &ProvedState<'_>) -> Option<PlaneVector> {
 }
 
 fn drive(scene: &Scene, reading: &ProvedState<'_>) -> Drive {
-    let (name, aspect) = match scene.mechanism.driver().input {
-        crate::Input::Turn(link) => (scene.link_name(link), Aspect::Torque),
-        crate::Input::Push(slide) => (scene.slide_name(slide), Aspect::Force),
-    };
+    let input = scene.mechanism.driver().input;
+    let aspect = Aspect::effort_of(input);
     let share = |share, aspect| found(Subject::Drive(share), aspect, reading);
     let parts = [Share::Load, Share::Gravity, Share::Inertia];
     Drive {
-        name: name.to_owned(),
+        name: scene.input_name(input).to_owned(),
         aspect,
         total: share(Share::Total, aspect),
         parts: parts.map(|part| share(part, aspect)),
@@ -315,26 +313,19 @@ fn efforts(scene: &Scene, reading: &ProvedState<'_>) -> Vec<(String, Aspect, Ent
     let mechanism = &scene.mechanism;
     let several = mechanism.inputs().filter(|_| !mechanism.timed().is_empty());
     let own = several.map(|input| {
-        let (name, aspect, subject) = match input {
-            crate::Input::Turn(link) => {
-                (scene.link_name(link), Aspect::Torque, Subject::Link(link))
-            }
-            crate::Input::Push(slide) => (
-                scene.slide_name(slide),
-                Aspect::Force,
-                Subject::Slide(slide),
-            ),
+        let aspect = Aspect::effort_of(input);
+        let subject = match input {
+            crate::Input::Turn(link) => Subject::Link(link),
+            crate::Input::Push(slide) => Subject::Slide(slide),
         };
-        (name.to_owned(), aspect, found(subject, aspect, reading))
+        let effort = found(subject, aspect, reading);
+        (scene.input_name(input).to_owned(), aspect, effort)
     });
     own.collect()
 }
 
 fn checks(scene: &Scene, reading: &ProvedState<'_>) -> Checks {
-    let aspect = match scene.mechanism.driver().input {
-        crate::Input::Turn(_) => Aspect::Torque,
-        crate::Input::Push(_) => Aspect::Force,
-    };
+    let aspect = Aspect::effort_of(scene.mechanism.driver().input);
     let frame = [Aspect::Fx, Aspect::Fy, Aspect::Moment];
     Checks {
         drive: found(Subject::Drive(Share::Residual), aspect, reading),

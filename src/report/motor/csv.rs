@@ -2,7 +2,7 @@
 //! time.
 
 use crate::quantity::state_word;
-use crate::report::motor::PARTS;
+use crate::report::forces::PARTS;
 use crate::report::text::csv_dialect::cell;
 use crate::study::motor::Step;
 

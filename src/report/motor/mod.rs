@@ -5,7 +5,8 @@ pub(in crate::report) mod csv;
 pub(in crate::report) mod over_time;
 pub(in crate::report) mod page;
 
-use crate::quantity::Catalogue;
+use crate::quantity::{Aspect, Catalogue};
+use crate::report::forces::{PARTS, effort_unit};
 use crate::report::motor::csv::{step_cells, step_heads};
 use crate::report::text::csv_dialect::{CsvDialect, CsvSheet, cell};
 use crate::scene::{Motor, Scene};
@@ -16,7 +17,7 @@ use crate::study::motor::{
     flywheel_for, rams,
 };
 use crate::wording::words;
-use crate::{Input, Load, SlideId, StrokeEnd};
+use crate::{Load, SlideId, StrokeEnd};
 use serde_json::{Value, json};
 use std::io;
 
@@ -51,6 +52,7 @@ pub struct MotorReport {
     /// The driven link or slide.
     pub(in crate::report) driver: String,
     pub(in crate::report) is_rotary: bool,
+    pub(in crate::report) effort: Aspect,
     /// The given speed: rad/s, or the unit of length per s.
     pub(in crate::report) speed: f64,
     columns: [String; 2],
@@ -80,9 +82,6 @@ const MAX_STEPS: u32 = 36_000;
 /// Values below this fraction of their terms are rounding errors.
 pub(in crate::report) const NOTHING: f64 = 1e-11;
 
-/// The parts of the driver's effort, as named in columns.
-pub(in crate::report) const PARTS: [&str; 3] = ["load", "gravity", "inertia"];
-
 impl MotorReport {
     /// Studies the motor of a scene.
     #[must_use]
@@ -91,15 +90,8 @@ impl MotorReport {
         let duty = Duty::new(mechanism, solver, preferences.between);
         let catalogue = Catalogue::new(scene);
         let coordinate = catalogue.driver();
-        let (driver, is_rotary) = match mechanism.driver().input {
-            Input::Turn(link) => (scene.link_name(link), true),
-            Input::Push(slide) => (scene.slide_name(slide), false),
-        };
-        let effort = if is_rotary {
-            "driver.torque"
-        } else {
-            "driver.force"
-        };
+        let driver = mechanism.driver();
+        let effort = Aspect::effort_of(driver.input);
         MotorReport {
             fit: duty
                 .as_ref()
@@ -111,16 +103,17 @@ impl MotorReport {
             scene: scene.name.clone(),
             unit: scene.unit.symbol(),
             driver_unit: coordinate.unit.clone(),
-            driver: driver.to_owned(),
-            is_rotary,
-            speed: mechanism.driver().speed,
-            columns: [coordinate.header(), effort.to_owned()],
+            driver: scene.input_name(driver.input).to_owned(),
+            is_rotary: driver.turns(),
+            speed: driver.speed,
+            columns: [coordinate.header(), format!("driver.{}", effort.name())],
+            effort,
         }
     }
 
     /// Returns the unit of the driver's effort.
     pub(in crate::report) fn effort_unit(&self) -> &'static str {
-        if self.is_rotary { "N m" } else { "N" }
+        effort_unit(self.effort)
     }
 
     /// Returns the column name and the unit of the driver's effort.
@@ -217,7 +210,7 @@ impl MotorReport {
                 "speed": self.speed,
             },
             "cycle": duty.map(cycle_json),
-            (self.effort_word()): duty.map(|duty| self.effects_json(duty)),
+            (self.effort.name()): duty.map(|duty| self.effects_json(duty)),
             "evenness": self.evenness_json(),
             "frame": duty.map(|duty| shaking_json(&duty.cycle.shaking)),
             "motor": duty.map(|_| self.fit_json()),
@@ -287,7 +280,7 @@ impl MotorReport {
             let both = passings.as_ref();
             json!({
                 "height": height,
-                (self.effort_word()): report.torque,
+                (self.effort.name()): report.torque,
                 "closing": both.map(|p| passing(&p[0])),
                 "opening": both.map(|p| passing(&p[1])),
             })

@@ -1,12 +1,12 @@
 //! Reports the motor over the period of a motion over time, as text and as data.
 
-use crate::Input;
 use crate::page::{Content, Facts, Page, TextStyle};
-use crate::quantity::{Catalogue, Clock};
+use crate::quantity::{Aspect, Catalogue, Clock};
 use crate::report::check::describe_out_of_range;
 use crate::report::cycle::page::indented;
+use crate::report::forces::{PARTS, effort_unit, effort_word};
+use crate::report::motor::NOTHING;
 use crate::report::motor::csv::{step_cells, step_heads};
-use crate::report::motor::{NOTHING, PARTS};
 use crate::report::text::csv_dialect::{CsvDialect, CsvSheet, cell};
 use crate::report::text::number::{concise, significant};
 use crate::scene::{Motor, Scene};
@@ -27,7 +27,7 @@ pub struct TimedMotorReport {
     scene: String,
     duty: TimedDuty,
     fit: MotorFit,
-    is_rotary: bool,
+    effort: Aspect,
     /// The header of the driver's coordinate.
     coordinate: String,
     /// The units of the driver's coordinate and of lengths.
@@ -41,11 +41,13 @@ impl TimedMotorReport {
         TimedMotorReport {
             scene: scene.name.clone(),
             fit: duty.fit(motor),
-            is_rotary: matches!(scene.mechanism.driver().input, Input::Turn(_)),
+            effort: Aspect::effort_of(scene.mechanism.driver().input),
             coordinate: Catalogue::new(scene).driver().header(),
             units: [
                 Catalogue::new(scene).driver().unit.clone(),
-                scene.unit.symbol().to_owned(),
+                scene
+                    .input_rate_unit(scene.mechanism.driver().input)
+                    .to_owned(),
             ],
             duty,
         }
@@ -76,10 +78,7 @@ impl TimedMotorReport {
         let (duty, mut page) = (&self.duty, Page::aligned());
         page.title(&words().translated_scene_text(&self.scene));
         page.text_below(words().over_a_period(&concise(duty.period, DIGITS)));
-        let effort = match self.is_rotary {
-            true => words().torque(),
-            false => words().force(),
-        };
+        let effort = effort_word(self.effort);
         let [unit, speed] = self.effort_and_speed();
         self.add_part(&mut page, format!("{effort} [{unit}]"), |facts| {
             self.add_peaks(facts, duty.torque);
@@ -115,10 +114,10 @@ impl TimedMotorReport {
 
     /// Returns the units of the effort and of the speed.
     fn effort_and_speed(&self) -> [String; 2] {
-        match self.is_rotary {
-            true => ["N m".to_owned(), "rad/s".to_owned()],
-            false => ["N".to_owned(), format!("{}/s", self.units[1])],
-        }
+        [
+            effort_unit(self.effort).to_owned(),
+            format!("{}/s", self.units[1]),
+        ]
     }
 
     fn add_part(&self, page: &mut Page, heading: String, tell: impl FnOnce(&mut Facts)) {
@@ -171,20 +170,17 @@ impl TimedMotorReport {
     ) -> io::Result<()> {
         let mut csv = CsvSheet::new(dialect, out);
         let [unit, speed] = self.effort_and_speed();
-        let effort = match self.is_rotary {
-            true => "driver.torque",
-            false => "driver.force",
-        };
+        let effort = format!("driver.{}", self.effort.name());
         let mut header = vec![
             "time [s]".to_owned(),
             self.coordinate.clone(),
             format!("driver.speed [{speed}]"),
         ];
-        header.extend(step_heads(effort, &unit));
+        header.extend(step_heads(&effort, &unit));
         csv.record(&header)?;
-        let scale = |rate: f64| match self.is_rotary {
-            true => rate.to_radians(),
-            false => rate,
+        let scale = |rate: f64| match self.effort {
+            Aspect::Torque => rate.to_radians(),
+            _ => rate,
         };
         for instant in self.duty.instants(clock, solver, STEPS) {
             let mut row = vec![cell(Some(instant.time)), cell(Some(instant.moment.at))];
@@ -222,7 +218,6 @@ impl TimedMotorReport {
     pub fn to_json(&self) -> Value {
         let duty = &self.duty;
         let peak = |peak: TimedPeak| json!({"value": peak.value, "time": peak.time, "at": peak.at});
-        let effort = if self.is_rotary { "torque" } else { "force" };
         let [unit, speed] = self.effort_and_speed();
         let mut all = json!({
             "unit": unit,
@@ -242,7 +237,7 @@ impl TimedMotorReport {
         json!({
             "scene": self.scene,
             "period": duty.period,
-            (effort): all,
+            (self.effort.name()): all,
             "power": {
                 "largest": peak(duty.power[0]),
                 "least": peak(duty.power[1]),

@@ -56,10 +56,7 @@ impl PathColumn {
             None => {
                 let input = input_of_header(scene, name)?;
                 let index = mechanism.inputs().position(|other| other == input);
-                let own = match input {
-                    Input::Turn(_) => "deg",
-                    Input::Push(_) => scene.unit.symbol(),
-                };
+                let own = scene.input_unit(input);
                 (PathColumn::Input(index.unwrap_or_default()), own)
             }
         };

@@ -4,45 +4,12 @@ use crate::quantity::{Aspect, state_word};
 use crate::report::forces::Forces;
 use crate::report::tables::answers::Answers;
 use crate::report::tables::entry::Entry;
-use crate::report::tables::page::{TableStyle, index};
-use crate::report::tables::{ORDERS, PointRow, Tables, VectorColumn};
+use crate::report::tables::page::TableStyle;
+use crate::report::tables::{ORDERS, PointRow, Tables, VectorColumn, point_aspects, point_entries};
 use crate::report::text::csv_dialect::{CsvDialect, CsvSheet, cell};
-use crate::solver::{Condition, Order};
+use crate::solver::Condition;
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
-
-/// Returns the names and aspects of a point's values: both components, magnitude and direction.
-fn point_aspects(order: Order) -> [(&'static str, Aspect); 4] {
-    match order {
-        Order::Position => [
-            ("x", Aspect::X),
-            ("y", Aspect::Y),
-            ("r", Aspect::X),
-            ("r.angle", Aspect::Angle),
-        ],
-        Order::Velocity => [
-            ("vx", Aspect::Vx),
-            ("vy", Aspect::Vy),
-            ("v", Aspect::Vx),
-            ("v.angle", Aspect::Angle),
-        ],
-        Order::Acceleration | Order::Force => [
-            ("ax", Aspect::Ax),
-            ("ay", Aspect::Ay),
-            ("a", Aspect::Ax),
-            ("a.angle", Aspect::Angle),
-        ],
-    }
-}
-
-fn point_entries(point: &PointRow, order: Order) -> [Entry; 4] {
-    let plane = point.motion[index(order)];
-    let none = Entry {
-        given: point.fixed,
-        ..Entry::NONE
-    };
-    plane.map_or([none; 4], |plane| plane.entries(point.fixed))
-}
 
 /// Returns a vector's values in the order of the catalogue's columns.
 fn vector_figures(vector: &VectorColumn) -> impl Iterator<Item = (Aspect, Entry)> {
@@ -106,13 +73,7 @@ impl Tables {
     /// with bounds if requested; a missing value is `null`.
     #[must_use]
     pub fn to_json(&self, style: TableStyle) -> Value {
-        let mut object = Map::new();
-        object.insert("scene".into(), self.scene.as_str().into());
-        if style.units {
-            object.insert("units".into(), self.units());
-        }
-        object.insert("driver".into(), self.driver_json());
-        object.insert("state".into(), state_word(self.condition).into());
+        let mut object = self.head_json(style.units.then(|| self.units()));
         let vectors = self.vectors.iter().map(|v| vector_json(v, style.bounds));
         object.insert("vectors".into(), vectors.collect());
         let points = self.points.iter().map(|p| point_json(p, style.bounds));
@@ -126,8 +87,21 @@ impl Tables {
         Value::Object(object)
     }
 
+    /// Returns the members that precede the values: the scene, the units if requested, the driver
+    /// and the state.
+    pub(in crate::report) fn head_json(&self, units: Option<Value>) -> Map<String, Value> {
+        let mut object = Map::new();
+        object.insert("scene".into(), self.scene.as_str().into());
+        if let Some(units) = units {
+            object.insert("units".into(), units);
+        }
+        object.insert("driver".into(), self.driver_json());
+        object.insert("state".into(), state_word(self.condition).into());
+        object
+    }
+
     /// Returns the driven element, and its coordinate with both rates.
-    pub(in crate::report) fn driver_json(&self) -> Value {
+    fn driver_json(&self) -> Value {
         let mut driver = Map::new();
         driver.insert("name".into(), self.driver.name.as_str().into());
         if let Some(from) = &self.driver.from {

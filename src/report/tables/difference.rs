@@ -2,7 +2,9 @@
 
 use crate::Vec2;
 use crate::angle::TURN;
-use crate::report::tables::entry::{Entry, PlaneVector, display_bound, display_value};
+use crate::report::tables::entry::{
+    Entry, PlaneVector, ROUND_UP_FACTOR, display_bound, display_value,
+};
 use crate::report::tables::{PointRow, Tables, VectorColumn};
 use std::collections::{HashMap, HashSet};
 
@@ -170,9 +172,6 @@ fn turned(a: Entry, b: Entry) -> Entry {
     let bound = bound.map(|(a, b)| (a + b + 2.0 * f64::EPSILON * TURN) * ROUND_UP_FACTOR);
     entry(distance, bound, a.given && b.given)
 }
-
-/// Factor above the rounding errors of a computed bound.
-const ROUND_UP_FACTOR: f64 = 1.0 + 8.0 * f64::EPSILON;
 
 fn entry(value: f64, bound: Option<f64>, given: bool) -> Entry {
     Entry {

@@ -3,7 +3,7 @@
 
 use crate::Ball;
 use crate::page::{Page, Setting, Table, TextStyle};
-use crate::quantity::{Quantity, state_word};
+use crate::quantity::Quantity;
 use crate::report::tables::data::{ValueSheet, insert};
 use crate::report::tables::entry::Entry;
 use crate::report::tables::page::{TableStyle, TablesWriter, shown, shown_bound};
@@ -131,25 +131,13 @@ impl<'a> FigureList<'a> {
     /// by name as in a row of a sweep; a missing value is `null`.
     #[must_use]
     pub fn to_json(&self, style: TableStyle) -> Value {
-        let mut object = Map::new();
-        object.insert("scene".into(), self.tables.scene.as_str().into());
-        if style.units {
-            let units = self
-                .quantities()
-                .map(|q| (q.name.clone(), q.unit.clone().into()));
-            object.insert("units".into(), Value::Object(units.collect()));
-        }
-        object.insert("driver".into(), self.tables.driver_json());
-        let state = state_word(self.tables.condition);
-        object.insert("state".into(), state.into());
+        let units = self.quantities();
+        let units = units.map(|q| (q.name.clone(), q.unit.clone().into()));
+        let units = style.units.then(|| Value::Object(units.collect()));
+        let mut object = self.tables.head_json(units);
         let mut figures = Map::new();
-        for figure in &self.figures {
-            insert(
-                &mut figures,
-                &figure.quantity.name,
-                &figure.entry,
-                style.bounds,
-            );
+        for ListedFigure { quantity, entry } in &self.figures {
+            insert(&mut figures, &quantity.name, entry, style.bounds);
         }
         object.insert("figures".into(), figures.into());
         if let Some(answers) = &self.tables.answers {

@@ -195,16 +195,11 @@ impl ProvedState<'_> {
 }
 
 fn driver_line(scene: &Scene, state: &State) -> DriverLine {
-    let (name, is_rotary) = match scene.mechanism.driver().input {
-        Input::Turn(link) => (scene.link_name(link), true),
-        Input::Push(slide) => (scene.slide_name(slide), false),
-    };
+    let driver = scene.mechanism.driver();
     DriverLine {
-        name: name.to_owned(),
-        from: scene
-            .seat_name(scene.mechanism.driver().input)
-            .map(str::to_owned),
-        is_rotary,
+        name: scene.input_name(driver.input).to_owned(),
+        from: scene.seat_name(driver.input).map(str::to_owned),
+        is_rotary: driver.turns(),
         values: [
             state.at(),
             state.driver_speed(),
@@ -224,12 +219,34 @@ fn point_rows(scene: &Scene, reading: &ProvedState<'_>) -> Vec<PointRow> {
         .collect()
 }
 
-fn plane(point: PointId, order: Order, reading: &ProvedState<'_>) -> Option<PlaneVector> {
-    let (x, y) = match order {
-        Order::Position => (Aspect::X, Aspect::Y),
-        Order::Velocity => (Aspect::Vx, Aspect::Vy),
-        Order::Acceleration | Order::Force => (Aspect::Ax, Aspect::Ay),
+/// Returns the names and aspects of a point's values: both components, magnitude and direction.
+pub(in crate::report) fn point_aspects(order: Order) -> [(&'static str, Aspect); 4] {
+    use Aspect::{Angle, Ax, Ay, Vx, Vy, X, Y};
+    let all = [
+        [("x", X), ("y", Y), ("r", X), ("r.angle", Angle)],
+        [("vx", Vx), ("vy", Vy), ("v", Vx), ("v.angle", Angle)],
+        [("ax", Ax), ("ay", Ay), ("a", Ax), ("a.angle", Angle)],
+    ];
+    all[index(order)]
+}
+
+/// Returns the entries of a point's values.
+pub(in crate::report) fn point_entries(point: &PointRow, order: Order) -> [Entry; 4] {
+    let none = Entry {
+        given: point.fixed,
+        ..Entry::NONE
     };
+    let plane = point.motion[index(order)];
+    plane.map_or([none; 4], |plane| plane.entries(point.fixed))
+}
+
+/// Returns the number of differentiations; forces belong to accelerations.
+pub(in crate::report) fn index(order: Order) -> usize {
+    (order as usize).min(Order::Acceleration as usize)
+}
+
+fn plane(point: PointId, order: Order, reading: &ProvedState<'_>) -> Option<PlaneVector> {
+    let [(_, x), (_, y), ..] = point_aspects(order);
     let subject = Subject::Point(point);
     let component = |aspect| value(subject, aspect, reading.state);
     let components = Vec2::new(component(x)?, component(y)?);

@@ -3,7 +3,7 @@
 use crate::page::{Page, Setting, Table, TextStyle};
 use crate::quantity::{Aspect, state_word};
 use crate::report::tables::entry::Entry;
-use crate::report::tables::{ORDERS, Tables, VectorColumn};
+use crate::report::tables::{ORDERS, Tables, index, point_aspects, point_entries};
 use crate::report::text::number::{concise, direction, perpendicular_up, significant};
 use crate::scene::from_seat;
 use crate::solver::Order;
@@ -74,13 +74,17 @@ pub(in crate::report) fn set(names: usize, columns: usize) -> Setting {
 pub(in crate::report) const BOUND: &str = "  +-";
 const BOUND_DIGITS: usize = 2;
 
+/// The names of a vector's length and direction, and of their rates.
+const VECTOR_NAMES: [[&str; 2]; 3] = [["r", "theta"], ["dr/dt", "omega"], ["d2r/dt2", "alpha"]];
+
 /// Returns the title of a table.
 fn title(order: Order) -> &'static str {
-    match order {
-        Order::Position => words().position(),
-        Order::Velocity => words().velocity(),
-        Order::Acceleration | Order::Force => words().acceleration(),
-    }
+    let titles = [
+        words().position(),
+        words().velocity(),
+        words().acceleration(),
+    ];
+    titles[index(order)]
 }
 
 pub(in crate::report) struct TablesWriter<'a> {
@@ -129,34 +133,24 @@ impl TablesWriter<'_> {
     }
 
     fn vector_table(&self, order: Order) -> Table {
-        let [length, turning] = match order {
-            Order::Position => [("r", Aspect::Length), ("theta", Aspect::Angle)],
-            Order::Velocity => [("dr/dt", Aspect::Rate), ("omega", Aspect::Omega)],
-            Order::Acceleration | Order::Force => {
-                [("d2r/dt2", Aspect::Accel), ("alpha", Aspect::Alpha)]
-            }
-        };
+        let order_index = index(order);
         let vectors = &self.tables.vectors;
         // Sign, point and star besides the digits.
         let names = vectors.iter().map(|v| format!("{} ", v.name));
         let setting = set(VECTOR_LABELS, self.style.digits + 3);
         let mut table = Table::new(title(order), names).set(setting);
-        let mut row = |label: String, cell: &dyn Fn(&VectorColumn) -> String| {
-            table.row(label, vectors.iter().map(cell));
-        };
-        let lengths = |v: &VectorColumn| v.length.map_or(Entry::NONE, |l| l[index(order)]);
-        let turnings = |v: &VectorColumn| v.direction[index(order)];
-        row(self.label(length.0, length.1), &|v| {
-            self.entry(lengths(v), length.1)
+        let entries = vectors.iter().map(|v| {
+            let length = v.length.map_or(Entry::NONE, |length| length[order_index]);
+            [length, v.direction[order_index]]
         });
-        if self.style.bounds {
-            row(BOUND.into(), &|v| shown_bound(lengths(v)) + " ");
-        }
-        row(self.label(turning.0, turning.1), &|v| {
-            self.entry(turnings(v), turning.1)
-        });
-        if self.style.bounds {
-            row(BOUND.into(), &|v| shown_bound(turnings(v)) + " ");
+        let entries: Vec<[Entry; 2]> = entries.collect();
+        let aspects = [Aspect::STRETCHING, Aspect::TURNING].map(|all| all[order_index]);
+        for (row, aspect) in aspects.into_iter().enumerate() {
+            let label = self.label(VECTOR_NAMES[order_index][row], aspect);
+            table.row(label, entries.iter().map(|e| self.entry(e[row], aspect)));
+            if self.style.bounds {
+                table.row(BOUND, entries.iter().map(|e| shown_bound(e[row]) + " "));
+            }
         }
         table
     }
@@ -188,21 +182,15 @@ impl TablesWriter<'_> {
     }
 
     fn point_table(&self, order: Order) -> Table {
-        let (names, aspect) = match order {
-            Order::Position => (["x", "y", "r"], Aspect::X),
-            Order::Velocity => (["vx", "vy", "v"], Aspect::Vx),
-            Order::Acceleration | Order::Force => (["ax", "ay", "a"], Aspect::Ax),
-        };
-        let headers = names.map(|name| self.label(name, aspect));
+        let [x, y, magnitude, direction] = point_aspects(order);
+        let headers = [x, y, magnitude].map(|(name, aspect)| self.label(name, aspect));
         let headers = headers.into_iter().chain([self.direction()]);
         let setting = set(point_labels(), self.style.digits + 2);
         let mut table = Table::new(words().of_points(title(order)), headers).set(setting);
         for point in &self.tables.points {
-            let plane = point.motion[index(order)];
-            let entries = plane.map_or([Entry::NONE; 4], |plane| plane.entries(point.fixed));
-            let aspects = [aspect, aspect, aspect, Aspect::Angle];
-            let cells = entries.into_iter().zip(aspects);
-            let cells = cells.map(|(entry, aspect)| self.figure(entry, aspect));
+            let entries = point_entries(point, order);
+            let cells = entries.into_iter().zip([x, y, magnitude, direction]);
+            let cells = cells.map(|(entry, (_, aspect))| self.figure(entry, aspect));
             table.row(point.name.as_str(), cells);
             if self.style.bounds {
                 table.row(BOUND, entries.map(shown_bound));
@@ -227,14 +215,5 @@ pub(in crate::report) fn shown_bound(entry: Entry) -> String {
         (None, _) => String::new(),
         (Some(_), None) => "?".into(),
         (Some(_), Some(bound)) => perpendicular_up(bound, BOUND_DIGITS),
-    }
-}
-
-/// Returns the index of an order in the entries.
-pub(in crate::report) fn index(order: Order) -> usize {
-    match order {
-        Order::Position => 0,
-        Order::Velocity => 1,
-        Order::Acceleration | Order::Force => 2,
     }
 }

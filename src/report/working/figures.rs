@@ -1,8 +1,8 @@
 //! Formats values in formulas.
 
 use super::expression::Expression;
-use super::symbols::index;
 use crate::page::Formula;
+use crate::report::tables::index;
 use crate::report::text::number::{concise, direction, significant};
 use crate::solver::Order;
 use crate::study::UnknownKind;

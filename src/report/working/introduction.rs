@@ -89,10 +89,7 @@ fn inputs(context: &Context<'_>, draft: &mut Draft) {
                 };
                 let names = [derivative("d"), derivative("d²").with_sign('²')];
                 let rates = timed.rates(context.state.at(), driver);
-                let unit = |input| match input {
-                    Input::Turn(_) => "rad".to_owned(),
-                    Input::Push(_) => context.figures.length_unit(0),
-                };
+                let unit = |input| context.scene.input_rate_unit(input);
                 let [own, per] = [unit(timed.input), unit(driver)];
                 let units = match own == per {
                     true => [String::new(), format!("1/{per}")],

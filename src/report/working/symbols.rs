@@ -1,6 +1,7 @@
 //! The symbols in formulas: the lecture's theta3 for the angle of r3.
 
 use crate::page::{Formula, Symbol};
+use crate::report::tables::index;
 use crate::solver::Order;
 
 /// The notation of unit vectors.
@@ -57,11 +58,6 @@ pub(super) fn angle(name: &str, order: Order) -> Symbol {
 /// Returns the symbol of a length, or of its rate of an order.
 pub(super) fn length(name: &str, order: Order) -> Symbol {
     Symbol::named(name).derivative(index(order))
-}
-
-/// Returns the number of differentiations; forces belong to accelerations.
-pub(super) fn index(order: Order) -> usize {
-    (order as usize).min(Order::Acceleration as usize)
 }
 
 /// Returns the symbol of a point's value, or of its component: aB, aBt, but `a_r3.com`.

@@ -16,7 +16,7 @@ impl App {
                 self.shell.mode = Mode::Assemblies(Box::new(assemblies));
                 self.select_view(View::Motion);
             }
-            None => self.shell.set_message(words().no_other_assembly()),
+            None => self.set_message(words().no_other_assembly()),
         }
     }
 
@@ -34,8 +34,7 @@ impl App {
             return;
         }
         if !row.choice.closes {
-            self.shell
-                .set_message(words().rest_does_not_close(&request));
+            self.set_message(words().rest_does_not_close(&request));
             return;
         }
         match self.player.open_scene.switched(group, choice) {
@@ -46,14 +45,13 @@ impl App {
                 self.shell.mode = Mode::Normal;
                 self.player.rebase(now);
                 let is_shown = self.record_assembly(&request);
-                self.shell
-                    .set_message(match self.shell.keymap.key(Action::Save) {
-                        _ if !is_shown => words().assembly_now_untold(&request),
-                        Some(key) => words().assembly_now_saved_by(&request, &key),
-                        None => words().assembly_now(&request),
-                    });
+                self.set_message(match self.shell.keymap.key(Action::Save) {
+                    _ if !is_shown => words().assembly_now_untold(&request),
+                    Some(key) => words().assembly_now_saved_by(&request, &key),
+                    None => words().assembly_now(&request),
+                });
             }
-            Err(why) => self.shell.set_message(format!("{request}: {why}")),
+            Err(why) => self.set_message(format!("{request}: {why}")),
         }
     }
 }

@@ -30,7 +30,7 @@ impl App {
             if typed.trim().is_empty() {
                 self.shell.mode = Mode::Normal;
             } else {
-                self.shell.set_message(words().no_number_of("s", typed));
+                self.set_message(words().no_number_of("s", typed));
             }
             return;
         };
@@ -47,7 +47,7 @@ impl App {
                     words().out_of_reach(&first, &end, "s")
                 }
             };
-            self.shell.set_message(message);
+            self.set_message(message);
             return;
         }
         self.player.lead_to_time(time, now);
@@ -71,7 +71,7 @@ impl App {
             Some(led) if led.is_complete() => return,
             Some(led) => self.lead_end(led),
         };
-        self.shell.set_message(message);
+        self.set_message(message);
     }
 
     /// Says up to which time and place the inputs can follow the leading point.
@@ -91,7 +91,7 @@ impl App {
         if let Some((led, singularity)) = led.and_then(|led| Some((led, led.singularity()?))) {
             let text = singularity_text(open_scene.scene(), open_scene.solver(), singularity);
             let message = words().lead_is_singular(&led.text(led.time()), &text);
-            self.shell.set_message(message);
+            self.set_message(message);
         }
     }
 
@@ -104,7 +104,7 @@ impl App {
             Some(led) if !led.is_complete() && by > 0.0 => self.lead_end(led),
             _ => words().motion_ends().to_owned(),
         };
-        self.shell.set_message(message);
+        self.set_message(message);
     }
 
     /// Moves the driver to the typed coordinate, which has no name before it.
@@ -118,10 +118,9 @@ impl App {
             }
             None if typed.trim().is_empty() => self.shell.mode = Mode::Normal,
             None if with_point(typed).is_none() => {
-                self.shell
-                    .set_message(words().typed_two_marks(typed.trim()));
+                self.set_message(words().typed_two_marks(typed.trim()));
             }
-            None => self.shell.set_message(words().no_number_of(unit, typed)),
+            None => self.set_message(words().no_number_of(unit, typed)),
         }
     }
 
@@ -141,14 +140,14 @@ impl App {
                 words().out_of_reach(&low, &high, unit)
             }
         };
-        self.shell.set_message(message);
+        self.set_message(message);
         reached.is_ok()
     }
 
     /// Moves the driver by a step, as far as the motion permits.
     pub(super) fn step(&mut self, by: f64, now: Duration) {
         if !self.player.step(by, now) {
-            self.shell.set_message(words().motion_ends());
+            self.set_message(words().motion_ends());
         }
     }
 }

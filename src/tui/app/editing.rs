@@ -49,7 +49,7 @@ impl App {
                     self.shell.mode = Mode::Normal;
                 }
             }
-            Err(why) => self.shell.set_message(why.to_string()),
+            Err(why) => self.set_message(why.to_string()),
         }
     }
 
@@ -85,7 +85,7 @@ impl App {
             return;
         };
         let names = value.follows_from();
-        self.shell.set_message(match names.is_empty() {
+        self.set_message(match names.is_empty() {
             true => words().follows_from_formula(&value.name, formula),
             false => words().follows_from_parameters(&value.name, formula, &names.join(", ")),
         });
@@ -155,8 +155,7 @@ impl App {
                     .iter()
                     .map(|(value, text)| format!("{} {text}", value.name));
                 let shown_text: Vec<String> = shown_text.collect();
-                self.shell
-                    .set_message(format!("{}: {why}", shown_text.join(", ")));
+                self.set_message(format!("{}: {why}", shown_text.join(", ")));
                 false
             }
         }
@@ -224,10 +223,9 @@ impl App {
                 self.player.open_scene.unit(),
             );
             let at = coordinate(at, decimals);
-            self.shell
-                .set_message(words().no_longer_in_reach(&at, unit));
+            self.set_message(words().no_longer_in_reach(&at, unit));
         } else if edited.started {
-            self.shell.set_message(words().start_follows());
+            self.set_message(words().start_follows());
         }
         self.report_lead();
         self.keep();
@@ -259,7 +257,7 @@ impl App {
             } else {
                 words().nothing_to_redo()
             };
-            self.shell.set_message(nothing);
+            self.set_message(nothing);
             return;
         };
         let name = name.to_owned();
@@ -282,10 +280,10 @@ impl App {
                     .message
                     .take()
                     .map_or(String::new(), |m| format!("; {m}"));
-                self.shell.set_message(format!("{message}{more}"));
+                self.set_message(format!("{message}{more}"));
             }
             // Not expected: every text of the history was opened before.
-            Err(why) => self.shell.set_message(format!("{name}: {why}")),
+            Err(why) => self.set_message(format!("{name}: {why}")),
         }
     }
 }

@@ -28,7 +28,7 @@ impl App {
         }
         let request = match self.parse_goals(typed) {
             Ok(request) => request,
-            Err(why) => return self.shell.set_message(why),
+            Err(why) => return self.set_message(why),
         };
         let order = request.clone();
         let work = move |progress: &JobProgress| order.search(parallel::cores(), progress);
@@ -48,7 +48,7 @@ impl App {
             0 => {
                 let (why, line) = (run.not_met(), EditLine::for_goal(&run.request.typed));
                 self.shell.mode = Mode::Goal(line);
-                self.shell.set_message(why);
+                self.set_message(why);
             }
             1 => self.take_design(now),
             _ => {}
@@ -66,7 +66,7 @@ impl App {
         let names: Vec<&str> = texts.iter().map(|(value, _)| value.name.as_str()).collect();
         let action = Deed::Other(names.join(", "));
         if self.replace_values(texts, action, now) {
-            self.shell.set_message(text);
+            self.set_message(text);
         }
     }
 

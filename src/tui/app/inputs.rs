@@ -20,7 +20,7 @@ impl App {
         let held = held.map(|(input, _)| scene.input_name(input).to_owned());
         let held: Vec<String> = driver.into_iter().chain(held).collect();
         if held.is_empty() {
-            self.shell.set_message(words().no_held_inputs());
+            self.set_message(words().no_held_inputs());
             return;
         }
         let selected = self.player.input.as_ref();
@@ -33,7 +33,7 @@ impl App {
             && let Some(time) = self.player.open_scene.led_motion().map(LedMotion::time)
         {
             self.player.lead_to_time(time, self.now);
-            self.shell.set_message(words().keys_step_the_time());
+            self.set_message(words().keys_step_the_time());
             return;
         }
         self.select_input(next);
@@ -60,7 +60,7 @@ impl App {
             let scene = self.player.open_scene.scene();
             let driver = scene.input_name(scene.mechanism.driver().input);
             let message = words().keys_step_the_driver(driver);
-            self.shell.set_message(message);
+            self.set_message(message);
             return;
         };
         let scene = self.player.open_scene.scene();
@@ -71,7 +71,7 @@ impl App {
             Input::Push(_) => StepLadder::of_length(value.number.abs()),
         };
         self.player.input = Some(name);
-        self.shell.set_message(message);
+        self.set_message(message);
     }
 
     /// Returns the held inputs, each with the value of its coordinate: `at`, or the `phase` of a ratio of 0.
@@ -138,7 +138,7 @@ impl App {
                 let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic());
                 let names_an_input = is_name && !number.is_empty();
                 if names_an_input {
-                    self.shell.set_message(why);
+                    self.set_message(why);
                 }
                 return names_an_input;
             }
@@ -146,7 +146,7 @@ impl App {
         let is_driver = input == scene.mechanism.driver().input;
         let held = self.held_value(name);
         if held.is_none() && !is_driver {
-            self.shell.set_message(words().input_is_not_held(name));
+            self.set_message(words().input_is_not_held(name));
             return true;
         }
         if number.trim().is_empty() {
@@ -167,7 +167,7 @@ impl App {
                     self.shell.mode = Mode::Normal;
                 }
             }
-            Err(why) => self.shell.set_message(why.to_string()),
+            Err(why) => self.set_message(why.to_string()),
         }
         true
     }
@@ -189,10 +189,7 @@ impl App {
         let at = scene
             .mechanism
             .input_coordinate(input, self.player.open_scene.at())?;
-        let unit = match input {
-            Input::Turn(_) => "deg",
-            Input::Push(_) => scene.unit.symbol(),
-        };
+        let unit = scene.input_unit(input);
         Some(format!("{name} {at} {unit}"))
     }
 }

@@ -10,9 +10,10 @@ impl App {
     pub(super) fn move_viewport(&mut self, action: MotionAction) {
         use MotionAction as M;
         match action {
-            M::Names => self
-                .shell
-                .set_message(self.views.viewport.next_names().text()),
+            M::Names => {
+                let names = self.views.viewport.next_names();
+                self.set_message(names.text());
+            }
             M::Velocities => self.switch(Layer::Velocities, words().arrows_of_velocity()),
             M::Accelerations => self.switch(Layer::Accelerations, words().arrows_of_acceleration()),
             M::Forces => self.switch_forces(),
@@ -25,11 +26,9 @@ impl App {
             M::Fit => self.shell.set_message(self.views.viewport.fit()),
             M::FitPose => self.shell.set_message(self.views.viewport.fit_pose()),
             M::Follow => {
-                let text = self
-                    .views
-                    .viewport
-                    .follow(&self.player.open_scene, &self.views.followed);
-                self.shell.set_message(text);
+                let (viewport, followed) = (&mut self.views.viewport, &self.views.followed);
+                let text = viewport.follow(&self.player.open_scene, followed);
+                self.set_message(text);
             }
             M::PanLeft => self.pan(-1.0, 0.0),
             M::PanDown => self.pan(0.0, -1.0),
@@ -39,16 +38,12 @@ impl App {
     }
 
     fn switch(&mut self, layer: Layer, name: &str) {
-        self.shell.set_message(
-            match self
-                .views
-                .viewport
-                .toggle(self.player.open_scene.scene(), layer)
-            {
-                true => words().switched_on(name),
-                false => words().switched_off(name),
-            },
-        );
+        let scene = self.player.open_scene.scene();
+        let text = match self.views.viewport.toggle(scene, layer) {
+            true => words().switched_on(name),
+            false => words().switched_off(name),
+        };
+        self.set_message(text);
     }
 
     /// Shows or hides the force arrows. Forces are computed only while shown; reports if no loads
@@ -57,44 +52,31 @@ impl App {
         let acts = self.player.open_scene.solver().has_forces();
         self.switch(Layer::Forces, words().loads_and_forces());
         if self.views.viewport.shows_forces() && !acts {
-            self.shell.set_message(words().nothing_acts_in_short());
+            self.set_message(words().nothing_acts_in_short());
         }
         self.update_needs();
     }
 
     fn zoom(&mut self, steps: i8) {
-        if !self
-            .views
-            .viewport
-            .lens
-            .enlarge(&self.player.open_scene, steps)
-        {
-            self.shell.set_message(words().no_more_to_zoom());
+        let lens = &mut self.views.viewport.lens;
+        if !lens.enlarge(&self.player.open_scene, steps) {
+            self.set_message(words().no_more_to_zoom());
         }
     }
 
     /// Zooms the drawing about a point at `from_middle` from its centre.
     pub(super) fn zoom_at(&mut self, from_middle: Vec2, larger: bool) {
         let steps = if larger { 1 } else { -1 };
-        let open_scene = &self.player.open_scene;
-        if !self
-            .views
-            .viewport
-            .lens
-            .enlarge_at(open_scene, from_middle, steps)
-        {
-            self.shell.set_message(words().no_more_to_zoom());
+        let lens = &mut self.views.viewport.lens;
+        if !lens.enlarge_at(&self.player.open_scene, from_middle, steps) {
+            self.set_message(words().no_more_to_zoom());
         }
     }
 
     fn pan(&mut self, right: f64, up: f64) {
-        if !self
-            .views
-            .viewport
-            .lens
-            .pan(&self.player.open_scene, right, up)
-        {
-            self.shell.set_message(words().motion_ends());
+        let lens = &mut self.views.viewport.lens;
+        if !lens.pan(&self.player.open_scene, right, up) {
+            self.set_message(words().motion_ends());
         }
     }
 }

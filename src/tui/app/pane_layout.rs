@@ -32,7 +32,7 @@ impl App {
         self.select_view(view);
         // While a point leads, an empty view itself says why.
         if let Some(why) = view.pane().nothing(self) {
-            self.shell.set_message(why);
+            self.set_message(why);
         }
     }
 
@@ -73,7 +73,7 @@ impl App {
         let (view, size) = (self.shell.view, self.shell.size);
         match self.shell.composition.next_pane(view, size) {
             Some(next) => self.select_view(next),
-            None => self.shell.set_message(words().no_other_pane()),
+            None => self.set_message(words().no_other_pane()),
         }
     }
 
@@ -81,7 +81,7 @@ impl App {
     pub(super) fn toggle_alone(&mut self) {
         let (view, size) = (self.shell.view, self.shell.size);
         if !self.shell.composition.toggle_alone(view, size) {
-            self.shell.set_message(words().no_other_pane());
+            self.set_message(words().no_other_pane());
         }
         self.rearrange();
     }
@@ -90,7 +90,7 @@ impl App {
     pub(super) fn move_split(&mut self, steps: i8) {
         let is_split = self.visible_views().contains(&View::Motion);
         if !(is_split && self.shell.composition.move_split(steps)) {
-            self.shell.set_message(words().no_split_here());
+            self.set_message(words().no_split_here());
         }
         self.rearrange();
     }
@@ -98,7 +98,7 @@ impl App {
     /// Switches to the next layout.
     pub(super) fn next_layout(&mut self) {
         let name = self.shell.composition.next_layout().name();
-        self.shell.set_message(words().layout_is(name));
+        self.set_message(words().layout_is(name));
         self.rearrange();
     }
 
@@ -118,7 +118,7 @@ impl App {
             .position(|method| Some(*method) == self.views.method.method);
         self.watch_method(all.get(here.map_or(0, |index| index + 1)).copied());
         if let Some(why) = View::Accuracy.pane_in(self).nothing(self) {
-            self.shell.set_message(why);
+            self.set_message(why);
         }
     }
 
@@ -136,12 +136,12 @@ impl App {
         match watch.method {
             _ if watch.watched().is_none() => {
                 let method = self.shell.keymap.key_label(Action::Method);
-                self.shell.set_message(words().no_method_watched(&method));
+                self.set_message(words().no_method_watched(&method));
             }
             Some(method) if method.takes_guess() => {
                 self.shell.mode = Mode::Guess(EditLine::for_guess(&watch.guess));
             }
-            _ => self.shell.set_message(words().begins_at_no_guess()),
+            _ => self.set_message(words().begins_at_no_guess()),
         }
     }
 
@@ -152,7 +152,7 @@ impl App {
                 self.views.found = None;
                 self.shell.mode = Mode::Normal;
             }
-            Err(why) => self.shell.set_message(why),
+            Err(why) => self.set_message(why),
         }
     }
 
@@ -207,7 +207,7 @@ impl App {
                 let maximum = views::max_scroll(self);
                 match next.filter(|line| !forward || (*line <= maximum || here < maximum)) {
                     Some(line) => self.views.scroll[self.shell.view as usize] = line.min(maximum),
-                    None => self.shell.set_message(words().no_further_part()),
+                    None => self.set_message(words().no_further_part()),
                 }
             }
         }

@@ -20,11 +20,11 @@ impl App {
                     .views
                     .plots
                     .next_abscissa(self.player.open_scene.scene());
-                self.shell.set_message(along);
+                self.set_message(along);
             }
             PlotsAction::Extrema => {
                 let marked = self.views.plots.toggle_extrema();
-                self.shell.set_message(match marked {
+                self.set_message(match marked {
                     true => words().extrema_marked(),
                     false => words().extrema_not_marked(),
                 });
@@ -38,7 +38,7 @@ impl App {
                 } else {
                     words().band_not_drawn()
                 };
-                self.shell.set_message(text);
+                self.set_message(text);
             }
         }
         self.sample();

@@ -18,7 +18,7 @@ impl App {
             Listing::Figures => SearchOrigin::Tables(self.views.cursor),
             Listing::Values => SearchOrigin::Scene(self.document.editor.cursor()),
             Listing::Lines if views::current_view_lines(self).is_empty() => {
-                self.shell.set_message(words().nothing_to_search());
+                self.set_message(words().nothing_to_search());
                 return;
             }
             Listing::Lines => SearchOrigin::Lines(self.views.scroll[self.shell.view as usize]),
@@ -176,7 +176,7 @@ impl App {
             }
         };
         if !found {
-            self.shell.set_message(nameless(&query));
+            self.set_message(nameless(&query));
         }
     }
 
@@ -184,9 +184,7 @@ impl App {
         match action {
             TablesAction::Choose => self.choose(),
             // Only the tables have columns to move sideways.
-            _ if self.shell.view != View::Tables => {
-                self.shell.set_message(words().nothing_at_the_side())
-            }
+            _ if self.shell.view != View::Tables => self.set_message(words().nothing_at_the_side()),
             TablesAction::Left => self.place_cursor(|cursor, lines| cursor.aside(lines, -1)),
             TablesAction::Right => self.place_cursor(|cursor, lines| cursor.aside(lines, 1)),
         }
@@ -210,7 +208,7 @@ impl App {
         let moving = tracked_points::moving(self.player.open_scene.scene(), part, row);
         if moving.is_empty() {
             let name = part.name(self.player.open_scene.tables(), row);
-            self.shell.set_message(words().never_moves(name));
+            self.set_message(words().never_moves(name));
             return;
         }
         let all = moving

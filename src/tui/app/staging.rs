@@ -28,7 +28,7 @@ impl App {
             // The rejected edits stay staged, to be corrected.
             self.document.editor.staged = Some(gathered);
         } else if self.shell.message.is_none() {
-            self.shell.set_message(words().gathered_made(count));
+            self.set_message(words().gathered_made(count));
         }
         self.keep();
     }
@@ -38,7 +38,7 @@ impl App {
             .shell
             .keymap
             .key_label(Action::Scene(SceneAction::Gather));
-        self.shell.set_message(words().edits_wait(&key));
+        self.set_message(words().edits_wait(&key));
     }
 
     /// Stages another text for a value. Returns `false` if no staging is active.
@@ -97,7 +97,7 @@ impl App {
             return;
         };
         self.keep();
-        self.shell.set_message(match dropped {
+        self.set_message(match dropped {
             0 => words().gathered_made(0),
             _ => words().gathered_dropped(&self.shell.keymap.key_label(Action::Undo)),
         });

@@ -96,8 +96,7 @@ impl App {
     fn pick_dyad(&mut self) {
         let picks = self.candidates.as_mut().map(CandidateList::pick);
         if picks == Some(false) {
-            self.shell
-                .set_message(words().dyads_make_nothing().to_owned());
+            self.set_message(words().dyads_make_nothing().to_owned());
         }
     }
 
@@ -111,7 +110,7 @@ impl App {
             return;
         };
         let Some((text, name)) = list.scene() else {
-            self.shell.set_message(row.reasons.clone());
+            self.set_message(row.reasons.clone());
             return;
         };
         match opening::text(&text, Origin::New(name)) {
@@ -128,7 +127,7 @@ impl App {
                 }
             }
             // Not expected: the search already opened this scene to drive it through the task.
-            Err(faults) => self.shell.set_message(faults.first_words()),
+            Err(faults) => self.set_message(faults.first_words()),
         }
     }
 }

@@ -14,7 +14,7 @@ impl App {
             return self.close_tolerance();
         }
         if self.player.open_scene.scene().tolerances().is_exact() {
-            self.shell.set_message(words().no_tolerances());
+            self.set_message(words().no_tolerances());
             return;
         }
         let first = self
@@ -33,7 +33,7 @@ impl App {
                 study.told = Some(text);
                 self.reset_lengths();
             }
-            (Err(why), _) => self.shell.set_message(why),
+            (Err(why), _) => self.set_message(why),
             (Ok(_), None) => {}
         }
     }

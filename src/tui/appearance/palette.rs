@@ -159,144 +159,97 @@ impl Hue {
 
     /// Returns the palette name by which views refer to the hue.
     pub(super) fn named(self) -> Color {
-        match self {
-            Hue::Red => Color::Red,
-            Hue::Orange => Color::LightRed,
-            Hue::Brown => Color::LightYellow,
-            Hue::Yellow => Color::Yellow,
-            Hue::Lime => Color::LightGreen,
-            Hue::Moss => Color::DarkGray,
-            Hue::Green => Color::Green,
-            Hue::Teal => Color::LightCyan,
-            Hue::Cyan => Color::Cyan,
-            Hue::Blue => Color::Blue,
-            Hue::Violet => Color::LightBlue,
-            Hue::Magenta => Color::Magenta,
-            Hue::Grey => Color::Gray,
-        }
+        let [own, ..] = self.names();
+        own
     }
 
-    /// Returns a palette name that xterm's palette keeps visible on any background. There are only
-    /// two; other hues are distinguished by shape.
-    fn plain(self) -> Color {
-        match self {
-            Hue::Red => Color::LightRed,
-            Hue::Magenta => Color::Magenta,
-            Hue::Grey => Color::DarkGray,
-            Hue::Moss
-            | Hue::Orange
-            | Hue::Brown
-            | Hue::Yellow
-            | Hue::Lime
-            | Hue::Green
-            | Hue::Teal
-            | Hue::Cyan
-            | Hue::Blue
-            | Hue::Violet => Color::Reset,
-        }
-    }
-
-    /// Returns the palette name that is more legible on a dark background. Of xterm's palette, red,
-    /// blue and magenta are too dark for links and names on Solarized's background or on grey. In
-    /// Solarized's own palette, most bright names are dark greys.
-    fn bright(self) -> Color {
-        match self {
-            Hue::Red => Color::Yellow,
-            Hue::Orange
-            | Hue::Brown
-            | Hue::Yellow
-            | Hue::Green
-            | Hue::Violet
-            | Hue::Teal
-            | Hue::Moss => Color::Reset,
-            Hue::Lime | Hue::Magenta => Color::Green,
-            Hue::Cyan => Color::Cyan,
-            Hue::Blue => Color::LightCyan,
-            Hue::Grey => Color::Gray,
-        }
-    }
-
-    /// Returns the palette name that is more legible on a light background. Of xterm's palette, only
-    /// blue is dark enough there for links, and only red for arrows and names.
-    fn dark_variant(self) -> Color {
-        match self {
-            Hue::Red => Color::Blue,
-            Hue::Cyan | Hue::Magenta | Hue::Yellow => Color::Red,
-            Hue::Orange
-            | Hue::Brown
-            | Hue::Moss
-            | Hue::Lime
-            | Hue::Green
-            | Hue::Teal
-            | Hue::Blue
-            | Hue::Violet => Color::Reset,
-            Hue::Grey => Color::DarkGray,
-        }
-    }
-
-    /// Returns the shade for terminals with more than 16 colours. The hues of links always use the
-    /// fixed palette: every row of a drawing has some of them, and an exact colour takes twice the
-    /// bytes.
-    fn shade(self, theme: Theme) -> Shade {
+    /// Returns the palette name to send with 16 colours.
+    fn sixteen(self, theme: Theme) -> Color {
+        let [_, plain, light, dark] = self.names();
         match theme {
-            Theme::Auto | Theme::Plain => self.shade_on_any(),
-            Theme::Light => self.shade_on_light(),
-            Theme::Dark => self.shade_on_dark(),
+            Theme::Auto | Theme::Plain => plain,
+            Theme::Light => light,
+            Theme::Dark => dark,
         }
     }
 
-    fn shade_on_any(self) -> Shade {
-        let index = self.on_any_ground();
+    /// Returns palette names: that of the views, and those to send with 16 colours on an unknown, a
+    /// light and a dark background.
+    ///
+    /// Of xterm's palette, only two names are visible on any background; other hues are
+    /// distinguished by shape. On a light background, only blue is dark enough for links, and only
+    /// red for arrows and names. Red, blue and magenta are too dark for links and names on
+    /// Solarized's dark background or on grey. In Solarized's own palette, most bright names are
+    /// dark greys.
+    fn names(self) -> [Color; 4] {
+        use Color::{Blue, Cyan, DarkGray, Gray, Green, Magenta, Red, Reset, Yellow};
+        use Color::{LightBlue, LightCyan, LightGreen, LightRed, LightYellow};
         match self {
-            Hue::Red => shade(index, 228, 36, 36),
-            Hue::Yellow => shade(index, 139, 114, 21),
-            Hue::Lime => shade(index, 104, 127, 21),
-            Hue::Cyan => shade(index, 16, 129, 158),
-            Hue::Magenta => shade(index, 200, 40, 200),
-            Hue::Orange
-            | Hue::Brown
-            | Hue::Moss
-            | Hue::Green
-            | Hue::Teal
-            | Hue::Blue
-            | Hue::Violet
-            | Hue::Grey => both(index),
+            Hue::Red => [Red, LightRed, Blue, Yellow],
+            Hue::Orange => [LightRed, Reset, Reset, Reset],
+            Hue::Brown => [LightYellow, Reset, Reset, Reset],
+            Hue::Yellow => [Yellow, Reset, Red, Reset],
+            Hue::Lime => [LightGreen, Reset, Reset, Green],
+            Hue::Moss => [DarkGray, Reset, Reset, Reset],
+            Hue::Green => [Green, Reset, Reset, Reset],
+            Hue::Teal => [LightCyan, Reset, Reset, Reset],
+            Hue::Cyan => [Cyan, Reset, Red, Cyan],
+            Hue::Blue => [Blue, Reset, Reset, LightCyan],
+            Hue::Violet => [LightBlue, Reset, Reset, Reset],
+            Hue::Magenta => [Magenta, Magenta, Red, Green],
+            Hue::Grey => [Gray, DarkGray, DarkGray, Gray],
         }
     }
 
-    /// Returns the shade of its luminance on white and on Solarized's light background.
-    fn shade_on_light(self) -> Shade {
-        match self {
-            Hue::Red => shade(88, 165, 14, 22),
-            Hue::Orange | Hue::Brown => shade(52, 125, 62, 0),
-            Hue::Yellow => shade(94, 132, 90, 0),
-            Hue::Lime => shade(58, 84, 104, 0),
-            Hue::Moss => both(65),
-            Hue::Green => both(22),
-            Hue::Teal => shade(17, 0, 90, 90),
-            Hue::Cyan => shade(24, 0, 110, 140),
-            Hue::Blue => both(21),
-            Hue::Violet => both(91),
-            Hue::Magenta => shade(127, 180, 20, 160),
-            Hue::Grey => both(244),
+    /// Returns the shade for terminals with more than 16 colours.
+    fn shade(self, theme: Theme) -> Shade {
+        let [any, light, dark] = self.shades();
+        match theme {
+            Theme::Auto | Theme::Plain => any,
+            Theme::Light => light,
+            Theme::Dark => dark,
         }
     }
 
-    /// Returns the shade of its luminance on black, on Solarized's dark background and on dark grey.
-    fn shade_on_dark(self) -> Shade {
+    /// Returns the shades on any background, on white and Solarized's light background, and on
+    /// black, Solarized's dark background and dark grey. The hues of links always use the fixed
+    /// palette: every row of a drawing has some of them, and an exact colour takes twice the bytes.
+    fn shades(self) -> [Shade; 3] {
+        let own = self.on_any_ground();
+        let any = |r, g, b| shade(own, r, g, b);
         match self {
-            Hue::Red => shade(217, 255, 172, 164),
-            Hue::Orange | Hue::Brown => both(222),
-            Hue::Yellow => shade(178, 222, 180, 60),
-            Hue::Lime => shade(148, 172, 196, 60),
-            Hue::Moss => both(65),
-            Hue::Green => both(120),
-            Hue::Teal => both(86),
-            Hue::Cyan => shade(37, 64, 184, 226),
-            Hue::Blue => both(117),
-            Hue::Violet => both(219),
-            Hue::Magenta => shade(176, 232, 136, 216),
-            Hue::Grey => both(244),
+            Hue::Red => [
+                any(228, 36, 36),
+                shade(88, 165, 14, 22),
+                shade(217, 255, 172, 164),
+            ],
+            Hue::Orange | Hue::Brown => [both(own), shade(52, 125, 62, 0), both(222)],
+            Hue::Yellow => [
+                any(139, 114, 21),
+                shade(94, 132, 90, 0),
+                shade(178, 222, 180, 60),
+            ],
+            Hue::Lime => [
+                any(104, 127, 21),
+                shade(58, 84, 104, 0),
+                shade(148, 172, 196, 60),
+            ],
+            Hue::Moss => [both(own), both(65), both(65)],
+            Hue::Green => [both(own), both(22), both(120)],
+            Hue::Teal => [both(own), shade(17, 0, 90, 90), both(86)],
+            Hue::Cyan => [
+                any(16, 129, 158),
+                shade(24, 0, 110, 140),
+                shade(37, 64, 184, 226),
+            ],
+            Hue::Blue => [both(own), both(21), both(117)],
+            Hue::Violet => [both(own), both(91), both(219)],
+            Hue::Magenta => [
+                any(200, 40, 200),
+                shade(127, 180, 20, 160),
+                shade(176, 232, 136, 216),
+            ],
+            Hue::Grey => [both(own), both(244), both(244)],
         }
     }
 
@@ -326,13 +279,13 @@ impl Palette {
             (Colours::None, _) => Color::Reset,
             (_, None) if named == INK => self.ink(),
             (_, None) => named,
-            (Colours::Sixteen, Some(hue)) => match self.theme {
-                Theme::Auto | Theme::Plain => hue.plain(),
-                Theme::Light => hue.dark_variant(),
-                Theme::Dark => match hue.bright() {
-                    Color::Reset if self.has_weak_text && hue != Hue::Moss => self.ink(),
-                    sent => sent,
-                },
+            (Colours::Sixteen, Some(hue)) => match hue.sixteen(self.theme) {
+                Color::Reset
+                    if self.theme == Theme::Dark && self.has_weak_text && hue != Hue::Moss =>
+                {
+                    self.ink()
+                }
+                sent => sent,
             },
             (Colours::Indexed, Some(hue)) => hue.colour(self.theme, false),
             (Colours::True, Some(hue)) => hue.colour(self.theme, true),
@@ -801,11 +754,8 @@ mod tests {
     fn light_theme_uses_dark_ansi_colours_only() {
         for hue in ALL {
             let read = [Color::Reset, Color::Red, Color::Blue, Color::DarkGray];
-            assert!(
-                read.contains(&hue.dark_variant()),
-                "{hue:?}: {:?}",
-                hue.dark_variant()
-            );
+            let sent = hue.sixteen(Theme::Light);
+            assert!(read.contains(&sent), "{hue:?}: {sent:?}");
         }
     }
 

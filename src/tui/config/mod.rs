@@ -146,10 +146,7 @@ impl Config {
     /// # Errors
     /// Returns all faults with their places. Unknown keys and actions alone are only warnings.
     pub fn read(bytes: &[u8], origin: &str) -> Result<Config, Diagnostics> {
-        match std::str::from_utf8(bytes) {
-            Ok(text) => Config::parse(text, origin),
-            Err(error) => Err(document::not_utf8(bytes, error.valid_up_to(), origin)),
-        }
+        Config::parse(document::utf8_text(bytes, origin)?, origin)
     }
 
     /// Parses a configuration; `origin` is the file's name in messages.

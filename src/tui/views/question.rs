@@ -10,8 +10,8 @@
 //! ```
 
 use super::popup::{self, BORDER};
-use super::{columns, cut, print, print_line};
-use crate::page::wrapped;
+use super::{columns, print, print_line};
+use crate::page::{truncate_lines, wrapped};
 use crate::tui::app::{App, Mode, Unsaved};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::key::Key;
@@ -136,12 +136,7 @@ pub(super) fn lines(app: &App, area: Rect) -> Vec<String> {
     let space = usize::from(area.height).saturating_sub(keys.len());
     let keys = keys.iter().map(|(key, name)| format!("{key} {name}"));
     let mut text = wrapped(&text, area.width.into());
-    if text.len() > space {
-        text.truncate(space);
-        if let Some(last) = text.last_mut() {
-            *last = cut(&format!("{last} ..."), area.width.into());
-        }
-    }
+    truncate_lines(&mut text, space, area.width.into());
     text.into_iter().chain(keys).collect()
 }
 

@@ -11,8 +11,7 @@ mod reader;
 mod sanitize;
 mod syntax;
 
-pub use diagnostic::not_utf8;
-pub use diagnostic::{Diagnostic, Diagnostics, Label};
+pub use diagnostic::{Diagnostic, Diagnostics, Label, utf8_text};
 pub(crate) use node::number_of;
 pub use node::{Entries, WrittenValue, entries, items};
 pub use reader::{

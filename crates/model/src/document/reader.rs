@@ -1,7 +1,7 @@
 //! Reads values of a document, and reports everything that does not fit.
 
 use super::diagnostic::{Diagnostic, Diagnostics};
-use super::node::{WrittenValue, entries, kind_of};
+use super::node::{WrittenValue, entries, items, kind_of};
 use super::sanitize::escaped;
 use crate::expression::MeasuredNumber;
 use crate::nearest::{did_you_mean, nearest};
@@ -166,6 +166,22 @@ impl<'t> Reader<'t> {
             self.report(fault.maybe_help(help));
         }
         read
+    }
+
+    /// Reads a list of what is `wanted`; `example` shows the syntax.
+    pub fn list<'v>(
+        &mut self,
+        what: &str,
+        wanted: &str,
+        example: &str,
+        value: &'v WrittenValue<'v>,
+    ) -> Option<&'v [WrittenValue<'v>]> {
+        let items = items(value);
+        if items.is_none() {
+            let fault = self.mistyped(what, wanted, value);
+            self.report(fault.help(words().for_example(example)));
+        }
+        items
     }
 
     /// Reads a table; `example` shows the syntax.

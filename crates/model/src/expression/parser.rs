@@ -10,7 +10,7 @@
 
 use super::dimension::{MAX_POWER, METRE};
 use super::lexer::{Lexeme, Lexer, number};
-use super::tree::{MathFunction, Node, Operation, WrittenNumber, WrittenUnit};
+use super::tree::{MathFunction, Node, Operation, WrittenNumber, WrittenUnit, functions};
 use super::unit_words::{is_of_unit, is_unit, unit_named};
 use super::{Dimension, ExpressionTree, FormulaError, MAX_LEN, is_of_name};
 use crate::nearest::did_you_mean;
@@ -205,12 +205,11 @@ impl Parser<'_> {
             let node = Node::Name(name.to_owned());
             return Ok(ExpressionTree { span, node });
         }
-        let mut all = MathFunction::ALL.into_iter();
-        let Some(function) = all.find(|function| function.name() == name) else {
-            let names = MathFunction::ALL.map(MathFunction::name);
+        let Some(function) = MathFunction::named(name) else {
+            let names: Vec<&str> = functions().collect();
             let fault = FormulaError::new(span, words().no_function(name));
             let listed = || words().functions_are(&names.join(", "));
-            let help = did_you_mean(name, names).unwrap_or_else(listed);
+            let help = did_you_mean(name, functions()).unwrap_or_else(listed);
             return Err(fault.help(help));
         };
         let mut given = vec![self.deeper(Self::sum)?];

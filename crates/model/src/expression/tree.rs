@@ -68,40 +68,33 @@ pub(super) enum MathFunction {
 }
 
 impl MathFunction {
-    pub(super) const ALL: [MathFunction; 14] = [
-        MathFunction::Sqrt,
-        MathFunction::Abs,
-        MathFunction::Min,
-        MathFunction::Max,
-        MathFunction::Hypot,
-        MathFunction::Sin,
-        MathFunction::Cos,
-        MathFunction::Tan,
-        MathFunction::Asin,
-        MathFunction::Acos,
-        MathFunction::Atan2,
-        MathFunction::Exp,
-        MathFunction::Ln,
-        MathFunction::Log10,
+    const NAMES: [(&'static str, MathFunction); 14] = [
+        ("sqrt", MathFunction::Sqrt),
+        ("abs", MathFunction::Abs),
+        ("min", MathFunction::Min),
+        ("max", MathFunction::Max),
+        ("hypot", MathFunction::Hypot),
+        ("sin", MathFunction::Sin),
+        ("cos", MathFunction::Cos),
+        ("tan", MathFunction::Tan),
+        ("asin", MathFunction::Asin),
+        ("acos", MathFunction::Acos),
+        ("atan2", MathFunction::Atan2),
+        ("exp", MathFunction::Exp),
+        ("ln", MathFunction::Ln),
+        ("log10", MathFunction::Log10),
     ];
 
+    /// Returns the function with this name.
+    pub(super) fn named(name: &str) -> Option<MathFunction> {
+        let mut names = MathFunction::NAMES.into_iter();
+        names.find_map(|(own, function)| (own == name).then_some(function))
+    }
+
     pub(super) fn name(self) -> &'static str {
-        match self {
-            MathFunction::Sqrt => "sqrt",
-            MathFunction::Abs => "abs",
-            MathFunction::Min => "min",
-            MathFunction::Max => "max",
-            MathFunction::Hypot => "hypot",
-            MathFunction::Sin => "sin",
-            MathFunction::Cos => "cos",
-            MathFunction::Tan => "tan",
-            MathFunction::Asin => "asin",
-            MathFunction::Acos => "acos",
-            MathFunction::Atan2 => "atan2",
-            MathFunction::Exp => "exp",
-            MathFunction::Ln => "ln",
-            MathFunction::Log10 => "log10",
-        }
+        let mut names = MathFunction::NAMES.into_iter();
+        let named = names.find(|(_, function)| *function == self);
+        named.map_or("", |(name, _)| name)
     }
 
     /// Returns the minimum and maximum number of arguments.
@@ -116,7 +109,7 @@ impl MathFunction {
 
 /// Returns the names of all functions.
 pub fn functions() -> impl Iterator<Item = &'static str> {
-    MathFunction::ALL.into_iter().map(MathFunction::name)
+    MathFunction::NAMES.into_iter().map(|(name, _)| name)
 }
 
 /// Returns `true` if a word is the name of a function.

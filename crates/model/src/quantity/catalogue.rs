@@ -146,10 +146,7 @@ impl Catalogue {
     /// Adds the driver's effort, the forces of joints and guides, and the forces on the frame.
     fn forces(&mut self, scene: &Scene) {
         let mechanism = &scene.mechanism;
-        let drive = match mechanism.driver().input {
-            Input::Turn(_) => Aspect::Torque,
-            Input::Push(_) => Aspect::Force,
-        };
+        let drive = Aspect::effort_of(mechanism.driver().input);
         let total = Subject::Drive(Share::Total);
         self.push(scene, "driver", total, &[drive, Aspect::Power]);
         for share in Share::PARTS {

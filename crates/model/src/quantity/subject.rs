@@ -3,7 +3,7 @@
 use crate::expression::{Dimension, Kind, Revolution};
 use crate::scene::VectorKind;
 use crate::solver::Order;
-use crate::{LinkId, PointId, SlideId};
+use crate::{Input, LinkId, PointId, SlideId};
 
 /// The element or pair of elements that a quantity describes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -115,6 +115,15 @@ pub enum Aspect {
 }
 
 impl Aspect {
+    /// Returns the effort of an input: a torque, or a force along a guide.
+    #[must_use]
+    pub fn effort_of(input: Input) -> Aspect {
+        match input {
+            Input::Turn(_) => Aspect::Torque,
+            Input::Push(_) => Aspect::Force,
+        }
+    }
+
     pub(super) const POINT: [Aspect; 6] = [
         Aspect::X,
         Aspect::Y,
@@ -131,6 +140,13 @@ impl Aspect {
     pub(super) const FRAME: [Aspect; 3] = [Aspect::Fx, Aspect::Fy, Aspect::Moment];
     /// The aspects of an element of variable length, by [`Order`].
     pub const STRETCHING: [Aspect; 3] = [Aspect::Length, Aspect::Rate, Aspect::Accel];
+    /// The aspects that are derivatives of one another, by [`Order`].
+    const DERIVATIVES: [[Aspect; 3]; 4] = [
+        [Aspect::X, Aspect::Vx, Aspect::Ax],
+        [Aspect::Y, Aspect::Vy, Aspect::Ay],
+        Aspect::TURNING,
+        Aspect::STRETCHING,
+    ];
 
     /// Returns the part of the column name behind the dot.
     #[must_use]
@@ -161,40 +177,26 @@ impl Aspect {
     /// Returns the order to which a state must be solved for it.
     #[must_use]
     pub fn order(self) -> Order {
-        match self {
-            Aspect::X | Aspect::Y | Aspect::Angle | Aspect::Length => Order::Position,
-            Aspect::Vx | Aspect::Vy | Aspect::Omega | Aspect::Rate => Order::Velocity,
-            Aspect::Ax | Aspect::Ay | Aspect::Alpha | Aspect::Accel => Order::Acceleration,
-            Aspect::Torque
-            | Aspect::Force
-            | Aspect::Power
-            | Aspect::Fx
-            | Aspect::Fy
-            | Aspect::Normal
-            | Aspect::Moment => Order::Force,
+        match self.place_in_derivatives() {
+            Some((_, 0)) => Order::Position,
+            Some((_, 1)) => Order::Velocity,
+            Some(_) => Order::Acceleration,
+            None => Order::Force,
         }
     }
 
     /// Returns the time derivative, if a state has it.
     pub(super) fn rate(self) -> Option<Aspect> {
-        match self {
-            Aspect::X => Some(Aspect::Vx),
-            Aspect::Y => Some(Aspect::Vy),
-            Aspect::Vx => Some(Aspect::Ax),
-            Aspect::Vy => Some(Aspect::Ay),
-            Aspect::Angle => Some(Aspect::Omega),
-            Aspect::Omega => Some(Aspect::Alpha),
-            Aspect::Length => Some(Aspect::Rate),
-            Aspect::Rate => Some(Aspect::Accel),
-            Aspect::Ax | Aspect::Ay | Aspect::Alpha | Aspect::Accel => None,
-            Aspect::Torque
-            | Aspect::Force
-            | Aspect::Power
-            | Aspect::Fx
-            | Aspect::Fy
-            | Aspect::Normal
-            | Aspect::Moment => None,
-        }
+        let (derivatives, order) = self.place_in_derivatives()?;
+        derivatives.get(order + 1).copied()
+    }
+
+    /// Returns its list of derivatives and its place there; `None` for forces.
+    fn place_in_derivatives(self) -> Option<([Aspect; 3], usize)> {
+        Aspect::DERIVATIVES.into_iter().find_map(|list| {
+            let order = list.iter().position(|own| *own == self)?;
+            Some((list, order))
+        })
     }
 
     /// Returns the dimension.

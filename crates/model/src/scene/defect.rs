@@ -2,7 +2,7 @@
 
 use super::elements::link::DraftLink;
 use super::elements::slide::{DraftSlide, DraftSlider};
-use super::inputs::input::DraftInput;
+use super::inputs::input::DraftDriver;
 use super::numbers::reader::{Name, Reader, quoted};
 use super::raw_elements::SceneDraft;
 use crate::document::Diagnostic;
@@ -133,21 +133,12 @@ impl<'t> ResolvedDraft<'_, 't> {
     }
 
     fn no_pivot(&self, link: &DraftLink<'t>) -> Option<Diagnostic> {
-        let driver = self.draft.driver.as_ref().and_then(|d| match &d.input {
-            DraftInput::Link(driven) => Some(driven),
-            DraftInput::Slide(_) => None,
-        });
+        let driver = self.draft.driver.iter();
         let timed = self.draft.timed.iter().map(|timed| &timed.name);
-        let mut driven = driver.into_iter().chain(timed);
+        let mut driven = driver.filter_map(DraftDriver::driven_link).chain(timed);
         let driven = driven.find(|driven| driven.text == link.name.text)?;
-        let joins = |link: &&DraftLink<'t>| link.point_names().any(|n| self.is_ground(n));
-        let mut fit = self
-            .draft
-            .links
-            .iter()
-            .filter(joins)
-            .map(|l| l.name.to_string());
-        let fit: Vec<String> = fit.by_ref().take(8).collect();
+        let fit = self.links_at_ground().map(|link| link.name.to_string());
+        let fit: Vec<String> = fit.take(8).collect();
         let fault = Diagnostic::new(words().no_pivot(&link.name.to_string()))
             .at(driven.span.clone(), words().not_joined_to_ground())
             .and(link.name.span.clone(), words().none_in_ground());
@@ -181,21 +172,20 @@ impl<'t> ResolvedDraft<'_, 't> {
         seat.map(|link| link.name.text)
     }
 
-    fn is_ground(&self, name: &Name<'_>) -> bool {
-        self.draft.ground.iter().any(|p| p.name.text == name.text)
+    /// Returns the links with a point of the ground.
+    fn links_at_ground(&self) -> impl Iterator<Item = &DraftLink<'t>> {
+        let ground = &self.draft.ground;
+        let is_ground = |name: &Name<'_>| ground.iter().any(|p| p.name.text == name.text);
+        let links = self.draft.links.iter();
+        links.filter(move |link| link.point_names().any(is_ground))
     }
 
     fn no_driver(&self) -> Option<Diagnostic> {
         if self.draft.driver_key.is_some() {
             return None;
         }
-        let joins = |link: &&DraftLink<'t>| link.point_names().any(|n| self.is_ground(n));
-        let crank = self
-            .draft
-            .links
-            .iter()
-            .find(joins)
-            .map_or("r2", |l| l.name.text);
+        let crank = self.links_at_ground().next();
+        let crank = crank.map_or("r2", |link| link.name.text);
         let fault = Diagnostic::new(words().no_driver());
         let fault = match &self.draft.links_key {
             Some(links) => fault.at(links.clone(), words().none_is_driven()),

@@ -56,4 +56,22 @@ impl Scene {
             Input::Push(slide) => self.slide_name(slide),
         }
     }
+
+    /// Returns the unit of an input's coordinate: `deg`, or the unit of length.
+    #[must_use]
+    pub fn input_unit(&self, input: Input) -> &'static str {
+        match input {
+            Input::Turn(_) => "deg",
+            Input::Push(_) => self.unit.symbol(),
+        }
+    }
+
+    /// Returns the unit of the rates of an input, without the time: `rad`, or the unit of length.
+    #[must_use]
+    pub fn input_rate_unit(&self, input: Input) -> &'static str {
+        match input {
+            Input::Turn(_) => "rad",
+            Input::Push(_) => self.unit.symbol(),
+        }
+    }
 }

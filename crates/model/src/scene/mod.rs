@@ -193,10 +193,7 @@ impl Scene {
         if bytes.len() > MAX_FILE_SIZE {
             return Err(too_large(origin));
         }
-        match std::str::from_utf8(bytes) {
-            Ok(text) => Scene::parse(text, origin),
-            Err(error) => Err(document::not_utf8(bytes, error.valid_up_to(), origin)),
-        }
+        Scene::parse(document::utf8_text(bytes, origin)?, origin)
     }
 
     /// Parses a scene; `origin` is the name of the file in messages.
@@ -375,11 +372,7 @@ impl Scene {
     /// Returns the display name of the driven element, including the link that carries its motor.
     #[must_use]
     pub fn driven_name(&self, input: Input) -> String {
-        let name = match input {
-            Input::Turn(link) => self.link_name(link),
-            Input::Push(slide) => self.slide_name(slide),
-        };
-        from_seat(name, self.seat_name(input))
+        from_seat(self.input_name(input), self.seat_name(input))
     }
 
     /// Returns the name of a slide.

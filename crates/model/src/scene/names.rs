@@ -1,6 +1,5 @@
 //! The common namespace of points, links, slides and vectors.
 
-use super::elements::slide::DraftSlider;
 use super::keys;
 use super::numbers::reader::{ByteSpan, Name, Reader, quoted};
 use super::raw_elements::SceneDraft;
@@ -206,19 +205,11 @@ fn mentions<'d, 't>(draft: &'d SceneDraft<'t>) -> Vec<(&'d Name<'t>, NameKind, u
     all.extend(draft.ground.iter().map(|p| (&p.name, NameKind::Point, 0)));
     for (i, link) in draft.links.iter().enumerate() {
         all.push((&link.name, NameKind::Link, i));
-        if let Some(ends) = &link.ends {
-            all.extend([
-                (&ends.from, NameKind::Point, 0),
-                (&ends.to, NameKind::Point, 0),
-            ]);
-        }
-        all.extend(link.points.iter().map(|p| (&p.name, NameKind::Point, 0)));
+        all.extend(link.point_names().map(|name| (name, NameKind::Point, 0)));
     }
     for (i, slide) in draft.slides.iter().enumerate() {
         all.push((&slide.name, NameKind::Slide, i));
-        if let Some(DraftSlider::Pin(point)) = &slide.slider {
-            all.push((point, NameKind::Point, 0));
-        }
+        all.extend(slide.pin().map(|pin| (pin, NameKind::Point, 0)));
     }
     for (i, vector) in draft.vectors.iter().enumerate() {
         all.push((&vector.name, NameKind::Vector, i));

@@ -6,7 +6,7 @@ use super::elements::link::DraftLink;
 use super::elements::link_points::Sighted;
 use super::elements::points::PlacedPoint;
 use super::elements::redundant;
-use super::elements::slide::{DraftSlide, DraftSlider};
+use super::elements::slide::DraftSlide;
 use super::inputs::input::DraftInput;
 use super::inputs::leading_point::LeadingPoint;
 use super::names::{NameKind, Names};
@@ -16,7 +16,7 @@ use super::{TextPlaces, Vector, VectorKind, defect};
 use crate::document::Diagnostic;
 use crate::nearest::nearest;
 use crate::wording::words;
-use crate::{Builder, Driver, LinkId, Mechanism, PointId, SlideId, Tolerances, mechanism};
+use crate::{Body, Builder, Driver, LinkId, Mechanism, PointId, SlideId, Tolerances, mechanism};
 use std::collections::{HashMap, HashSet};
 
 /// The parts of a scene that depend on resolved names.
@@ -245,8 +245,8 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         let Some(from) = from.filter(|from| from.text != "ground") else {
             return link;
         };
-        let seat = self.names.find(self.reader, seat, from, NameKind::Link);
-        let (link, seat) = (link?, LinkId::new(seat?));
+        let seat = self.link(seat, from);
+        let (link, seat) = (link?, seat?);
         if link == seat {
             self.reader.report(
                 Diagnostic::new(words().turns_from_itself(&name.to_string()))
@@ -257,6 +257,20 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         }
         self.builder.turned_from(link, seat);
         Some(link)
+    }
+
+    /// Resolves the name of a link.
+    pub(crate) fn link(&mut self, what: &str, name: &Name<'t>) -> Option<LinkId> {
+        let link = self.names.find(self.reader, what, name, NameKind::Link);
+        link.map(LinkId::new)
+    }
+
+    /// Resolves the name of a link, or `ground`.
+    pub(crate) fn body(&mut self, what: &str, name: &Name<'t>) -> Option<Body> {
+        match name.text {
+            "ground" => Some(Body::Ground),
+            _ => self.link(what, name).map(Body::Link),
+        }
     }
 
     /// Resolves a driven link. Reports a link pinned to the ground at two places, which cannot
@@ -381,10 +395,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
     /// Reports ground points without any reference: usually one name was written in two ways.
     fn unused(&mut self) {
         let links = self.draft.links.iter().flat_map(DraftLink::point_names);
-        let pins = self.draft.slides.iter().filter_map(|s| match &s.slider {
-            Some(DraftSlider::Pin(point)) => Some(point),
-            Some(DraftSlider::Link { .. }) | None => None,
-        });
+        let pins = self.draft.slides.iter().filter_map(DraftSlide::pin);
         let mut used = std::mem::take(&mut self.referred);
         used.extend(links.chain(pins).map(|name| name.text));
         for place in &self.draft.ground {
@@ -417,20 +428,13 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         for name in carried {
             *slots.entry(name.text).or_insert(0) += 2;
         }
-        let pins = draft.slides.iter().filter_map(|slide| match &slide.slider {
-            Some(DraftSlider::Pin(point)) => Some((slide, point)),
-            Some(DraftSlider::Link { .. }) | None => None,
-        });
+        let slides = draft.slides.iter();
+        let pins = slides.filter_map(|slide| Some((slide, slide.pin()?)));
         for (_, point) in pins.clone() {
             *slots.entry(point.text).or_insert(0) += 1;
         }
-        let driven = draft
-            .driver
-            .iter()
-            .filter_map(|driver| match &driver.input {
-                DraftInput::Slide(name) => Some(name.text),
-                DraftInput::Link(_) => None,
-            });
+        let pushed = draft.driver.iter().filter(|d| d.driven_link().is_none());
+        let driven = pushed.map(|driver| driver.driven().text);
         let timed = draft.timed.iter().map(|timed| timed.name.text);
         let driven: HashSet<&str> = driven.chain(timed).collect();
         for (slide, point) in pins {

@@ -2,7 +2,7 @@
 //! output is 7-bit and has no time stamp, so that equal scenes give equal bytes.
 
 use super::animation_steps::{self, RATE};
-use super::{DrawFormat, DrawnScene, FormatOption, MAX_LEGEND};
+use super::{DrawFormat, DrawnScene, MAX_LEGEND};
 use crate::cli::failure::Failure;
 use crate::cli::picture::{DEFAULT_SIZE, Size, lettered};
 use crate::drawing::{self, CharCell, Glyphs, Hue, LegendPiece, Raster, Role, WorldView, is_bold};
@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 pub(super) static FORMAT: DrawFormat = DrawFormat {
     name: "cast",
     about: <dyn Words>::format_cast,
-    takes: &[FormatOption::Glyphs, FormatOption::Seconds],
+    takes: &["--glyphs", "--seconds"],
     is_picture: true,
     is_binary: false,
     write,

@@ -10,8 +10,8 @@ pub(in crate::cli) struct DrawFormat {
     /// The name in `--format`, which must not change.
     pub(in crate::cli) name: &'static str,
     pub(in crate::cli) about: Wording,
-    /// The format-specific options that it supports.
-    pub(super) takes: &'static [FormatOption],
+    /// The options that it supports beyond those of all images.
+    pub(super) takes: &'static [&'static str],
     /// `true` if the output is an image for viewing, which supports all display options.
     pub(super) is_picture: bool,
     /// `true` if the output is binary, which is never sent to a terminal.
@@ -19,93 +19,59 @@ pub(in crate::cli) struct DrawFormat {
     pub(super) write: fn(&DrawnScene<'_>) -> Result<Vec<u8>, Failure>,
 }
 
-/// An option that not every format supports.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum FormatOption {
-    Glyphs,
-    Width,
-    Dark,
-    Seconds,
-    Scale,
-    Size,
-    Velocities,
-    Accelerations,
-    Forces,
-    Ghosts,
-    Names,
-    Centres,
-    NoGuides,
-}
+/// An option that not every format supports: its name, and whether a command line has it.
+type FormatOption = (&'static str, fn(&DrawArgs) -> bool);
+
+/// The options that only some formats support.
+const OPTIONS_OF_FORMATS: [FormatOption; 5] = [
+    ("--glyphs", |args| args.glyphs.is_some()),
+    ("--width", |args| args.width.is_some()),
+    ("--dark", |args| args.dark),
+    ("--seconds", |args| args.seconds.is_some()),
+    ("--scale", |args| args.scale.is_some()),
+];
+
+/// The options that only affect an image's contents and size; every image format supports them.
+const OPTIONS_OF_IMAGES: [FormatOption; 8] = [
+    ("--size", |args| args.size.is_some()),
+    ("--velocities", |args| args.velocities.is_some()),
+    ("--accelerations", |args| args.accelerations.is_some()),
+    ("--forces", |args| args.forces),
+    ("--ghosts", |args| args.ghosts > 0),
+    ("--names", |args| args.names != NamesChoice::Points),
+    ("--centres", |args| args.centres),
+    ("--no-guides", |args| args.no_guides),
+];
 
 impl DrawFormat {
-    pub(super) fn takes_it(&self, option: FormatOption) -> bool {
-        self.takes.contains(&option) || self.is_picture && option.only_shows()
+    pub(super) fn takes_it(&self, option: &str) -> bool {
+        let is_of_images = || OPTIONS_OF_IMAGES.iter().any(|(name, _)| *name == option);
+        self.takes.contains(&option) || self.is_picture && is_of_images()
     }
 }
 
-impl FormatOption {
-    pub(super) const ALL: [FormatOption; 13] = [
-        FormatOption::Glyphs,
-        FormatOption::Width,
-        FormatOption::Dark,
-        FormatOption::Seconds,
-        FormatOption::Scale,
-        FormatOption::Size,
-        FormatOption::Velocities,
-        FormatOption::Accelerations,
-        FormatOption::Forces,
-        FormatOption::Ghosts,
-        FormatOption::Names,
-        FormatOption::Centres,
-        FormatOption::NoGuides,
-    ];
+/// Returns the names of the options of a command line that not every format supports.
+pub(super) fn requested(args: &DrawArgs) -> impl Iterator<Item = &'static str> {
+    let options = OPTIONS_OF_FORMATS.iter().chain(&OPTIONS_OF_IMAGES);
+    let requested = options.filter(|(_, is_requested)| is_requested(args));
+    requested.map(|(name, _)| *name)
+}
 
-    /// Returns `true` if the option only affects an image's contents and size, so that every image
-    /// format supports it.
-    fn only_shows(self) -> bool {
-        !matches!(
-            self,
-            FormatOption::Glyphs
-                | FormatOption::Width
-                | FormatOption::Dark
-                | FormatOption::Seconds
-                | FormatOption::Scale
-        )
-    }
+#[cfg(test)]
+mod tests {
+    use super::super::FORMATS;
+    use super::*;
 
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            FormatOption::Glyphs => "--glyphs",
-            FormatOption::Width => "--width",
-            FormatOption::Dark => "--dark",
-            FormatOption::Seconds => "--seconds",
-            FormatOption::Scale => "--scale",
-            FormatOption::Size => "--size",
-            FormatOption::Velocities => "--velocities",
-            FormatOption::Accelerations => "--accelerations",
-            FormatOption::Forces => "--forces",
-            FormatOption::Ghosts => "--ghosts",
-            FormatOption::Names => "--names",
-            FormatOption::Centres => "--centres",
-            FormatOption::NoGuides => "--no-guides",
-        }
-    }
-
-    pub(super) fn is_requested(self, args: &DrawArgs) -> bool {
-        match self {
-            FormatOption::Glyphs => args.glyphs.is_some(),
-            FormatOption::Width => args.width.is_some(),
-            FormatOption::Dark => args.dark,
-            FormatOption::Seconds => args.seconds.is_some(),
-            FormatOption::Scale => args.scale.is_some(),
-            FormatOption::Size => args.size.is_some(),
-            FormatOption::Velocities => args.velocities.is_some(),
-            FormatOption::Accelerations => args.accelerations.is_some(),
-            FormatOption::Forces => args.forces,
-            FormatOption::Ghosts => args.ghosts > 0,
-            FormatOption::Names => args.names != NamesChoice::Points,
-            FormatOption::Centres => args.centres,
-            FormatOption::NoGuides => args.no_guides,
+    #[test]
+    fn formats_take_known_options() {
+        for format in FORMATS {
+            for option in format.takes {
+                let is_known = OPTIONS_OF_FORMATS
+                    .iter()
+                    .chain(&OPTIONS_OF_IMAGES)
+                    .any(|(name, _)| name == option);
+                assert!(is_known, "{} {option}", format.name);
+            }
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::animation_steps::{self, RATE};
 use super::svg::unpainted;
-use super::{DrawFormat, DrawnScene, FormatOption};
+use super::{DrawFormat, DrawnScene};
 use crate::cli::failure::Failure;
 use crate::drawing::{self, Glyphs, Labels, WorldView};
 use crate::pixels::{Canvas, PaintError, Pixels, animation};
@@ -11,11 +11,7 @@ use crate::wording::Words;
 pub(super) static FORMAT: DrawFormat = DrawFormat {
     name: "gif",
     about: <dyn Words>::format_gif,
-    takes: &[
-        FormatOption::Width,
-        FormatOption::Dark,
-        FormatOption::Seconds,
-    ],
+    takes: &["--width", "--dark", "--seconds"],
     is_picture: true,
     is_binary: true,
     write,

@@ -29,7 +29,7 @@ use crate::solver::{Condition, Order, Solver, State, Workspace};
 use crate::wording::words;
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
-use format::{DrawFormat, FormatOption};
+use format::{DrawFormat, requested};
 use std::str::FromStr;
 
 /// The scale of a drawing on paper: `1:2` is half as large as the linkage.
@@ -200,17 +200,14 @@ static FORMATS: [&DrawFormat; 6] = [
 
 /// Returns an error if the command line has an option that its format does not support.
 fn check_options(args: &DrawArgs) -> Result<(), Failure> {
-    let mut requested = FormatOption::ALL
-        .into_iter()
-        .filter(|o| o.is_requested(args));
-    match requested.find(|option| !args.format.takes_it(*option)) {
+    match requested(args).find(|option| !args.format.takes_it(option)) {
         None => Ok(()),
         Some(option) => {
             let others = FORMATS.iter().filter(|f| f.takes_it(option));
             let others: Vec<&str> = others.map(|format| format.name).collect();
             Err(Failure::Usage(words().format_takes_no(
                 args.format.name,
-                option.name(),
+                option,
                 &others.join(", "),
             )))
         }

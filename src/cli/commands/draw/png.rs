@@ -1,7 +1,7 @@
 //! Writes a drawing as a PNG image, painted from the SVG document.
 
 use super::svg::{document, unpainted};
-use super::{DrawFormat, DrawnScene, FormatOption};
+use super::{DrawFormat, DrawnScene};
 use crate::cli::failure::Failure;
 use crate::pixels::Canvas;
 use crate::wording::Words;
@@ -9,7 +9,7 @@ use crate::wording::Words;
 pub(super) static FORMAT: DrawFormat = DrawFormat {
     name: "png",
     about: <dyn Words>::format_png,
-    takes: &[FormatOption::Width, FormatOption::Dark],
+    takes: &["--width", "--dark"],
     is_picture: true,
     is_binary: true,
     write,

@@ -1,6 +1,6 @@
 //! Writes a drawing as an SVG document.
 
-use super::{DrawFormat, DrawnScene, FormatOption};
+use super::{DrawFormat, DrawnScene};
 use crate::cli::failure::Failure;
 use crate::cli::picture::Size;
 use crate::drawing::{self, Labels, WorldView};
@@ -20,7 +20,7 @@ const MAX_COLUMNS: f64 = 1000.0;
 pub(super) static FORMAT: DrawFormat = DrawFormat {
     name: "svg",
     about: <dyn Words>::format_svg,
-    takes: &[FormatOption::Dark, FormatOption::Scale],
+    takes: &["--dark", "--scale"],
     is_picture: true,
     is_binary: false,
     write: |drawn| Ok(document(drawn).into_bytes()),

@@ -1,6 +1,6 @@
 //! Writes a drawing in characters.
 
-use super::{DrawFormat, DrawnScene, FormatOption, MAX_LEGEND};
+use super::{DrawFormat, DrawnScene, MAX_LEGEND};
 use crate::cli::failure::Failure;
 use crate::cli::picture::{self, Size, lettered};
 use crate::drawing::{self, WorldView};
@@ -9,7 +9,7 @@ use crate::wording::Words;
 pub(super) static FORMAT: DrawFormat = DrawFormat {
     name: "text",
     about: <dyn Words>::format_characters,
-    takes: &[FormatOption::Glyphs],
+    takes: &["--glyphs"],
     is_picture: true,
     is_binary: false,
     write,

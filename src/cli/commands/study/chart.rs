@@ -1,15 +1,13 @@
 //! Draws the chart of a study: curves over one value, maps over two.
 
-use super::{ReadyStudy, StudyArgs, StudyFormat, report_invalid_designs};
-use crate::Vec2;
-use crate::cli::commands::plot::{CHARACTER, SVG};
+use super::{ReadyStudy, StudyArgs, StudyFormat, StudyRows, report_invalid_designs};
+use crate::cli::commands::plot::{plotted, svg_size};
 use crate::cli::failure::{Failure, note};
-use crate::cli::output::{write_text, writes_to_terminal};
-use crate::cli::picture::{self, ASPECT, Size};
-use crate::cli::progress::Progress;
+use crate::cli::output::write_text;
+use crate::cli::picture::{self, Size};
 use crate::cli::screen::TextScreen;
-use crate::drawing::plot::{GridMap, Plot, PlotStyle};
-use crate::report::{DesignSummary, DesignTable, RowColumn};
+use crate::drawing::plot::{GridMap, Plot};
+use crate::report::{DesignTable, RowColumn};
 use crate::wording::words;
 
 /// Maximum number of designs in a chart; more would not be visible.
@@ -28,26 +26,21 @@ pub(super) fn draw(
     let axes = drawn_axes(args, ready, numbers)?;
     let path = args.output.output.as_deref();
     let count = ready.plan.count();
-    let mut summary = DesignSummary::new(columns.len());
-    let mut reason = String::new();
+    let mut all = StudyRows::new(table, count, path, screen);
     let mut found: Vec<Vec<Option<f64>>> = vec![Vec::new(); columns.len()];
-    let mut progress = Progress::new(count, words().designs(), screen, writes_to_terminal(path));
     let gathered: Result<(), Failure> = ready.run(0..count).each(&mut |rows| {
         for row in &rows {
-            summary.note(row);
-            if summary.valued == 0 && reason.is_empty() {
-                reason = table.reason(row);
-            }
+            all.note(row);
             for (index, values) in found.iter_mut().enumerate() {
                 values.push(row.figure(index));
             }
         }
-        progress.report_progress(summary.rows);
+        all.progress.report_progress(all.summary.rows);
         Ok(())
     });
-    progress.end();
+    all.progress.clear();
     gathered?;
-    report_invalid_designs(&summary, &reason, true, screen)?;
+    report_invalid_designs(&all.summary, &all.reason, true, screen)?;
     let titles = columns.iter().map(|c| [c.name.as_str(), c.unit.as_str()]);
     let figures: Vec<([&str; 2], Vec<Option<f64>>)> = titles.zip(found).collect();
     let text = match &axes[..] {
@@ -62,7 +55,7 @@ pub(super) fn draw(
         }
         _ => return Err(needs_grid()),
     };
-    let lines = summary.lines(table, usize::from(args.digits));
+    let lines = all.summary.lines(table, usize::from(args.digits));
     lines.iter().for_each(|line| note(line, screen));
     write_text(path, &text)
 }
@@ -104,40 +97,17 @@ fn title(ready: &ReadyStudy) -> &str {
     &ready.figures.space().scene().name
 }
 
-fn size_of_svg(args: &StudyArgs) -> Vec2 {
-    let Size { cols, rows } = args.size.unwrap_or(SVG);
-    Vec2::new(f64::from(cols) * CHARACTER.x, f64::from(rows) * CHARACTER.y)
-}
-
 fn over_one(args: &StudyArgs, plot: &Plot, ready: &ReadyStudy) -> Result<String, Failure> {
     if args.format == StudyFormat::Svg {
-        return Ok(plot.svg(title(ready), size_of_svg(args), false, None));
+        return Ok(plot.svg(title(ready), svg_size(args.size), false, None));
     }
-    let Size { cols, rows } = picture::size(args.size, args.output.output.as_deref());
-    let look = PlotStyle {
-        cols,
-        rows: match args.size {
-            Some(_) => rows,
-            None => rows.max(plot.min_rows()),
-        },
-        glyphs: picture::glyphs(args.glyphs),
-        aspect: ASPECT,
-        extrema: false,
-        first: 0,
-    };
-    match plot.fits(&look) {
-        true => Ok(picture::lettered(
-            plot.render(&look, None).text(),
-            look.glyphs,
-        )),
-        false => Err(Failure::Usage(words().too_small_for_plot(cols, rows))),
-    }
+    plotted(plot, (args.size, &args.output), args.glyphs, false).map(|(text, _)| text)
 }
 
 fn over_two(args: &StudyArgs, maps: &[GridMap], ready: &ReadyStudy) -> String {
     if args.format == StudyFormat::Svg {
         let plot = GridMap::contours(maps);
-        let svg = |plot: Plot| plot.svg(title(ready), size_of_svg(args), false, None);
+        let svg = |plot: Plot| plot.svg(title(ready), svg_size(args.size), false, None);
         return plot.map(svg).unwrap_or_default();
     }
     let Size { cols, rows } = picture::size(args.size, args.output.output.as_deref());

@@ -258,15 +258,20 @@ impl<'a> StudyRows<'a> {
         }
     }
 
+    /// Adds a row to the summary.
+    fn note(&mut self, row: &DesignRow) {
+        self.summary.note(row);
+        if self.summary.valued == 0 && self.reason.is_empty() {
+            self.reason = self.table.reason(row);
+        }
+    }
+
     /// Formats rows and adds them to the summary.
     fn lines(&mut self, rows: &[DesignRow]) -> String {
         let mut text = String::new();
         for row in rows {
             text += &self.table.line(row, self.summary.rows == 0);
-            self.summary.note(row);
-            if self.summary.valued == 0 && self.reason.is_empty() {
-                self.reason = self.table.reason(row);
-            }
+            self.note(row);
         }
         self.progress.report_progress(self.summary.rows);
         text

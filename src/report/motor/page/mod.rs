@@ -5,6 +5,7 @@ mod ram_motion;
 
 use crate::page::{Page, Row, Table, TextStyle};
 use crate::report::cycle::page::indented;
+use crate::report::forces::effort_word;
 use crate::report::motor::{MotorReport, NOTHING};
 use crate::report::text::number::{concise, significant};
 use crate::study::motor::{Cycle, DriveEffort, Duty, DutyError, MotorDemand, Peak};
@@ -102,15 +103,7 @@ impl MotorReport {
 
     /// Returns the word for the driver's effort in the current language.
     fn effort(&self) -> &'static str {
-        match self.is_rotary {
-            true => words().torque(),
-            false => words().force(),
-        }
-    }
-
-    /// Returns the word for the driver's effort in files for other programs.
-    pub(in crate::report) fn effort_word(&self) -> &'static str {
-        if self.is_rotary { "torque" } else { "force" }
+        effort_word(self.effort)
     }
 
     /// Formats a speed of the driver in the scene's unit; a speed of rotation also in rpm.

@@ -2,6 +2,8 @@
 
 use super::free_body::{free_body, largest};
 use crate::page::Formula;
+use crate::quantity::Aspect;
+use crate::report::forces::effort_unit;
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::expression::Expression;
 use crate::report::working::reactions;
@@ -105,10 +107,13 @@ pub(crate) fn point_name<'a>(context: &'a Context<'_>, point: PointId) -> &'a st
 /// Writes the driver's effort, and its parts.
 fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[LoadAction]) {
     let (f, state) = (context.figures, context.state);
-    let (is_rotary, what, unit) = match context.scene.mechanism.driver().input {
-        Input::Turn(_) => (true, "torque", "N m"),
-        Input::Push(_) => (false, "force", "N"),
-    };
+    let mechanism = &context.scene.mechanism;
+    let aspect = Aspect::effort_of(mechanism.driver().input);
+    let (is_rotary, what, unit) = (
+        mechanism.driver().turns(),
+        aspect.name(),
+        effort_unit(aspect),
+    );
     draft.section(match is_rotary {
         true => words().torque_of_driver(),
         false => words().force_of_driver(),
@@ -136,10 +141,7 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[LoadAct
         ]);
     }
     if let Some(power) = state.power() {
-        let speed = match context.scene.mechanism.driver().input {
-            Input::Turn(_) => state.driver_speed(),
-            Input::Push(_) => state.driver_speed() * context.scene.mechanism.metres(),
-        };
+        let speed = speed_in_si(context);
         let [drive, speed] = [(f.number(drive), drive), (f.given(speed), speed)]
             .map(|(figure, value)| Expression::figure(figure, value));
         let name = Formula::words("driver.power");
@@ -147,6 +149,15 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[LoadAct
             Formula::measured(f.number(power), "W")
         });
         draft.agree("driver.power", computed, power, power.abs());
+    }
+}
+
+/// Returns the driver's speed in rad/s or m/s.
+pub(super) fn speed_in_si(context: &Context<'_>) -> f64 {
+    let (mechanism, speed) = (&context.scene.mechanism, context.state.driver_speed());
+    match mechanism.driver().input {
+        Input::Turn(_) => speed,
+        Input::Push(_) => speed * mechanism.metres(),
     }
 }
 
@@ -161,10 +172,7 @@ pub(crate) fn check(context: &Context<'_>, draft: &mut Draft) {
     let f = context.figures;
     let [x, y] = components(context, force);
     draft.text(words().frame_feels(&x, &y, &f.number(moment)));
-    let unit = match context.scene.mechanism.driver().input {
-        Input::Turn(_) => "N m",
-        Input::Push(_) => "N",
-    };
+    let unit = effort_unit(Aspect::effort_of(context.scene.mechanism.driver().input));
     let small = |v: f64| {
         if v == 0.0 {
             "0".to_owned()

@@ -1,14 +1,16 @@
 //! Writes the laws of loads (the factor over the driver, the curve of a press), and the part of the
 //! driver's effort against each load.
 
-use super::forces::{kind, point_name};
+use super::forces::{kind, point_name, speed_in_si};
 use super::knots::{line_at, on_line};
 use crate::page::Formula;
+use crate::quantity::Aspect;
+use crate::report::forces::effort_unit;
 use crate::report::working::context::{Context, Draft};
 use crate::report::working::expression::Expression;
 use crate::solver::{LoadAction, PressStroke};
 use crate::wording::words;
-use crate::{Body, Input, Load, PointId, Profile, SlideId, StrokeEnd, Vec2};
+use crate::{Body, Load, PointId, Profile, SlideId, StrokeEnd, Vec2};
 
 /// Writes the laws of loads that are not constant.
 pub(crate) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[LoadAction]) {
@@ -125,10 +127,7 @@ pub(crate) fn shares(
     let (f, state) = (context.figures, context.state);
     let mechanism = &context.scene.mechanism;
     let metres = mechanism.metres();
-    let speed = match mechanism.driver().input {
-        Input::Turn(_) => state.driver_speed(),
-        Input::Push(_) => state.driver_speed() * metres,
-    };
+    let speed = speed_in_si(context);
     if speed == 0.0 {
         return;
     }
@@ -179,10 +178,7 @@ pub(crate) fn shares(
             rows,
         );
     }
-    let unit = match mechanism.driver().input {
-        Input::Turn(_) => "N m",
-        Input::Push(_) => "N",
-    };
+    let unit = effort_unit(Aspect::effort_of(mechanism.driver().input));
     let size = parts
         .iter()
         .fold(0.0_f64, |maximum, v| maximum.max(v.abs()));

@@ -3,7 +3,7 @@
 
 use crate::page::Symbol;
 use crate::quantity::{Aspect, Subject, value};
-use crate::report::tables::shared_body;
+use crate::report::tables::{index, shared_body};
 use crate::report::working::symbols;
 use crate::scene::{Scene, Vector, VectorKind};
 use crate::solver::{Known, Order};
@@ -68,12 +68,12 @@ impl SideReading {
 
     /// Returns the length, or its rate of an order.
     pub(crate) fn length(&self, order: Order) -> f64 {
-        [self.r, self.rate, self.accel][symbols::index(order)]
+        [self.r, self.rate, self.accel][index(order)]
     }
 
     /// Returns the direction in degrees, or its rate of an order.
     pub(crate) fn angle(&self, order: Order) -> f64 {
-        [self.theta, self.omega, self.alpha][symbols::index(order)]
+        [self.theta, self.omega, self.alpha][index(order)]
     }
 }
 

@@ -27,7 +27,7 @@ impl App {
     pub(in crate::tui::app) fn compare(&mut self) {
         if self.end_comparison() {
             self.sample();
-            self.shell.set_message(words().no_longer_compared());
+            self.set_message(words().no_longer_compared());
             return;
         }
         let edited = self.is_edited().then_some(PickerTarget::Original);
@@ -52,7 +52,7 @@ impl App {
         self.scroll_by(0);
         self.sample();
         if self.back_target() == BackTarget::Comparison {
-            self.shell.set_message(words().esc_ends_comparison());
+            self.set_message(words().esc_ends_comparison());
         }
         Ok(())
     }
@@ -70,7 +70,7 @@ impl App {
         }
         match compared.again(&self.player.open_scene) {
             Ok(compared) => self.comparison.compared = Some(compared),
-            Err(why) => self.shell.set_message(why),
+            Err(why) => self.set_message(why),
         }
         self.scroll_by(0);
     }

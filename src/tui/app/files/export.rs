@@ -4,7 +4,7 @@ use super::super::views::{self, Copied};
 use crate::capability::{Detected, PictureProtocol};
 use crate::quantity::{Catalogue, Clock};
 use crate::report::{
-    Columns, LeadSweep, MadeExercise, Report, RowFormat, Steps, Sweep, WrittenDecimal,
+    Columns, LeadSweep, MadeExercise, Report, RowFormat, Steps, Sweep, SweepOutcome, WrittenDecimal,
 };
 use crate::solver::{Order, PointLeader};
 use crate::study::ExerciseMaker;
@@ -19,6 +19,7 @@ use crate::tui::player::led_motion::LedMotion;
 use crate::tui::player::solution_cache::{DIGITS, Explained};
 use crate::tui::terminal::clipboard;
 use crate::wording::words;
+use std::io;
 
 impl App {
     pub(in crate::tui::app) fn take_out(&mut self, action: Action) -> Effect {
@@ -41,7 +42,7 @@ impl App {
                 Effect::Still
             }
             None => {
-                self.shell.set_message(self.shell.pictures.why.clone());
+                self.set_message(self.shell.pictures.why.clone());
                 Effect::Show
             }
         }
@@ -59,14 +60,13 @@ impl App {
 
     /// Reports the outcome of sending an image.
     pub(crate) fn report_image(&mut self, message: String) {
-        self.shell.set_message(message);
+        self.set_message(message);
     }
 
     /// Copies what the view shows; in the tables, first asks how much of them to copy.
     fn copy(&mut self) -> Effect {
         if !self.shell.capability.modern {
-            self.shell
-                .set_message(self.with_alternative(words().no_clipboard().into()));
+            self.set_message(self.with_alternative(words().no_clipboard().into()));
             return Effect::Show;
         }
         match self.shell.view.pane_in(self).copy(self) {
@@ -77,7 +77,7 @@ impl App {
             }
             Copied::Asked => self.shell.mode = Mode::Copy,
             Copied::Nothing => {
-                self.shell.set_message(words().nothing_to_copy());
+                self.set_message(words().nothing_to_copy());
             }
         }
         Effect::Show
@@ -97,7 +97,7 @@ impl App {
         if let Some(text) = text {
             return Some(self.send(&text));
         }
-        self.shell.set_message(words().no_value_to_copy());
+        self.set_message(words().no_value_to_copy());
         Some(Effect::Show)
     }
 
@@ -114,13 +114,11 @@ impl App {
     fn send(&mut self, text: &str) -> Effect {
         match clipboard::sequence(text) {
             Ok(bytes) => {
-                self.shell
-                    .set_message(words().sent_to_clipboard(text.len()));
+                self.set_message(words().sent_to_clipboard(text.len()));
                 Effect::Send(bytes)
             }
             Err(too_large) => {
-                self.shell
-                    .set_message(self.with_alternative(too_large.to_string()));
+                self.set_message(self.with_alternative(too_large.to_string()));
                 Effect::Show
             }
         }
@@ -156,7 +154,7 @@ impl App {
                 let text = Text::new(what, text);
                 self.prompt_for_file(SavedContent::Text(text), &proposal);
             }
-            Err(why) => self.shell.set_message(why),
+            Err(why) => self.set_message(why),
         }
     }
 
@@ -183,24 +181,19 @@ impl App {
         };
         let sweep = Sweep {
             scene,
-            solver: self.player.open_scene.solver(),
+            solver: open_scene.solver(),
             columns: &columns,
             steps: &Steps::new(here, here, step).map_err(|e| e.to_string())?,
             clock: time.as_ref().map(|(_, clock)| clock),
             format: RowFormat::Csv(self.csv_dialect()),
         };
-        let mut text = Vec::new();
-        let written = sweep.write(&mut text, &mut |_| {});
-        written.map_err(|e| e.to_string())?;
-        String::from_utf8(text).map_err(|e| e.to_string())
+        text_of(|text| sweep.write(text, &mut |_| {}))
     }
 
     /// Formats all values at the present time of a leading point as a sweep of one row.
     fn row_of_lead(&self, led: &LedMotion) -> Result<String, String> {
-        let (scene, solver) = (
-            self.player.open_scene.scene(),
-            self.player.open_scene.solver(),
-        );
+        let open_scene = &self.player.open_scene;
+        let (scene, solver) = (open_scene.scene(), open_scene.solver());
         let catalogue = Catalogue::new(scene);
         let broken = || words().no_figures_to_write().to_owned();
         let leader = PointLeader::new(solver, led.lead().lead()).ok_or_else(broken)?;
@@ -214,10 +207,7 @@ impl App {
             steps: &Steps::new(here, here, step).map_err(|e| e.to_string())?,
             format: RowFormat::Csv(self.csv_dialect()),
         };
-        let mut text = Vec::new();
-        let written = sweep.write(&mut text, &mut |_| {});
-        written.map_err(|e| e.to_string())?;
-        String::from_utf8(text).map_err(|e| e.to_string())
+        text_of(|text| sweep.write(text, &mut |_| {}))
     }
 
     /// Asks for a file for the screen as it was when the key was pressed.
@@ -229,7 +219,7 @@ impl App {
     fn prompt_for_svg(&mut self) {
         match self.shell.view.pane_in(self).svg(self) {
             Ok((what, text)) => self.offer_file(Ok(text), what, "svg"),
-            Err(why) => self.shell.set_message(why),
+            Err(why) => self.set_message(why),
         }
     }
 
@@ -239,10 +229,10 @@ impl App {
         let open_scene = &self.player.open_scene;
         let (scene, solver) = (open_scene.scene(), open_scene.solver());
         if open_scene.led().is_some() {
-            return self.shell.set_message(words().shows_the_driver_only());
+            return self.set_message(words().shows_the_driver_only());
         }
         if !Explained::is_possible(scene) {
-            return self.shell.set_message(words().too_many_links_to_report());
+            return self.set_message(words().too_many_links_to_report());
         }
         let mut state = solver.state();
         let _ = open_scene
@@ -261,10 +251,10 @@ impl App {
         let open_scene = &self.player.open_scene;
         let (scene, solver) = (open_scene.scene(), open_scene.solver());
         if scene.lead.is_some() {
-            return self.shell.set_message(words().shows_the_driver_only());
+            return self.set_message(words().shows_the_driver_only());
         }
         if self.is_unsaved() {
-            return self.shell.set_message(words().exercise_of_saved_scene());
+            return self.set_message(words().exercise_of_saved_scene());
         }
         let typed = match open_scene.origin() {
             Origin::File(path) => path.display().to_string(),
@@ -277,7 +267,7 @@ impl App {
                 let text = Text::of_report(words().the_exercise(), &made.sheet(&name));
                 self.prompt_for_file(SavedContent::Text(text), &format!("{name}.html"));
             }
-            Err(why) => self.shell.set_message(why),
+            Err(why) => self.set_message(why),
         }
     }
 
@@ -308,4 +298,11 @@ impl App {
         let place = complete.map_or_else(place, str::to_owned);
         format!("{}-{place}.{ending}", self.stem())
     }
+}
+
+/// Returns the text that a sweep writes, or the reason why it writes none.
+fn text_of(write: impl FnOnce(&mut Vec<u8>) -> io::Result<SweepOutcome>) -> Result<String, String> {
+    let mut text = Vec::new();
+    write(&mut text).map_err(|e| e.to_string())?;
+    String::from_utf8(text).map_err(|e| e.to_string())
 }

@@ -16,7 +16,7 @@ use std::time::Duration;
 impl JobOwner for App {
     fn fail(&mut self, error: &io::Error) {
         self.document.storing = false;
-        self.shell.set_message(error.to_string());
+        self.set_message(error.to_string());
     }
 }
 
@@ -90,14 +90,12 @@ impl App {
             FileStatus::Written(_) if self.is_changed() => {
                 let key = |action| self.shell.keymap.key_label(action);
                 let [reload, elsewhere] = [Action::Reload, Action::SaveAs].map(key);
-                self.shell
-                    .set_message(words().file_changed(&name, &reload, &elsewhere));
+                self.set_message(words().file_changed(&name, &reload, &elsewhere));
             }
             FileStatus::Written(bytes) => self.load_changed_file(&bytes, &name, now),
             FileStatus::Gone => self.report_missing(&name),
             FileStatus::Unreadable(error) => {
-                self.shell
-                    .set_message(words().name_cannot_be_read(&name, &error));
+                self.set_message(words().name_cannot_be_read(&name, &error));
             }
         }
     }
@@ -115,7 +113,7 @@ impl App {
     /// Rereads the file on request; replaces unsaved edits only if `over`.
     pub(in crate::tui::app) fn reload(&mut self, over: bool) {
         let Origin::File(path) = self.player.open_scene.origin().clone() else {
-            self.shell.set_message(words().no_file_to_read());
+            self.set_message(words().no_file_to_read());
             return;
         };
         self.clerk.submit(move || {
@@ -137,15 +135,14 @@ impl App {
             // A deleted file does not endanger the edits.
             FileStatus::Gone => self.report_missing(&name),
             FileStatus::Unreadable(error) => {
-                self.shell
-                    .set_message(words().name_cannot_be_read(&name, &error));
+                self.set_message(words().name_cannot_be_read(&name, &error));
             }
         }
     }
 
     fn report_missing(&mut self, name: &str) {
         let key = self.shell.keymap.key_label(Action::Save);
-        self.shell.set_message(words().file_is_gone(name, &key));
+        self.set_message(words().file_is_gone(name, &key));
     }
 
     /// Shows the file's new contents as an edit that can be undone. If they are invalid, the last
@@ -172,12 +169,11 @@ impl App {
                 self.exchange(opened, now);
                 self.keep();
                 self.watch();
-                self.shell.set_message(words().was_read_again(name));
+                self.set_message(words().was_read_again(name));
             }
             Err(faults) => {
                 let fault = faults.first_words();
-                self.shell
-                    .set_message(words().is_broken_not_shown(name, fault));
+                self.set_message(words().is_broken_not_shown(name, fault));
             }
         }
     }

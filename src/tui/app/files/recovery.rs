@@ -87,7 +87,7 @@ impl App {
             self.player.playback.pause();
             self.shell.open_prompt(Mode::Recovery(Box::new(offer)));
         } else {
-            self.shell.set_message(words().others_have_edits());
+            self.set_message(words().others_have_edits());
         }
     }
 
@@ -209,13 +209,13 @@ impl App {
                 self.change(edited, Deed::Other(words().recovered_edits().into()), now);
                 self.document.older |= found.is_stale;
                 let key = self.shell.keymap.key_label(Action::Undo);
-                self.shell.set_message(match found.is_stale {
+                self.set_message(match found.is_stale {
                     true => words().older_edits_are_back(&key),
                     false => words().edits_are_back(&key),
                 });
                 self.restore_staged(found.edits.waiting);
             }
-            Err(why) => self.shell.set_message(words().edits_cannot_be_shown(&why)),
+            Err(why) => self.set_message(words().edits_cannot_be_shown(&why)),
         }
     }
 
@@ -229,7 +229,7 @@ impl App {
         if !offer.forget() {
             self.shell.mode = Mode::Normal;
         }
-        self.shell.set_message(words().edits_deleted());
+        self.set_message(words().edits_deleted());
         self.clerk.submit(move || {
             recovery::delete(&file);
             Box::new(|_, _| {})

@@ -34,7 +34,7 @@ impl App {
         let typed = prompt.name.text().trim();
         let to = from_home(typed, directories::environment);
         if let Some(extension) = foreign_extension(&to) {
-            self.shell.set_message(words().is_no_text_file(&extension));
+            self.set_message(words().is_no_text_file(&extension));
             self.shell.mode = Mode::FileName(prompt);
             return;
         }

@@ -57,7 +57,7 @@ impl App {
     /// file.
     pub(in crate::tui::app) fn store(&mut self, content: SavedContent, to: PathBuf, leave: Leave) {
         if self.document.storing {
-            self.shell.set_message(words().still_writing());
+            self.set_message(words().still_writing());
             return;
         }
         let text = match &content {
@@ -65,7 +65,7 @@ impl App {
             SavedContent::Scene => {
                 let is_shown = edit_result::opens_in_shown_assembly(&self.player.open_scene);
                 if !is_shown && !self.record_assembly(words().assembly()) {
-                    self.shell.set_message(words().not_written_without_start());
+                    self.set_message(words().not_written_without_start());
                     return;
                 }
                 self.player.open_scene.scene().text().to_owned()
@@ -88,8 +88,7 @@ impl App {
             return;
         }
         self.document.storing = true;
-        self.shell
-            .set_message(words().writing_to(&request.to.display()));
+        self.set_message(words().writing_to(&request.to.display()));
         let scene = self.scenes;
         self.clerk.submit(move || {
             let done = request.run();
@@ -129,7 +128,7 @@ impl App {
         let error = match done {
             Ok(()) => {
                 let to = request.to.display();
-                self.shell.set_message(match &content {
+                self.set_message(match &content {
                     SavedContent::Scene => words().written_to(&to),
                     SavedContent::Text(text) => words().all_written_to(&text.what, &to),
                 });
@@ -140,7 +139,7 @@ impl App {
             }
             Err(error) => error,
         };
-        self.shell.set_message(match &content {
+        self.set_message(match &content {
             SavedContent::Scene => refused(&error, &request.to),
             SavedContent::Text(_) => refused_there(&error),
         });

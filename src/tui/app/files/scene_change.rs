@@ -13,12 +13,12 @@ impl App {
     /// Opens the preset at a distance from the current one in the list of presets.
     pub(in crate::tui::app) fn open(&mut self, distance: isize) {
         let Some(preset) = self.player.open_scene.preset_at(distance) else {
-            self.shell.set_message(words().no_presets());
+            self.set_message(words().no_presets());
             return;
         };
         match opening::preset(preset) {
             Ok(opened) => self.show(opened),
-            Err(message) => self.shell.set_message(message),
+            Err(message) => self.set_message(message),
         }
     }
 

@@ -168,7 +168,7 @@ impl App {
             Arc::clone(&self.document.original),
             self.player.open_scene.origin().clone(),
         );
-        self.shell.set_message(words().reading(&name));
+        self.set_message(words().reading(&name));
         self.clerk.submit(move || {
             let opened = opened(&place, &original, origin);
             Box::new(move |app, now| app.picked(purpose, place, name, opened, now))
@@ -208,7 +208,7 @@ impl App {
             }
         });
         if let Err(why) = done {
-            self.shell.set_message(why);
+            self.set_message(why);
         }
     }
 }

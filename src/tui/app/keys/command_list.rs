@@ -67,8 +67,7 @@ impl App {
             Some(ListEntry::Steps(count)) => self.step_selected((*count).into(), now),
             Some(ListEntry::Theme(theme)) => {
                 self.shell.theme = *theme;
-                self.shell
-                    .set_message(words().theme_is(theme.shown_name(), theme.name()));
+                self.set_message(words().theme_is(theme.shown_name(), theme.name()));
             }
             Some(ListEntry::Exercise(seed)) => self.prompt_for_exercise(*seed),
             Some(ListEntry::SaveAndQuit) if !self.is_blocked_by_staging(Action::Save) => {
@@ -90,7 +89,7 @@ impl App {
                 let task = &ExampleTask::all()[*at];
                 match opening::task(task) {
                     Ok(order) => self.synthesize(order),
-                    Err(why) => self.shell.set_message(why),
+                    Err(why) => self.set_message(why),
                 }
             }
             Some(
@@ -107,7 +106,7 @@ impl App {
 
     /// Opens a file, or the preset of this name if there is no such file.
     fn open_named(&mut self, name: &str) {
-        self.shell.set_message(words().reading(name));
+        self.set_message(words().reading(name));
         let (name, path) = (name.to_owned(), from_home(name, directories::environment));
         self.open_with(
             move || match presets::find(&name).filter(|_| !path.exists()) {
@@ -132,7 +131,7 @@ impl App {
             _ if !self.shell.mode.is_normal() => {}
             Ok(OpenedFile::Scene(opened)) => self.show(*opened),
             Ok(OpenedFile::Task(order)) => self.synthesize(*order),
-            Err(why) => self.shell.set_message(why),
+            Err(why) => self.set_message(why),
         }
     }
 }

@@ -141,10 +141,9 @@ impl App {
             let mut copies = parts.filter_map(|part| Some((part, scene.original_of(part)?)));
             if let Some((copy, original)) = copies.next() {
                 let message = words().edit_the_original(copy, original);
-                self.shell.set_message(message);
+                self.set_message(message);
             } else if let Some(link) = &typed.link {
-                self.shell
-                    .set_message(words().begins_a_frame(&typed.point, link));
+                self.set_message(words().begins_a_frame(&typed.point, link));
             }
             return;
         };

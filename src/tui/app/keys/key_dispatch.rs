@@ -51,8 +51,7 @@ impl App {
     fn report_unbound_key(&mut self, key: Key) -> Effect {
         if self.shell.mode.is_normal() {
             let help = self.shell.keymap.key_label(Action::Help);
-            self.shell
-                .set_message(words().means_nothing_here(&key, &help));
+            self.set_message(words().means_nothing_here(&key, &help));
         }
         Effect::Show
     }
@@ -61,7 +60,7 @@ impl App {
     fn report_rejected(&mut self) {
         let line = self.shell.mode.line();
         if let Some(why) = line.and_then(EditLine::take_refusal) {
-            self.shell.set_message(why);
+            self.set_message(why);
         }
     }
 

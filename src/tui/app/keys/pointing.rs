@@ -40,7 +40,7 @@ impl App {
     pub(in crate::tui::app) fn toggle_mouse(&mut self) {
         self.shell.has_mouse = !self.shell.has_mouse;
         self.end_drag();
-        self.shell.set_message(match self.shell.has_mouse {
+        self.set_message(match self.shell.has_mouse {
             true => words().mouse_on(),
             false => words().mouse_off(),
         });

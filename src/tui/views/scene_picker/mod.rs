@@ -19,7 +19,7 @@ use super::{
     split_columns,
 };
 use crate::drawing::{self, Layers};
-use crate::page::wrapped;
+use crate::page::{truncate_lines, wrapped};
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::player::open_scene::shown;
@@ -202,12 +202,7 @@ fn facts(sample: &Sample, width: usize) -> Vec<(String, ScreenPart)> {
     let Sample { scene, .. } = sample;
     let lines = |text: &str, maximum: usize, part: ScreenPart| {
         let mut lines = wrapped(text, width);
-        if lines.len() > maximum {
-            lines.truncate(maximum);
-            if let Some(last) = lines.last_mut() {
-                *last = cut(&format!("{last} ..."), width);
-            }
-        }
+        truncate_lines(&mut lines, maximum, width);
         lines.into_iter().map(move |line| (line, part))
     };
     let own = format!("{}; {}", sample.parts, sample.range);

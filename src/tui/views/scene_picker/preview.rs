@@ -1,6 +1,5 @@
 //! Previews of scenes, files and folders before they are opened.
 
-use crate::Input;
 use crate::drawing::Extents;
 use crate::report::fixed;
 use crate::report::wanted;
@@ -198,10 +197,8 @@ fn parts(scene: &Scene) -> String {
 }
 
 fn range(scene: &Scene, solver: &Solver) -> String {
-    let (name, unit) = match scene.mechanism.driver().input {
-        Input::Turn(link) => (scene.link_name(link), "deg"),
-        Input::Push(slide) => (scene.slide_name(slide), scene.unit.symbol()),
-    };
+    let driver = scene.mechanism.driver().input;
+    let (name, unit) = (scene.input_name(driver), scene.input_unit(driver));
     match solver.motion().range {
         Range::Full { period } if period > crate::angle::TURN => {
             words().turns_fully_and_repeats(name, &period)

@@ -7,7 +7,7 @@
 //!  edit  r3 length [mm, cm, m, in]   Enter take  Esc cancel
 //! ```
 
-use crate::page::{cut, wrapped};
+use crate::page::{truncate_lines, wrapped};
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::player::open_scene::shown;
@@ -31,12 +31,7 @@ impl MessageLines {
         let width = usize::from(screen.width.saturating_sub(2 * INDENT)).max(1);
         let mut lines = broken(&shown(message, app.glyphs()), width);
         let maximum = usize::from(screen.height.saturating_sub(2));
-        if lines.len() > maximum {
-            lines.truncate(maximum);
-            if let Some(last) = lines.last_mut() {
-                *last = cut(&format!("{last} ..."), width);
-            }
-        }
+        truncate_lines(&mut lines, maximum, width);
         let height = u16::try_from(lines.len()).unwrap_or(u16::MAX);
         let area = Rect {
             y: screen.bottom().saturating_sub(1 + height),

@@ -9,7 +9,7 @@ use crate::scene::elements::link::{DraftLink, Ends, MAX_LINKS};
 use crate::scene::elements::link_points::{self, Sighted};
 use crate::scene::elements::points::PlacedPoint;
 use crate::scene::elements::slide::{DraftSlide, DraftSlider, Through};
-use crate::scene::inputs::input::DraftInput;
+use crate::scene::inputs::input::DraftDriver;
 use crate::scene::inputs::timed_inputs::DraftTimed;
 use crate::scene::numbers::reader::{MAX_SIZE, Name, Reader, quoted};
 use crate::scene::raw_elements::SceneDraft;
@@ -86,6 +86,14 @@ struct Group<'t> {
     named: HashSet<&'t str>,
     /// All points of the links and slides, without duplicates, in the order of the file.
     points: Vec<&'t str>,
+}
+
+impl<'t> Group<'t> {
+    /// Returns the names of its links and slides.
+    fn elements<'d>(&self, draft: &'d SceneDraft<'t>) -> impl Iterator<Item = &'d Name<'t>> {
+        let links = self.links.iter().map(|&link| &draft.links[link].name);
+        links.chain(self.slides.iter().map(|&slide| &draft.slides[slide].name))
+    }
 }
 
 /// The role of a point of the group in a copy.
@@ -291,9 +299,7 @@ impl<'t> Copier<'_, '_, 't> {
         let (of, point) = (words().copy_called(&copy.name.to_string()), quoted(point));
         let [first, second] = [first, second].map(Name::to_string);
         let fault = Diagnostic::new(words().phase_on_two_links(&of, &point, &first, &second));
-        let place = copy.phase_key.clone();
-        let place = place.unwrap_or_else(|| copy.name.span.clone());
-        let fault = fault.at(place, words().two_links_could_turn());
+        let fault = fault.at(copy.phase_place(), words().two_links_could_turn());
         self.reader.report(fault.help(words().copy_one_link_too()));
         false
     }
@@ -314,10 +320,8 @@ impl<'t> Copier<'_, '_, 't> {
 
     /// Returns the name of the driven link.
     fn driven_link(&self) -> Option<&'t str> {
-        match &self.draft.driver.as_ref()?.input {
-            DraftInput::Link(link) => Some(link.text),
-            DraftInput::Slide(_) => None,
-        }
+        let driver = self.draft.driver.as_ref()?;
+        driver.driven_link().map(|link| link.text)
     }
 
     /// Returns the role of each point of the group.
@@ -363,14 +367,10 @@ impl<'t> Copier<'_, '_, 't> {
         slot: &'t NameSlot,
     ) -> bool {
         let draft = &*self.draft;
-        let links = group.links.iter().map(|&link| draft.links[link].name.text);
-        let slides = group
-            .slides
-            .iter()
-            .map(|&slide| draft.slides[slide].name.text);
         let points = group.points.iter().zip(roles);
         let points = points.filter(|(_, role)| !matches!(role, PointRole::Shared));
-        let elements = links.chain(slides).chain(points.map(|(point, _)| *point));
+        let elements = group.elements(draft).map(|name| name.text);
+        let elements = elements.chain(points.map(|(point, _)| *point));
         // The start of a centre of mass has the name of its link.
         let centres = draft.start.iter().map(|place| place.name.text);
         let centres = centres.filter(|name| {
@@ -447,14 +447,9 @@ impl<'t> Copier<'_, '_, 't> {
     fn check_inputs(&mut self, instance: &Instance<'_, 't>, group: &Group<'t>) {
         let draft = &*self.draft;
         let relative = draft.driver.iter().filter(|driver| driver.from.is_some());
-        let relative = relative.map(|driver| {
-            let (DraftInput::Link(driven) | DraftInput::Slide(driven)) = &driver.input;
-            driven
-        });
+        let relative = relative.map(DraftDriver::driven);
         let inputs = relative.chain(draft.timed.iter().map(|timed| &timed.name));
-        let links = group.links.iter().map(|&link| draft.links[link].name.text);
-        let slides = group.slides.iter().map(|&s| draft.slides[s].name.text);
-        let elements: HashSet<&str> = links.chain(slides).collect();
+        let elements: HashSet<&str> = group.elements(draft).map(|name| name.text).collect();
         let followed = |name: &Name<'_>| {
             let copied = instance.name(name);
             draft
@@ -534,11 +529,12 @@ impl<'t> Copier<'_, '_, 't> {
 
     fn phase_at_origin(&mut self, instance: &Instance<'_, 't>, point: &str) {
         let of = words().copy_called(&instance.copy.name.to_string());
-        let place = instance.copy.phase_key.clone();
-        let place = place.unwrap_or_else(|| instance.copy.name.span.clone());
         self.reader.report(
             Diagnostic::new(words().phase_at_origin(&of, &quoted(point)))
-                .at(place, words().turns_about_the_origin())
+                .at(
+                    instance.copy.phase_place(),
+                    words().turns_about_the_origin(),
+                )
                 .help(words().begin_crank_at_pivot()),
         );
     }
@@ -554,8 +550,6 @@ impl<'t> Copier<'_, '_, 't> {
     ) -> bool {
         let draft = &*self.draft;
         let is_fixed = |point: &str| draft.ground.iter().any(|p| p.name.text == point);
-        let links = group.links.iter().map(|&link| &draft.links[link].name);
-        let slides = group.slides.iter().map(|&slide| &draft.slides[slide].name);
         let has_input = |name: &Name<'t>| {
             let name = instance.name(name);
             draft.timed.iter().any(|own| own.name.text == name.text)
@@ -566,7 +560,7 @@ impl<'t> Copier<'_, '_, 't> {
             PointRole::Carried(_) => false,
         };
         instance.phase().hi == 0.0
-            && !links.chain(slides).any(has_input)
+            && !group.elements(draft).any(has_input)
             && group.points.iter().zip(roles).all(stays)
     }
 
@@ -685,15 +679,11 @@ impl<'t> Copier<'_, '_, 't> {
         let Some(driver) = &self.draft.driver else {
             return false;
         };
-        let (DraftInput::Link(driven) | DraftInput::Slide(driven)) = &driver.input;
-        let is_link = matches!(driver.input, DraftInput::Link(_));
-        let links = group.links.iter().map(|&link| &self.draft.links[link].name);
-        let slides = group
-            .slides
-            .iter()
-            .map(|&slide| &self.draft.slides[slide].name);
-        let mut elements = links.chain(slides);
-        if !elements.any(|name| name.text == driven.text) || driver.from.is_some() {
+        let (driven, is_link) = (driver.driven(), driver.driven_link().is_some());
+        let is_copied = group
+            .elements(self.draft)
+            .any(|name| name.text == driven.text);
+        if !is_copied || driver.from.is_some() {
             return false;
         }
         let name = instance.name(driven);

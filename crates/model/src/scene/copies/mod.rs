@@ -48,6 +48,14 @@ pub(super) struct DraftCopy<'t> {
     join: Vec<(Name<'t>, Name<'t>)>,
 }
 
+impl DraftCopy<'_> {
+    /// Returns the place of the phase, or of the copy if it has none.
+    fn phase_place(&self) -> ByteSpan {
+        let place = self.phase_key.as_ref();
+        place.unwrap_or(&self.name.span).clone()
+    }
+}
+
 /// Reads the section; `ground` has the points about which a copy can be turned.
 pub(super) fn read<'v>(
     reader: &mut Reader<'_>,

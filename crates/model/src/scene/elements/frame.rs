@@ -9,7 +9,7 @@ use crate::Vec2;
 use crate::scene::elements::link::DraftLink;
 use crate::scene::elements::points::DraftVector;
 use crate::scene::elements::slide::DraftSlider;
-use crate::scene::inputs::input::DraftInput;
+use crate::scene::inputs::input::DraftDriver;
 use crate::scene::loading::loads::DraftLoad;
 use crate::scene::raw_elements::SceneDraft;
 use std::collections::HashMap;
@@ -51,13 +51,7 @@ pub(crate) fn as_vectors(draft: &mut SceneDraft<'_>) {
 
 /// Returns the names of the links used as links: driven, sliding, carrying a guide, or with a load.
 fn carriers<'t>(draft: &SceneDraft<'t>) -> HashSet<&'t str> {
-    let driven = draft
-        .driver
-        .iter()
-        .filter_map(|driver| match &driver.input {
-            DraftInput::Link(name) => Some(name),
-            DraftInput::Slide(_) => None,
-        });
+    let driven = draft.driver.iter().filter_map(DraftDriver::driven_link);
     let slides = draft.slides.iter().flat_map(|slide| {
         let sliding = match &slide.slider {
             Some(DraftSlider::Link { link, .. }) => Some(link),

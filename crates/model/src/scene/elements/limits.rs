@@ -11,7 +11,6 @@ use crate::document::{Diagnostic, WrittenValue, items};
 use crate::mechanism::MAX_TURNS;
 use crate::nearest::did_you_mean;
 use crate::scene::keys;
-use crate::scene::names::NameKind;
 use crate::scene::numbers::reader::{ByteSpan, Name, Reader};
 use crate::scene::raw_elements::SceneDraft;
 use crate::scene::resolve::Resolver;
@@ -201,11 +200,10 @@ impl<'t> Resolver<'_, '_, 't> {
         from: Option<&Name<'t>>,
     ) -> Option<LimitOf> {
         let what = words().limit_called(&limit.name.to_string());
-        let seen = self.limited_link(&what, "link", link);
+        let seen = self.link(&words().key_of("link", &what), link);
         let body = match from {
             None => Some(Body::Ground),
-            Some(from) if from.text == "ground" => Some(Body::Ground),
-            Some(from) => self.limited_link(&what, "from", from).map(Body::Link),
+            Some(from) => self.body(&words().key_of("from", &what), from),
         };
         let (link_id, body) = (seen?, body?);
         if body == Body::Link(link_id) {
@@ -220,12 +218,6 @@ impl<'t> Resolver<'_, '_, 't> {
             link: link_id,
             from: body,
         })
-    }
-
-    fn limited_link(&mut self, what: &str, key: &str, name: &Name<'t>) -> Option<LinkId> {
-        let what = words().key_of(key, what);
-        let found = self.names.find(self.reader, &what, name, NameKind::Link);
-        found.map(LinkId::new)
     }
 
     fn too_wide(&mut self, limit: &DraftLimit<'t>) {

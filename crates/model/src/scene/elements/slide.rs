@@ -25,17 +25,21 @@ pub(crate) struct DraftSlide<'t> {
 }
 
 impl<'t> DraftSlide<'t> {
-    /// Returns the names of its points: the pin and the point of the guide.
-    pub(crate) fn point_names(&self) -> impl Iterator<Item = &Name<'t>> {
-        let pin = self.slider.iter().filter_map(|slider| match slider {
+    /// Returns the name of its pin.
+    pub(crate) fn pin(&self) -> Option<&Name<'t>> {
+        match self.slider.as_ref()? {
             DraftSlider::Pin(point) => Some(point),
             DraftSlider::Link { .. } => None,
-        });
+        }
+    }
+
+    /// Returns the names of its points: the pin and the point of the guide.
+    pub(crate) fn point_names(&self) -> impl Iterator<Item = &Name<'t>> {
         let through = self.through.iter().filter_map(|through| match through {
             Through::Point(point) => Some(point),
             Through::At(_) => None,
         });
-        pin.chain(through)
+        self.pin().into_iter().chain(through)
     }
 }
 
@@ -147,22 +151,6 @@ fn slider<'v>(
     }
 }
 
-/// The body that carries a guide: the ground, or a link by its index in the draft.
-#[derive(Clone, Copy)]
-enum Carrier {
-    Ground,
-    Link(usize),
-}
-
-impl Carrier {
-    fn body(self) -> Body {
-        match self {
-            Carrier::Ground => Body::Ground,
-            Carrier::Link(link) => Body::Link(LinkId::new(link)),
-        }
-    }
-}
-
 /// The slider, by id.
 enum SlidingId {
     Pin(PointId),
@@ -182,7 +170,7 @@ impl<'r, 't> Resolver<'r, '_, 't> {
                 (Some(Through::Point(_)) | None, _) => None,
             };
             if let (Some(on), Some(sliding), Some(through)) = (on, sliding, through) {
-                self.slide(slide, sliding, on.body(), through);
+                self.slide(slide, sliding, on, through);
             }
         }
     }
@@ -203,16 +191,13 @@ impl<'r, 't> Resolver<'r, '_, 't> {
         self.push_slide(slide, id);
     }
 
-    fn carrier(&mut self, slide: &DraftSlide<'t>, on: &Name<'t>) -> Option<Carrier> {
-        if on.text == "ground" {
-            return Some(Carrier::Ground);
-        }
+    fn carrier(&mut self, slide: &DraftSlide<'t>, on: &Name<'t>) -> Option<Body> {
         let what = words().key_of("on", &words().slide_called(&slide.name.to_string()));
-        let link = self.names.find(self.reader, &what, on, NameKind::Link);
-        if link.is_none() {
+        let carrier = self.body(&what, on);
+        if carrier.is_none() {
             self.reader.help(words().guide_in_the_frame());
         }
-        link.map(Carrier::Link)
+        carrier
     }
 
     fn sliding(&mut self, slide: &DraftSlide<'t>, slider: &DraftSlider<'t>) -> Option<SlidingId> {
@@ -221,31 +206,28 @@ impl<'r, 't> Resolver<'r, '_, 't> {
             DraftSlider::Link { link, turn } => {
                 let slide = words().slide_called(&slide.name.to_string());
                 let what = words().key_of("link", &slide);
-                let link = self.names.find(self.reader, &what, link, NameKind::Link)?;
-                Some(SlidingId::Link {
-                    link: LinkId::new(link),
-                    turn: *turn,
-                })
+                let link = self.link(&what, link)?;
+                Some(SlidingId::Link { link, turn: *turn })
             }
         }
     }
 
     /// Returns the coordinates of the guide's named point in the frame of the body that carries the
     /// guide. Reports a point that the body does not have, and returns `None`.
-    fn through(&mut self, slide: &DraftSlide<'t>, name: &Name<'t>, on: Carrier) -> Option<Vec2> {
+    fn through(&mut self, slide: &DraftSlide<'t>, name: &Name<'t>, on: Body) -> Option<Vec2> {
         let what = words().key_of("through", &words().slide_called(&slide.name.to_string()));
         self.referred.insert(name.text);
         self.names.find(self.reader, &what, name, NameKind::Point)?;
         let (local, body) = match on {
-            Carrier::Ground => {
+            Body::Ground => {
                 let place = self.ground.get(name.text);
                 (
                     place.map(|p| p.at()),
                     words().the_ground_as_body().to_owned(),
                 )
             }
-            Carrier::Link(link) => {
-                let link = &self.draft.links[link];
+            Body::Link(link) => {
+                let link = &self.draft.links[link.index()];
                 (
                     link.local(name.text),
                     words().link_called(&link.name.to_string()),

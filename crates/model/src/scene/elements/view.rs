@@ -1,6 +1,6 @@
 //! Reads what drawings show when the scene opens.
 
-use crate::document::{WrittenValue, items};
+use crate::document::WrittenValue;
 use crate::scene::keys;
 use crate::scene::numbers::reader::{Name, Reader};
 use crate::wording::words;
@@ -25,11 +25,8 @@ pub(crate) fn read<'v>(reader: &mut Reader<'_>, value: &'v WrittenValue<'v>) -> 
     let Some(value) = table.get("traces") else {
         return DraftView::default();
     };
-    let Some(items) = items(value) else {
-        let fault = reader.mistyped(&what, words().a_list_of_points(), value);
-        reader.report(fault.help(words().for_example(TRACES)));
-        return DraftView::default();
-    };
+    let items = reader.list(&what, words().a_list_of_points(), TRACES, value);
+    let items = items.unwrap_or_default();
     let names = items.iter().filter_map(|item| reader.string(&what, item));
     DraftView {
         traces: names.collect(),

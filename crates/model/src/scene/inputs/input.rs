@@ -39,6 +39,22 @@ pub(crate) enum DraftInput<'t> {
     Slide(Name<'t>),
 }
 
+impl<'t> DraftDriver<'t> {
+    /// Returns the name of the driven link or slide.
+    pub(crate) fn driven(&self) -> &Name<'t> {
+        let (DraftInput::Link(driven) | DraftInput::Slide(driven)) = &self.input;
+        driven
+    }
+
+    /// Returns the name of the driven link; `None` if a slide is driven.
+    pub(crate) fn driven_link(&self) -> Option<&Name<'t>> {
+        match &self.input {
+            DraftInput::Link(driven) => Some(driven),
+            DraftInput::Slide(_) => None,
+        }
+    }
+}
+
 /// The speed if the file has none: one unit of the coordinate per second, so that velocities equal
 /// the kinematic coefficients.
 const UNIT_SPEED: f64 = 1.0;

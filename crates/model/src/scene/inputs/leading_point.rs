@@ -1,6 +1,6 @@
 //! Reads the point that inputs follow, with its motion over time.
 
-use crate::document::{Diagnostic, WrittenValue, items};
+use crate::document::{Diagnostic, WrittenValue};
 use crate::nearest::did_you_mean;
 use crate::scene::inputs::input;
 use crate::scene::keys;
@@ -123,11 +123,7 @@ fn path(reader: &mut Reader<'_>, table: &mut KeyTable<'_>) -> Option<PointPath> 
 /// Reads rows of time, x and y.
 fn through(reader: &mut Reader<'_>, what: &str, value: &WrittenValue<'_>) -> Option<PointPath> {
     let wanted = words().a_list_of_rows("[t, x, y]");
-    let Some(items) = items(value) else {
-        let fault = reader.mistyped(what, &wanted, value);
-        reader.report(fault.help(words().for_example(ROWS)));
-        return None;
-    };
+    let items = reader.list(what, &wanted, ROWS, value)?;
     let mut rows: Vec<([f64; 3], ByteSpan)> = Vec::with_capacity(items.len());
     for (i, item) in items.iter().enumerate() {
         let what = words().row_in(i + 1, what);
@@ -171,18 +167,15 @@ fn three<'v>(
     what: &str,
     value: &'v WrittenValue<'v>,
 ) -> Option<[&'v WrittenValue<'v>; 3]> {
-    match items(value) {
-        Some([time, x, y]) => return Some([time, x, y]),
-        Some(items) => reader.report(
-            Diagnostic::new(words().must_be_a_row(what, "[t, x, y]", items.len()))
-                .at(value.span(), words().expected_three(items.len()))
-                .help(words().for_example(ROWS)),
-        ),
-        None => {
-            let fault = reader.mistyped(what, &words().a_row("[t, x, y]"), value);
-            reader.report(fault.help(words().for_example(ROWS)));
-        }
+    let items = reader.list(what, &words().a_row("[t, x, y]"), ROWS, value)?;
+    if let [time, x, y] = items {
+        return Some([time, x, y]);
     }
+    reader.report(
+        Diagnostic::new(words().must_be_a_row(what, "[t, x, y]", items.len()))
+            .at(value.span(), words().expected_three(items.len()))
+            .help(words().for_example(ROWS)),
+    );
     None
 }
 
@@ -218,11 +211,8 @@ fn following<'v>(
     what: &str,
     value: &'v WrittenValue<'v>,
 ) -> Option<NamedInputs<'v>> {
-    let Some(items) = items(value) else {
-        let fault = reader.mistyped(what, words().a_list_of_inputs(), value);
-        reader.report(fault.help(words().for_example(r#"inputs = ["r2", "r5"]"#)));
-        return None;
-    };
+    let example = r#"inputs = ["r2", "r5"]"#;
+    let items = reader.list(what, words().a_list_of_inputs(), example, value)?;
     let names = items.iter().map(|item| reader.string(what, item));
     let names: Option<Vec<Name<'v>>> = names.collect();
     Some(NamedInputs {

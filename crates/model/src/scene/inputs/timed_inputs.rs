@@ -1,7 +1,7 @@
 //! Reads the inputs that follow the driver.
 
 use crate::document::{Diagnostic, WrittenValue};
-use crate::scene::inputs::input::{DraftInput, seat};
+use crate::scene::inputs::input::{DraftDriver, seat};
 use crate::scene::keys;
 use crate::scene::loading::profile;
 use crate::scene::numbers::rate::RateKind;
@@ -171,7 +171,7 @@ impl<'t> Resolver<'_, '_, 't> {
         span: &ByteSpan,
     ) -> Option<InputTable> {
         let driver = self.draft.driver.as_ref();
-        let is_rotary = driver.is_some_and(|driver| matches!(driver.input, DraftInput::Link(_)));
+        let is_rotary = driver.is_some_and(|driver| driver.driven_link().is_some());
         let closed = InputTable::closed(knots.to_vec()).filter(|_| is_rotary);
         let Some(closed) = closed else {
             return InputTable::open(knots.to_vec());
@@ -201,8 +201,7 @@ impl<'t> Resolver<'_, '_, 't> {
 
     /// Reports an input of the element that the driver itself drives; returns `true` for one.
     fn is_the_driver(&mut self, name: &Name<'t>) -> bool {
-        let driver = self.draft.driver.as_ref().map(|driver| &driver.input);
-        let (Some(DraftInput::Link(driven)) | Some(DraftInput::Slide(driven))) = driver else {
+        let Some(driven) = self.draft.driver.as_ref().map(DraftDriver::driven) else {
             return false;
         };
         let is_same = driven.text == name.text;

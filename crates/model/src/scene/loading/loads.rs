@@ -10,7 +10,7 @@ use crate::scene::numbers::reader::{Name, Reader};
 use crate::scene::resolve::Resolver;
 use crate::scene::table::KeyTable;
 use crate::wording::words;
-use crate::{Body, LinkId, Load, Profile, SlideId, StrokeEnd, Vec2, angle};
+use crate::{Body, Load, Profile, SlideId, StrokeEnd, Vec2, angle};
 
 const LOAD: ListExample = ["[[loads]]", r#"point = "C""#, "force = [0, -500]"];
 
@@ -272,10 +272,9 @@ impl<'t> Resolver<'_, '_, 't> {
                 })
             }
             DraftLoad::Torque { link, torque, over } => {
-                let what = of_load("link");
-                let link = self.names.find(self.reader, &what, link, NameKind::Link)?;
+                let link = self.link(&of_load("link"), link)?;
                 Some(Load::Torque {
-                    link: LinkId::new(link),
+                    link,
                     torque: *torque,
                     over: over.clone(),
                 })
@@ -287,15 +286,11 @@ impl<'t> Resolver<'_, '_, 't> {
     /// Returns the body in whose frame a force is given. Reports an unknown link, and returns
     /// `None`.
     fn frame(&mut self, name: &Name<'t>) -> Option<Body> {
-        if name.text == "ground" {
-            return Some(Body::Ground);
-        }
-        let what = of_load("frame");
-        let link = self.names.find(self.reader, &what, name, NameKind::Link);
-        if link.is_none() {
+        let frame = self.body(&of_load("frame"), name);
+        if frame.is_none() {
             self.reader.help(words().keeps_direction_without_frame());
         }
-        link.map(|link| Body::Link(LinkId::new(link)))
+        frame
     }
 
     fn press(&mut self, name: &Name<'t>, curve: &Profile, end: Option<StrokeEnd>) -> Option<Load> {

@@ -6,12 +6,11 @@ use crate::scene::elements::link::DraftLink;
 use crate::scene::keys;
 use crate::scene::loading::loads::{ListExample, list, load_example};
 use crate::scene::loading::profile;
-use crate::scene::names::NameKind;
 use crate::scene::numbers::reader::{Name, Reader};
 use crate::scene::resolve::Resolver;
 use crate::scene::table::KeyTable;
 use crate::wording::words;
-use crate::{Body, LinkId, Load, Profile};
+use crate::{Body, Load, Profile};
 
 const SPRING: ListExample = ["[[springs]]", r#"from = "A", to = "E""#, "stiffness = 1200"];
 
@@ -248,10 +247,11 @@ impl<'t> Resolver<'_, '_, 't> {
         else {
             return None;
         };
-        let link = self.spring_link("link", &spring.from)?;
+        let of = words().the_spring();
+        let link = self.link(&words().key_of("link", of), &spring.from)?;
         let fixed = match to {
-            Some(name) if name.text != "ground" => Body::Link(self.spring_link("to", name)?),
-            Some(_) | None => Body::Ground,
+            Some(name) => self.body(&words().key_of("to", of), name)?,
+            None => Body::Ground,
         };
         if let Some(to) = to.filter(|to| to.text == spring.from.text) {
             let fault = to_itself(&spring.from, to, words().name_two_links());
@@ -266,12 +266,6 @@ impl<'t> Resolver<'_, '_, 't> {
             preload,
             damping: spring.damping,
         })
-    }
-
-    fn spring_link(&mut self, key: &str, name: &Name<'t>) -> Option<LinkId> {
-        let what = words().key_of(key, words().the_spring());
-        let link = self.names.find(self.reader, &what, name, NameKind::Link)?;
-        Some(LinkId::new(link))
     }
 
     /// Returns the diagnostic of a spring whose length never changes; `None` for other springs.

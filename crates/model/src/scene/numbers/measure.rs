@@ -93,13 +93,7 @@ impl Measure {
 
     /// Returns `true` for a speed or an acceleration of the driver.
     pub(crate) fn is_rate(self) -> bool {
-        matches!(
-            self,
-            Measure::TurnSpeed
-                | Measure::TurnAcceleration
-                | Measure::PushSpeed
-                | Measure::PushAcceleration
-        )
+        matches!(self.units(Unit::default()), MeasureUnits::Rate(..))
     }
 
     /// Returns the permitted units in a scene with this unit of length.

@@ -2,9 +2,7 @@
 
 use crate::arithmetic::Decimal;
 pub(crate) use crate::document::{ByteSpan, Name, Reader, quoted};
-use crate::document::{
-    Diagnostic, WrittenValue, first_with_point, has_decimal_comma, items, number_of,
-};
+use crate::document::{Diagnostic, WrittenValue, first_with_point, has_decimal_comma, number_of};
 use crate::expression;
 use crate::scene::numbers::numeral::{is_rounded, number_length};
 use crate::wording::words;
@@ -102,11 +100,7 @@ impl Reader<'_> {
         example: &str,
         value: &'v WrittenValue<'v>,
     ) -> Option<[&'v WrittenValue<'v>; 2]> {
-        let Some(items) = items(value) else {
-            let fault = self.mistyped(what, &words().a_pair(form), value);
-            self.report(fault.help(words().for_example(example)));
-            return None;
-        };
+        let items = self.list(what, &words().a_pair(form), example, value)?;
         if let [one, other] = items {
             return Some([one, other]);
         }

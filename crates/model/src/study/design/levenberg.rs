@@ -8,9 +8,9 @@
 
 use super::projection::is_finite;
 use super::{GoalSearch, GoalSense};
+use crate::numeric::DampedSearch;
 use crate::study::NoFigure;
 use crate::study::excursion::EvaluatedFigures;
-use kinematics::numeric::DampedSearch;
 use nalgebra::{DMatrix, DVector};
 
 /// Step of differences for derivatives, relative to a number's size.

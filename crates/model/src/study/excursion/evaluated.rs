@@ -158,10 +158,7 @@ impl CycleFigures {
     /// Computes the figures for a mechanism, and the places of the motion that they depend on.
     pub(crate) fn evaluate(&self, solver: &Solver) -> EvaluatedFigures {
         let excursions = Excursion::of_all(solver, &self.columns, self.options);
-        let transmission = match self.transmission {
-            true => solver.transmission(),
-            false => Vec::new(),
-        };
+        let transmission = self.transmission(solver);
         let places = self.places(solver, &excursions, &transmission);
         let transmission: Vec<(GroupId, f64)> = transmission
             .iter()
@@ -178,8 +175,7 @@ impl CycleFigures {
         let value = |figure: &CycleFigure| match &figure.source {
             CycleFigureSource::Of(column, FigureProperty::At(at)) => at_place(solver, column, *at),
             CycleFigureSource::Of(column, property) => {
-                let place = self.columns.iter().position(|other| other == column);
-                let found = place.and_then(|i| excursions.get(i));
+                let found = self.excursion(column, &excursions);
                 found.map_or(Err(NoFigure::Stands), |excursion| {
                     property.of(excursion.as_ref().map_err(|&why| why)?)
                 })
@@ -196,6 +192,24 @@ impl CycleFigures {
             values: self.figures.iter().map(value).collect(),
             places,
         }
+    }
+
+    /// Returns the transmission angles if a figure needs them.
+    fn transmission(&self, solver: &Solver) -> Vec<Transmission> {
+        match self.transmission {
+            true => solver.transmission(),
+            false => Vec::new(),
+        }
+    }
+
+    /// Returns the excursion of a column.
+    fn excursion<'e>(
+        &self,
+        column: &Quantity,
+        excursions: &'e [Result<Excursion, NoFigure>],
+    ) -> Option<&'e Result<Excursion, NoFigure>> {
+        let index = self.columns.iter().position(|other| other == column)?;
+        excursions.get(index)
     }
 
     /// Returns for each figure its value and the signed places that it is computed from: a stroke is
@@ -220,8 +234,7 @@ impl CycleFigures {
                 CycleFigureSource::Range(_) | CycleFigureSource::Condition(_) => return None,
             };
             let excursion = || {
-                let index = self.columns.iter().position(|other| other == column)?;
-                let found = excursions.get(index)?.as_ref().ok()?;
+                let found = self.excursion(column, excursions)?.as_ref().ok()?;
                 (found.revolutions == 0.0 && !found.is_level()).then_some(found)
             };
             let places = match property {
@@ -263,10 +276,7 @@ impl CycleFigures {
     /// has no places.
     pub(crate) fn pieces(&self, solver: &Solver) -> Option<Vec<FigurePieces>> {
         let excursions = Excursion::of_all(solver, &self.columns, self.options);
-        let transmission = match self.transmission {
-            true => solver.transmission(),
-            false => Vec::new(),
-        };
+        let transmission = self.transmission(solver);
         let placed = self.places(solver, &excursions, &transmission)?;
         let mut all = Vec::with_capacity(placed.len());
         for (figure, placed) in self.figures.iter().zip(placed) {
@@ -286,8 +296,7 @@ impl CycleFigures {
                 });
                 continue;
             }
-            let index = self.columns.iter().position(|other| other == column)?;
-            let found = excursions.get(index)?.as_ref().ok()?;
+            let found = self.excursion(column, &excursions)?.as_ref().ok()?;
             all.push(column_pieces(found, property, &placed));
         }
         Some(all)
