@@ -416,11 +416,8 @@ fn missed(
     );
     if let Some(corners) = preferences.inside {
         let within = |p: Vec2| is_inside(corners, p);
-        let pivot = match proposal.partner {
-            PinConstraint::Rocker(d) => within(d),
-            PinConstraint::Slide(_) => true,
-        };
-        preference(within(proposal.pivot) && pivot, UnmetPreference::Inside);
+        let is_inside = within(proposal.pivot) && proposal.partner.pivot().is_none_or(within);
+        preference(is_inside, UnmetPreference::Inside);
     }
     let maximum = preferences.ratio.unwrap_or(f64::INFINITY);
     preference(figures.ratio <= maximum, UnmetPreference::Ratio);

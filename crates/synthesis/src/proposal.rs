@@ -11,6 +11,17 @@ pub enum PinConstraint {
     Slide(f64),
 }
 
+impl PinConstraint {
+    /// Returns the ground pivot; `None` for a slide.
+    #[must_use]
+    pub fn pivot(self) -> Option<Vec2> {
+        match self {
+            PinConstraint::Rocker(pivot) => Some(pivot),
+            PinConstraint::Slide(_) => None,
+        }
+    }
+}
+
 /// A four-bar or a slider-crank with crank A-B, coupler B-C, and a rocker C-D or a slide at C. It
 /// is defined by the positions of its moving pins at every point of the task. All lengths follow
 /// from the first.
@@ -76,10 +87,7 @@ impl Proposal {
     #[must_use]
     pub fn lengths(&self) -> Option<(f64, f64, Option<f64>)> {
         let [b, c] = *self.places.first()?;
-        let rocker = match self.partner {
-            PinConstraint::Rocker(d) => Some((c - d).norm()),
-            PinConstraint::Slide(_) => None,
-        };
+        let rocker = self.partner.pivot().map(|d| (c - d).norm());
         Some(((b - self.pivot).norm(), (c - b).norm(), rocker))
     }
 
@@ -89,10 +97,7 @@ impl Proposal {
         let Some((crank, coupler, rocker)) = self.lengths() else {
             return [None; 4];
         };
-        let ground = match self.partner {
-            PinConstraint::Rocker(d) => Some((d - self.pivot).norm()),
-            PinConstraint::Slide(_) => None,
-        };
+        let ground = self.partner.pivot().map(|d| (d - self.pivot).norm());
         [Some(crank), Some(coupler), rocker, ground]
     }
 
@@ -119,11 +124,8 @@ impl Proposal {
     /// Returns this linkage driven at its other pivot; `None` for a slider-crank.
     #[must_use]
     pub fn swapped(&self) -> Option<Proposal> {
-        let PinConstraint::Rocker(d) = self.partner else {
-            return None;
-        };
         Some(Proposal {
-            pivot: d,
+            pivot: self.partner.pivot()?,
             partner: PinConstraint::Rocker(self.pivot),
             places: self.places.iter().map(|[b, c]| [*c, *b]).collect(),
             tracer: self.tracer,

@@ -60,6 +60,17 @@ pub(in crate::cli) struct SweepArgs {
     output: OutputArgs,
 }
 
+impl SweepArgs {
+    /// Returns the limits and the step of the rows.
+    fn ends(&self) -> RowEnds {
+        RowEnds {
+            from: self.from,
+            to: self.to,
+            step: self.step,
+        }
+    }
+}
+
 /// Default step of a turning driver, in degrees.
 const STEP: f64 = 1.0;
 
@@ -90,18 +101,13 @@ pub(in crate::cli) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), 
     }
     let columns = columns.with(besides, scene.unit.symbol());
     let range = solver.motion().range;
-    let ends = RowEnds {
-        from: args.from,
-        to: args.to,
-        step: args.step,
-    };
     let clock = args.time.then(|| clock(&scene)).transpose()?;
     let (columns, steps) = match &clock {
-        Some(clock) => (columns.over_time(), times(clock.span(range), ends)?),
+        Some(clock) => (columns.over_time(), times(clock.span(range), args.ends())?),
         None => {
             note_constant_speed(&scene, screen);
             let range = default_range(&scene, range, &quantities);
-            (columns, steps(&scene, range, ends, STEP)?)
+            (columns, steps(&scene, range, args.ends(), STEP)?)
         }
     };
     let sweep = Sweep {
@@ -195,12 +201,7 @@ fn sweep_lead(
     let columns = Columns::new(catalogue.driver(), &quantities, !args.figures.no_units);
     let columns = columns.over_time();
     let [first, last] = lead.path.span();
-    let ends = RowEnds {
-        from: args.from,
-        to: args.to,
-        step: args.step,
-    };
-    let steps = times((first, last), ends)?;
+    let steps = times((first, last), args.ends())?;
     let leader = leader(scene, solver, lead)?;
     let sweep = LeadSweep {
         scene,

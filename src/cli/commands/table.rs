@@ -16,8 +16,8 @@ use crate::quantity::{Catalogue, Sensitivity};
 use crate::report::{
     Answers, CsvDialect, FigureList, Forces, TableStyle, Tables, WrittenDecimal, singularity_text,
 };
-use crate::scene::LeadingPoint;
-use crate::solver::{Condition, Order};
+use crate::scene::{LeadingPoint, Scene};
+use crate::solver::{Condition, Order, State};
 use crate::wording::words;
 use clap::Args;
 
@@ -103,10 +103,7 @@ pub(in crate::cli) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), 
         note_unproved(unproved, count, screen);
     }
     write_tables(args, dialect, (&tables, list.as_ref()), screen)?;
-    match &list {
-        None => check_nothing_hidden(&scene, &state),
-        Some(list) => none_hidden(list.quantities(), &catalogue, &state),
-    }
+    check_shown(list.as_ref(), &scene, &state)
 }
 
 /// Writes the tables, or the list of the named values.
@@ -132,6 +129,14 @@ fn write_tables(
             (OutputFormat::Json, Some(list)) => writeln!(out, "{:#}", list.to_json(style)),
         }
     })
+}
+
+/// Returns an error if a value of the tables, or of the list, exists but is not shown.
+fn check_shown(list: Option<&FigureList>, scene: &Scene, state: &State) -> Result<(), Failure> {
+    match list {
+        None => check_nothing_hidden(scene, state),
+        Some(list) => none_hidden(list.quantities(), &Catalogue::new(scene), state),
+    }
 }
 
 /// Prints the tables of a scene with a leading point, at a time of its motion.
@@ -163,8 +168,5 @@ fn table_of_lead(
     };
     let list = named.map(|named| FigureList::new(&tables, &named, state, None));
     write_tables(args, dialect, (&tables, list.as_ref()), screen)?;
-    match &list {
-        None => check_nothing_hidden(scene, state),
-        Some(list) => none_hidden(list.quantities(), &catalogue, state),
-    }
+    check_shown(list.as_ref(), scene, state)
 }

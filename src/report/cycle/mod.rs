@@ -344,7 +344,9 @@ impl CycleReport {
                 e.stroke().map(|_| bounded(e.greatest))
             }),
             row("ratio", "", &|e| Ok(alone(e.ratio?.value))),
-            row("dwell", &self.driver.unit, &|e| longest_dwell(e).map(alone)),
+            row("dwell", &self.driver.unit, &|e| {
+                e.longest_dwell().map(alone)
+            }),
             row("fastest", &rate, &|e| e.fastest.map(placed)),
             row("hardest", &rate_unit(&rate), &|e| e.hardest.map(placed)),
         ]
@@ -494,13 +496,6 @@ pub(in crate::report) fn conditions(scene: &Scene, solver: &Solver) -> Vec<Worst
         })
     };
     solver.conditioning().iter().filter_map(worst).collect()
-}
-
-fn longest_dwell(excursion: &Excursion) -> Result<f64, NoFigure> {
-    excursion.stroke()?;
-    let dwells = excursion.dwells.iter().flat_map(|(_, dwells)| dwells);
-    let paths = dwells.map(|dwell| dwell.travel);
-    paths.max_by(f64::total_cmp).ok_or(NoFigure::NeverTurns)
 }
 
 /// Returns every turning place of a value, and the end of a plateau there.

@@ -148,10 +148,7 @@ fn counted(point: Option<usize>) -> Option<f64> {
 }
 
 fn far_pivot(candidate: &Candidate) -> Option<Vec2> {
-    match candidate.proposal.partner {
-        PinConstraint::Rocker(d) => Some(d),
-        PinConstraint::Slide(_) => None,
-    }
+    candidate.proposal.partner.pivot()
 }
 
 fn guide(candidate: &Candidate) -> Option<f64> {

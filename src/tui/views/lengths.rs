@@ -6,7 +6,7 @@
 //!  r3.angle [deg]                          0.843      0.193  r4.length
 //! ```
 
-use super::pane::{Copied, Pane};
+use super::pane::{Copied, Pane, USUAL_HINTS};
 use super::{Sketch, inset, page, split};
 use crate::page::{Content, Line, Page, Row, cut};
 use crate::quantity::{Catalogue, Quantity, Sensitivity};
@@ -136,14 +136,7 @@ impl Pane for LengthsView {
                 Action::Play,
                 Action::StepForward,
             ],
-            None => &[
-                Action::Help,
-                Action::MOTION,
-                Action::LineDown,
-                Action::Quit,
-                Action::Play,
-                Action::StepForward,
-            ],
+            None => &USUAL_HINTS,
         }
     }
 

@@ -42,7 +42,7 @@ pub(crate) mod working;
 
 use super::app::{App, Mode, View};
 use crate::document::ascii_letter;
-use crate::drawing::Raster;
+use crate::drawing::{self, Extents, Figure, Raster, WorldView};
 use crate::page::{Line, TextRole, cut};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::key::Key;
@@ -521,6 +521,12 @@ fn row(area: Rect, y: u16) -> Rect {
         height: 1,
         ..area
     }
+}
+
+/// Draws a figure as large as possible in an area, for a window of these extents.
+fn show_figure(app: &App, figure: &Figure, extents: &Extents, area: Rect, buffer: &mut Buffer) {
+    let view = WorldView::fit(extents, area.width, area.height, app.aspect());
+    show(&drawing::render(figure, &view, app.glyphs()), area, buffer);
 }
 
 /// Copies a drawing to the screen.

@@ -77,14 +77,7 @@ pub(crate) trait Pane {
     /// Returns the actions whose keys are offered, the most important first; the last ones are
     /// dropped if they do not fit.
     fn hints(&self, _app: &App) -> &'static [Action] {
-        &[
-            Action::Help,
-            Action::MOTION,
-            Action::LineDown,
-            Action::Quit,
-            Action::Play,
-            Action::StepForward,
-        ]
+        &USUAL_HINTS
     }
 
     /// Returns a mark that the key hints explain, and its meaning.
@@ -140,6 +133,16 @@ pub(crate) trait Pane {
         None
     }
 }
+
+/// The actions whose keys most views offer.
+pub(super) const USUAL_HINTS: [Action; 6] = [
+    Action::Help,
+    Action::MOTION,
+    Action::LineDown,
+    Action::Quit,
+    Action::Play,
+    Action::StepForward,
+];
 
 /// The kind of a view's lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,7 +4,7 @@
 use super::list::{CandidateList, CandidatesPage};
 use crate::Vec2;
 use crate::report::CandidateRow;
-use crate::synthesis::{Candidate, PinConstraint, PosedDyad, TaskKind};
+use crate::synthesis::{Candidate, PosedDyad, TaskKind};
 
 /// Number of long steps that cover a curve.
 const LONG: usize = 20;
@@ -102,10 +102,7 @@ impl CandidateList {
     fn near_poses(&self, curve: usize) -> usize {
         let (middle, _) = self.middle_and_size();
         let far = |dyad: &PosedDyad| {
-            let pivot = match dyad.held {
-                PinConstraint::Rocker(pivot) => pivot,
-                PinConstraint::Slide(_) => dyad.pin,
-            };
+            let pivot = dyad.held.pivot().unwrap_or(dyad.pin);
             (dyad.pin - middle).norm().max((pivot - middle).norm())
         };
         let places = self.dyads().get(curve).into_iter().flatten().enumerate();

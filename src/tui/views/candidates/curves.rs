@@ -1,11 +1,12 @@
 //! Draws the centre and circle point curves of four poses, the dyad under the cursor, and the
 //! linkage made from two dyads.
 
+use super::super::show_figure;
 use super::curve_cursor::CurveWalk;
 use super::list::CandidateList;
 use super::{in_lines, print_facts};
 use crate::Vec2;
-use crate::drawing::{self, Extents, Figure, Layers, Role, Shape};
+use crate::drawing::{Extents, Figure, Role, Shape};
 use crate::synthesis::{PinConstraint, PosedDyad};
 use crate::tui::app::App;
 use crate::tui::appearance::theme::ScreenPart;
@@ -33,11 +34,8 @@ pub(super) fn render(
     };
     let facts = facts(app, list, walk, area.width.into());
     let picture = print_facts(&facts, area, buffer);
-    let extents = extents(list, walk);
-    let view = drawing::WorldView::fit(&extents, picture.width, picture.height, app.aspect());
     let figure = figure(list, walk);
-    let raster = drawing::render(&figure, &view, app.glyphs());
-    super::super::show(&raster, picture, buffer);
+    show_figure(app, &figure, &extents(list, walk), picture, buffer);
 }
 
 /// Returns the extents of the poses with a margin, including the picked dyad and the one under the
@@ -53,23 +51,14 @@ fn extents(list: &CandidateList, walk: &CurveWalk) -> Extents {
 
 /// Yields the dyad's pin, and its pivot if it has one.
 fn ends(dyad: &PosedDyad) -> impl Iterator<Item = Vec2> {
-    let pivot = match dyad.held {
-        PinConstraint::Rocker(pivot) => Some(pivot),
-        PinConstraint::Slide(_) => None,
-    };
-    std::iter::once(dyad.pin).chain(pivot)
+    std::iter::once(dyad.pin).chain(dyad.held.pivot())
 }
 
 /// Draws the linkage of the two dyads if there is one, or else the dyads themselves, and the
 /// curves.
 fn figure(list: &CandidateList, walk: &CurveWalk) -> Figure {
     let mut figure = match list.shown() {
-        Some(shown) => drawing::linkage(
-            shown.scene(),
-            shown.extents(),
-            shown.state(),
-            Layers::default(),
-        ),
+        Some(shown) => shown.figure(),
         None => {
             let (_, size) = list.middle_and_size();
             let mut figure = Figure::new();
@@ -140,27 +129,19 @@ fn facts(
     walk: &CurveWalk,
     width: usize,
 ) -> Vec<(String, ScreenPart)> {
-    let integer = usize::MAX;
-    let driver_state = list
-        .walked_place()
+    use ScreenPart::{Quiet, Text, Warning};
+    let place = list.walked_place();
+    let place = place
         .map(|[(dyad, dyads), (curve, curves)]| words().dyads_walked(dyad, dyads, curve, curves));
-    let shown_text = |dyad: Option<&PosedDyad>| dyad.and_then(|dyad| list.describe_dyad(dyad));
-    let mut text = vec![
-        (driver_state.unwrap_or_default(), ScreenPart::Quiet, integer),
-        (
-            shown_text(list.walked()).unwrap_or_default(),
-            ScreenPart::Text,
-            integer,
-        ),
+    let described = |dyad: Option<&PosedDyad>| dyad.and_then(|dyad| list.describe_dyad(dyad));
+    let mut facts = vec![
+        (place.unwrap_or_default(), Quiet),
+        (described(list.walked()).unwrap_or_default(), Text),
     ];
-    match shown_text(walk.picked()) {
-        Some(picked) => text.push((words().dyad_picked(&picked), ScreenPart::Text, integer)),
-        None => text.push((
-            words().pick_the_second().to_owned(),
-            ScreenPart::Quiet,
-            integer,
-        )),
-    }
+    facts.push(match described(walk.picked()) {
+        Some(picked) => (words().dyad_picked(&picked), Text),
+        None => (words().pick_the_second().to_owned(), Quiet),
+    });
     match list.chosen() {
         Some((_, row)) => {
             let transmission = words().transmission_on_the_way(&row.transmission);
@@ -169,25 +150,22 @@ fn facts(
                 true => format!("{}; {transmission}; {}", row.lengths, row.turns),
                 false => row.lengths.clone(),
             };
-            text.push((figures, ScreenPart::Text, integer));
-            text.push((row.reasons.clone(), ScreenPart::Warning, integer));
+            facts.push((figures, Text));
+            facts.push((row.reasons.clone(), Warning));
             if !row.unmet.is_empty() {
                 let missing = format!("{}: {}", words().head_lacks(), row.unmet);
-                text.push((missing, ScreenPart::Warning, integer));
+                facts.push((missing, Warning));
             }
         }
         None if walk.picked().is_some() => {
-            text.push((
-                words().dyads_make_nothing().to_owned(),
-                ScreenPart::Warning,
-                integer,
-            ));
+            facts.push((words().dyads_make_nothing().to_owned(), Warning));
         }
-        None => text.push((
-            words().dotted_curves().to_owned(),
-            ScreenPart::Quiet,
-            integer,
-        )),
+        None => facts.push((words().dotted_curves().to_owned(), Quiet)),
     }
-    in_lines(app, text, width)
+    let facts = facts.into_iter();
+    in_lines(
+        app,
+        facts.map(|(text, part)| (text, part, usize::MAX)),
+        width,
+    )
 }

@@ -1,7 +1,7 @@
 //! Draws a candidate and moves it over its task.
 
 use crate::Vec2;
-use crate::drawing::Extents;
+use crate::drawing::{self, Extents, Figure, Layers};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::tui::Origin;
@@ -42,16 +42,13 @@ impl ShownCandidate {
         })
     }
 
-    pub(super) fn scene(&self) -> &Scene {
-        &self.scene
-    }
-
     pub(super) fn extents(&self) -> &Extents {
         &self.reach
     }
 
-    pub(super) fn state(&self) -> &Workspace {
-        &self.state
+    /// Returns the linkage at its present position.
+    pub(super) fn figure(&self) -> Figure {
+        drawing::linkage(&self.scene, &self.reach, &self.state, Layers::default())
     }
 
     pub(super) fn way(&self) -> &Arc<[Vec2]> {

@@ -5,7 +5,7 @@ use super::curve_cursor::CurveWalk;
 use super::display::ShownCandidate;
 use crate::report::{CandidateRow, SynthesisReport};
 use crate::synthesis::{
-    Candidate, PinConstraint, PosedDyad, SceneTitles, Synthesis, SynthesisSettings, scene_text,
+    Candidate, PosedDyad, SceneTitles, Synthesis, SynthesisSettings, scene_text,
 };
 use crate::tui::TaskOrder;
 use crate::tui::commands::list::moved;
@@ -65,16 +65,12 @@ impl FoundCandidates {
             let pieces = pieces.map(|piece| piece.iter().filter_map(place).collect());
             pieces.collect()
         };
-        let pivot = |dyad: &PosedDyad| match dyad.held {
-            PinConstraint::Rocker(pivot) => Some(pivot),
-            PinConstraint::Slide(_) => None,
-        };
         let mut found = FoundCandidates {
             rows: Vec::new(),
             verdict: String::new(),
             no_result_reason: String::new(),
             miss_unit: "",
-            pivots: curve(pivot),
+            pivots: curve(|dyad| dyad.held.pivot()),
             pins: curve(|dyad| Some(dyad.pin)),
             synthesis,
         };

@@ -17,8 +17,10 @@ mod display;
 pub(crate) mod list;
 
 use super::scene_picker::{PickerAreas, arrange, paragraph};
-use super::{columns, cut, list_rows, middle, print, print_line, print_right, row, split};
-use crate::drawing::{self, Layers, Shape};
+use super::{
+    columns, cut, list_rows, middle, print, print_line, print_right, row, show_figure, split,
+};
+use crate::drawing::{self, Shape};
 use crate::page::wrapped;
 use crate::report::CandidateRow;
 use crate::tui::app::App;
@@ -289,20 +291,13 @@ fn drawing(
     area: Rect,
     buffer: &mut Buffer,
 ) {
-    let mut figure = drawing::linkage(
-        shown.scene(),
-        shown.extents(),
-        shown.state(),
-        Layers::default(),
-    );
+    let mut figure = shown.figure();
     for course in list.curves().chain([shown.way()]) {
         let course = course.clone();
         let role = drawing::Role::Trace;
         figure.add(Shape::Trace { course, role });
     }
-    let view = drawing::WorldView::fit(shown.extents(), area.width, area.height, app.aspect());
-    let raster = drawing::render(&figure, &view, app.glyphs());
-    super::show(&raster, area, buffer);
+    show_figure(app, &figure, shown.extents(), area, buffer);
 }
 
 /// Returns the wrapped facts on the candidate and on all candidates.

@@ -189,9 +189,7 @@ fn scene(app: &App, sample: &Sample, area: Rect, buffer: &mut Buffer) {
         &sample.state,
         Layers::default(),
     );
-    let view = drawing::WorldView::fit(&sample.reach, picture.width, picture.height, app.aspect());
-    let raster = drawing::render(&figure, &view, app.glyphs());
-    super::show(&raster, picture, buffer);
+    super::show_figure(app, &figure, &sample.reach, picture, buffer);
     for (line, (fact, part)) in text.rows().zip(facts) {
         print_line(buffer, line, &shown(&fact, app.glyphs()), part);
     }

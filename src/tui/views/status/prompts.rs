@@ -132,10 +132,7 @@ fn render_search_prompt(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
 /// Renders the hints for typing a value; the text itself is in the value's row.
 fn value(app: &App, line: &mut Writer<'_>) {
     line.gap(1);
-    if app
-        .message()
-        .is_some_and(|message| line.write_message(message, app))
-    {
+    if line.shows_message(app) {
         return;
     }
     if let Some(value) = app.editor().value() {
@@ -201,10 +198,7 @@ fn candidate(app: &App, line: &mut Writer<'_>) {
     let Some(list) = app.candidates() else {
         return;
     };
-    if app
-        .message()
-        .is_some_and(|message| line.write_message(message, app))
-    {
+    if line.shows_message(app) {
         return;
     }
     let key = |action| app.keymap().key_label(action);
@@ -274,10 +268,7 @@ fn write_copy_hints(line: &mut Writer<'_>) {
 /// Renders the message about the offer in the middle of the screen.
 fn offered(app: &App, line: &mut Writer<'_>) {
     line.gap(1);
-    if !app
-        .message()
-        .is_some_and(|message| line.write_message(message, app))
-    {
+    if !line.shows_message(app) {
         line.write_text(words().edits_by_others(), ScreenPart::Quiet);
     }
 }
@@ -290,10 +281,7 @@ fn end(enter: &str, escape: &str, app: &App, line: &mut Writer<'_>) {
 
 /// Renders the message, or else the effects of the keys.
 fn keys(enter: &str, escape: &str, app: &App, line: &mut Writer<'_>) {
-    if app
-        .message()
-        .is_some_and(|message| line.write_message(message, app))
-    {
+    if line.shows_message(app) {
         return;
     }
     line.hint(&Key::Enter.to_string(), enter);

@@ -63,6 +63,12 @@ impl<'a> Writer<'a> {
         self.x = self.x.saturating_add(columns);
     }
 
+    /// Writes the message if there is one and it fits.
+    pub(super) fn shows_message(&mut self, app: &App) -> bool {
+        let message = app.message();
+        message.is_some_and(|message| self.write_message(message, app))
+    }
+
     /// Writes a message. Returns `false` if it does not fit completely; it is then kept for the
     /// lines above.
     pub(super) fn write_message(&mut self, message: &str, app: &App) -> bool {

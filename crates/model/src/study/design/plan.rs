@@ -50,18 +50,17 @@ impl FromStr for PlanAxis {
             let number = with_point(typed).ok_or_else(unclear)?.parse::<f64>();
             number.ok().filter(|v| v.is_finite()).ok_or_else(wrong)
         };
+        let named = |axis: PlanAxis| match axis.name.is_empty() {
+            true => Err(wrong()),
+            false => Ok(axis),
+        };
         let Some((name, rest)) = text.split_once('=') else {
             let name = text.trim().to_owned();
-            let axis = PlanAxis {
+            return named(PlanAxis {
                 name,
                 ends: None,
                 count: None,
-            };
-            return if axis.name.is_empty() {
-                Err(wrong())
-            } else {
-                Ok(axis)
-            };
+            });
         };
         let (ends, count) = match rest.split_once('/') {
             Some((ends, count)) => {
@@ -71,16 +70,11 @@ impl FromStr for PlanAxis {
             None => (rest, None),
         };
         let (low, high) = ends.split_once("..").ok_or_else(wrong)?;
-        let axis = PlanAxis {
+        named(PlanAxis {
             name: name.trim().to_owned(),
             ends: Some([number(low)?, number(high)?]),
             count,
-        };
-        if axis.name.is_empty() {
-            Err(wrong())
-        } else {
-            Ok(axis)
-        }
+        })
     }
 }
 
@@ -124,11 +118,7 @@ impl DesignPlan {
     /// keeps its given value.
     #[must_use]
     pub fn grid(axes: &[PlanAxis], given: &[f64]) -> DesignPlan {
-        let axes: Vec<PlanPlaces> = axes
-            .iter()
-            .zip(given)
-            .map(|(axis, &given)| places(axis, given))
-            .collect();
+        let axes = places(axes, given);
         let counts = axes.iter().map(|axis| u64::from(axis.count));
         DesignPlan {
             count: counts.fold(1, u64::saturating_mul),
@@ -142,11 +132,7 @@ impl DesignPlan {
     #[must_use]
     pub fn latin(axes: &[PlanAxis], given: &[f64], count: u32, seed: u64) -> DesignPlan {
         let mut rng = SeededRng::new(seed);
-        let axes: Vec<PlanPlaces> = axes
-            .iter()
-            .zip(given)
-            .map(|(axis, &given)| places(axis, given))
-            .collect();
+        let axes = places(axes, given);
         let parts = axes.iter().map(|_| shuffled(count, &mut rng)).collect();
         DesignPlan {
             axes,
@@ -202,17 +188,18 @@ impl DesignPlan {
     }
 }
 
-fn places(axis: &PlanAxis, given: f64) -> PlanPlaces {
-    let ends = axis.ends.unwrap_or([given, given]);
-    let usual = if ends[0] == ends[1] {
-        1
-    } else {
-        DEFAULT_PLACES
-    };
-    PlanPlaces {
-        ends,
-        count: axis.count.unwrap_or(usual),
-    }
+/// Returns the places along each axis; an axis without ends keeps its given number.
+fn places(axes: &[PlanAxis], given: &[f64]) -> Vec<PlanPlaces> {
+    let places = axes.iter().zip(given).map(|(axis, &given)| {
+        let ends = axis.ends.unwrap_or([given, given]);
+        let is_single = ends[0] == ends[1];
+        let usual = if is_single { 1 } else { DEFAULT_PLACES };
+        PlanPlaces {
+            ends,
+            count: axis.count.unwrap_or(usual),
+        }
+    });
+    places.collect()
 }
 
 /// Returns the numbers below a count in random order (Fisher and Yates).

@@ -334,12 +334,7 @@ impl FigureProperty {
             FigureProperty::MaximumAt => comes_back(excursion.greatest.at),
             FigureProperty::Turns => Ok(excursion.turnings.len() as f64),
             FigureProperty::Ratio => excursion.ratio.map(|ratio| ratio.value),
-            FigureProperty::Dwell => {
-                excursion.stroke()?;
-                let dwells = excursion.dwells.iter().flat_map(|(_, dwells)| dwells);
-                let travels = dwells.map(|dwell| dwell.travel);
-                travels.max_by(f64::total_cmp).ok_or(NoFigure::NeverTurns)
-            }
+            FigureProperty::Dwell => excursion.longest_dwell(),
             FigureProperty::Fastest => excursion.fastest.map(|place| place.value),
             FigureProperty::FastestAt => excursion.fastest.map(|place| place.at),
             FigureProperty::Hardest => excursion.hardest.map(|place| place.value),

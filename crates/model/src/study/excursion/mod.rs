@@ -165,6 +165,17 @@ impl Excursion {
         }
     }
 
+    /// Returns the longest travel of the driver during a dwell.
+    ///
+    /// # Errors
+    /// Returns the reason why there is none.
+    pub fn longest_dwell(&self) -> Result<f64, NoFigure> {
+        self.stroke()?;
+        let dwells = self.dwells.iter().flat_map(|(_, dwells)| dwells);
+        let travels = dwells.map(|dwell| dwell.travel);
+        travels.max_by(f64::total_cmp).ok_or(NoFigure::NeverTurns)
+    }
+
     /// Returns `true` if the quantity is constant.
     #[must_use]
     pub fn is_level(&self) -> bool {

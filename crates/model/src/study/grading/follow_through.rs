@@ -1,12 +1,13 @@
 //! Explains an answer as a consequence of earlier answers as they were written.
 
-use super::comparison::{FigureVerdict, MAX_COUNT, MIN_COUNT, RoundedEarly, Truth};
-use super::{AnswerKey, ChainSlot, GradedVariable, RequiredValue, SolutionChain, WrittenFigure};
+use super::comparison::{FigureVerdict, MAX_COUNT, MIN_COUNT, Truth};
+use super::{
+    AnswerKey, ChainSlot, GradedVariable, MAX_WRONG_ANSWERS, RequiredValue, SolutionChain,
+    WrittenFigure, blamed,
+};
 
 /// Maximum number of sets of earlier answers to try; each requires solving the loop equations.
 const MAX_SETS: usize = 40;
-/// Maximum number of wrong answers for which unwritten digits are considered.
-const MAX_WRONG_ANSWERS: usize = 2;
 
 impl AnswerKey {
     /// Explains a value by earlier answers: by several of them together, or by a single one.
@@ -109,18 +110,7 @@ impl AnswerKey {
         };
         let effects = set.iter().map(|face| (effect(face), *face));
         let effects: Vec<(f64, &GradedVariable)> = effects.collect();
-        let largest = |wanted: &dyn Fn(&GradedVariable) -> bool| {
-            let wanted = effects.iter().filter(|(_, face)| wanted(face));
-            wanted.max_by(|a, b| a.0.total_cmp(&b.0)).copied()
-        };
-        Some(match largest(&|face| !face.is_sound) {
-            // A number that is written everywhere is not a consequence of earlier answers.
-            Some((effect, face)) if effect > unit && face.number == written.value => return None,
-            Some((effect, face)) if effect > unit => FigureVerdict::Followed(face.figure),
-            _ => {
-                let (_, face) = largest(&|face| face.is_sound)?;
-                FigureVerdict::Rounded(RoundedEarly::By(face.figure))
-            }
-        })
+        // A number that is written everywhere is not a consequence of earlier answers.
+        blamed(&effects, unit, |face| face.number == written.value)
     }
 }

@@ -18,7 +18,7 @@ pub use written_numbers::WrittenFigure;
 
 use crate::quantity::{Quantity, known_unit, unit_factor};
 use comparison::{MIN_COUNT, Truth};
-use points::{AnsweredVector, VectorSlot};
+use points::VectorSlot;
 
 /// A required value.
 #[derive(Clone, Debug, PartialEq)]
@@ -91,17 +91,63 @@ struct GradedSoFar {
     vectors: Vec<AnsweredVector>,
 }
 
-/// A graded answer as the value of a variable.
-struct GradedVariable {
+/// A graded answer as the value of a slot: of a variable, or of a point's vector.
+#[derive(Clone, Copy, Debug)]
+struct AnsweredSlot<S> {
     /// The index of the answer.
     figure: usize,
-    slot: ChainSlot,
+    slot: S,
     value: f64,
     /// Half a unit of the last digit.
     half: f64,
     /// The written number.
     number: f64,
+    /// Whether the answer is right, apart from rounding.
     is_sound: bool,
+}
+
+type GradedVariable = AnsweredSlot<ChainSlot>;
+type AnsweredVector = AnsweredSlot<VectorSlot>;
+
+/// Maximum number of wrong answers for which unwritten digits are considered.
+const MAX_WRONG_ANSWERS: usize = 2;
+
+impl<S> AnsweredSlot<S> {
+    /// Creates the value that an answer means; `None` if its unit cannot be converted.
+    fn new(number: usize, slot: S, figure: &RequiredValue, reading: GradedReading) -> Option<Self> {
+        let GradedReading { written, verdict } = reading;
+        let intended = in_required_unit(figure, written, verdict)?;
+        Some(AnsweredSlot {
+            figure: number,
+            slot,
+            value: intended.value,
+            half: 0.5 * intended.unit_of(MIN_COUNT, i32::MAX),
+            number: written.value,
+            is_sound: is_valid(verdict),
+        })
+    }
+}
+
+/// Returns the verdict that names the answer with the largest effect: a wrong one with an effect of
+/// more than a unit, or else the rounded one. Returns `None` if the answer repeats a wrong one.
+fn blamed<S>(
+    effects: &[(f64, &AnsweredSlot<S>)],
+    unit: f64,
+    is_copied: impl FnOnce(&AnsweredSlot<S>) -> bool,
+) -> Option<FigureVerdict> {
+    let largest = |is_sound: bool| {
+        let faces = effects.iter().filter(|(_, face)| face.is_sound == is_sound);
+        faces.max_by(|a, b| a.0.total_cmp(&b.0))
+    };
+    match largest(false) {
+        Some((effect, face)) if *effect > unit => {
+            (!is_copied(face)).then_some(FigureVerdict::Followed(face.figure))
+        }
+        _ => {
+            let (_, face) = largest(true)?;
+            Some(FigureVerdict::Rounded(RoundedEarly::By(face.figure)))
+        }
+    }
 }
 
 impl AnswerKey {
@@ -129,7 +175,10 @@ impl AnswerKey {
             };
             if let Ok(reading) = judged {
                 faced.slots.extend(self.faced(number, figure, reading));
-                faced.vectors.extend(faced_vector(number, figure, reading));
+                let vector = VectorSlot::of(&figure.quantity);
+                let vector =
+                    vector.and_then(|slot| AnsweredSlot::new(number, slot, figure, reading));
+                faced.vectors.extend(vector);
             }
             verdicts.push(judged.map_or_else(|verdict| verdict, |reading| reading.verdict));
         }
@@ -192,23 +241,15 @@ impl AnswerKey {
         &self,
         number: usize,
         figure: &RequiredValue,
-        GradedReading { written, verdict }: GradedReading,
+        reading: GradedReading,
     ) -> Option<GradedVariable> {
         let (slot, more) = self.chain.as_ref()?.slot_of(&figure.quantity)?;
-        let intended = in_required_unit(figure, written, verdict)?;
-        let mut value = intended.value;
-        let mut half = 0.5 * intended.unit_of(MIN_COUNT, i32::MAX);
+        let mut graded = AnsweredSlot::new(number, slot, figure, reading)?;
         if figure.quantity.is_direction() {
-            (value, half) = (value.to_radians() - more, half.to_radians());
+            graded.value = graded.value.to_radians() - more;
+            graded.half = graded.half.to_radians();
         }
-        Some(GradedVariable {
-            figure: number,
-            slot,
-            value,
-            half,
-            number: written.value,
-            is_sound: is_valid(verdict),
-        })
+        Some(graded)
     }
 
     fn verdict(
@@ -263,24 +304,6 @@ impl AnswerKey {
             })
         })
     }
-}
-
-/// Returns the vector part of a point that an answer determines.
-fn faced_vector(
-    number: usize,
-    figure: &RequiredValue,
-    GradedReading { written, verdict }: GradedReading,
-) -> Option<AnsweredVector> {
-    let slot = VectorSlot::of(&figure.quantity)?;
-    let intended = in_required_unit(figure, written, verdict)?;
-    Some(AnsweredVector {
-        figure: number,
-        slot,
-        value: intended.value,
-        half: 0.5 * intended.unit_of(MIN_COUNT, i32::MAX),
-        number: written.value,
-        is_sound: is_valid(verdict),
-    })
 }
 
 /// Returns an answer in the required unit, if its verdict is another unit.

@@ -1,7 +1,7 @@
 //! Explains the motion of a point by the answers for other points of its link.
 
-use super::comparison::{FigureVerdict, MAX_COUNT, MIN_COUNT, RoundedEarly, Truth};
-use super::{AnswerKey, RequiredValue, WrittenFigure};
+use super::comparison::{FigureVerdict, MAX_COUNT, MIN_COUNT, Truth};
+use super::{AnswerKey, AnsweredVector, MAX_WRONG_ANSWERS, RequiredValue, WrittenFigure, blamed};
 use crate::quantity::{Aspect, Quantity, Subject};
 use crate::{PointId, Vec2};
 
@@ -17,21 +17,6 @@ pub(super) struct VectorSlot {
     is_direction: bool,
 }
 
-/// An answered magnitude or direction.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct AnsweredVector {
-    pub(super) figure: usize,
-    pub(super) slot: VectorSlot,
-    pub(super) value: f64,
-    /// Half a unit of the last digit.
-    pub(super) half: f64,
-    /// The written number.
-    pub(super) number: f64,
-    pub(super) is_sound: bool,
-}
-
-/// Maximum number of wrong answers for which unwritten digits are considered.
-const MAX_WRONG_ANSWERS: usize = 2;
 /// The suffixes of names, with the order, and `true` for directions.
 const ENDS: [(&str, usize, bool); 4] = [
     (".v", 1, false),
@@ -165,23 +150,13 @@ impl AnswerKey {
             return None;
         }
         let effect = |face: &AnsweredVector| truth.difference_from(with(&[(face, 0.0)])).abs();
-        let largest = |is_sound: bool| {
-            let faces = used.iter().filter(|(face, _)| face.is_sound == is_sound);
-            let faces = faces.map(|(face, _)| (effect(face), *face));
-            faces.max_by(|a, b| a.0.total_cmp(&b.0))
-        };
+        let effects = used.iter().map(|(face, _)| (effect(face), *face));
+        let effects: Vec<(f64, &AnsweredVector)> = effects.collect();
         // A number that is written everywhere is not a consequence of earlier answers.
         let is_copied = |(face, _): &UsedFace<'_>| {
             !face.is_sound && face.number == written.value && !self.is_shared(face, figure, written)
         };
-        match largest(false) {
-            Some((effect, _)) if effect > unit && used.iter().any(is_copied) => None,
-            Some((effect, face)) if effect > unit => Some(FigureVerdict::Followed(face.figure)),
-            _ => {
-                let (_, face) = largest(true)?;
-                Some(FigureVerdict::Rounded(RoundedEarly::By(face.figure)))
-            }
-        }
+        blamed(&effects, unit, |_| used.iter().any(is_copied))
     }
 
     /// Returns `true` if both exact values are equal, and the answer has enough digits to show it.

@@ -64,6 +64,12 @@ pub struct Geared {
 }
 
 impl MotorDemand {
+    /// Compares a demand with a capacity, if both are known.
+    pub(super) fn of(required: Option<f64>, capacity: Option<f64>) -> Option<MotorDemand> {
+        let (required, capacity) = (required?, capacity?);
+        Some(MotorDemand { required, capacity })
+    }
+
     /// Returns `true` if the capacity suffices.
     #[must_use]
     pub fn is_enough(&self) -> bool {
@@ -87,17 +93,10 @@ impl MotorFit {
         peak: Option<f64>,
         speed: Option<f64>,
     ) -> MotorFit {
-        let both = |requested: Option<f64>, has: Option<f64>| {
-            let (requested, has) = (requested?, has?);
-            Some(MotorDemand {
-                required: requested,
-                capacity: has,
-            })
-        };
         let fit = MotorFit {
-            rated: both(cycle.all.rms, rated),
-            peak: both(cycle.all.worst().map(|peak| peak.value.abs()), peak),
-            speed: both(Some(cycle.speed), speed),
+            rated: MotorDemand::of(cycle.all.rms, rated),
+            peak: MotorDemand::of(cycle.all.worst().map(|peak| peak.value.abs()), peak),
+            speed: MotorDemand::of(Some(cycle.speed), speed),
             geared: None,
             is_unbounded: cycle.all.worst().is_none(),
         };

@@ -25,17 +25,19 @@ fn turns_of(profile: &Profile) -> Option<u64> {
     is_whole.then_some(turns as u64)
 }
 
-fn profiles(mechanism: &Mechanism) -> impl Iterator<Item = &Profile> {
-    let over =
-        |load: &'_ Load| -> bool { matches!(load, Load::Force { .. } | Load::Torque { .. }) };
-    let loads = mechanism.loads().iter().filter(move |load| over(load));
-    loads.filter_map(|load| match load {
+/// Returns the factor of a load over the driver's coordinate.
+fn factor(load: &Load) -> Option<&Profile> {
+    match load {
         Load::Force { over, .. } | Load::Torque { over, .. } => Some(over),
         Load::Press { .. }
         | Load::Spring { .. }
         | Load::GasSpring { .. }
         | Load::TorsionSpring { .. } => None,
-    })
+    }
+}
+
+fn profiles(mechanism: &Mechanism) -> impl Iterator<Item = &Profile> {
+    mechanism.loads().iter().filter_map(factor)
 }
 
 /// Returns the loads, by number from 1, whose factor over the driver's coordinate changes and is
@@ -44,13 +46,7 @@ pub(super) fn unrepeated(mechanism: &Mechanism) -> Vec<usize> {
     let changes = |over: &Profile| over.knots().windows(2).any(|pair| pair[0][1] != pair[1][1]);
     let once = |over: &Profile| changes(over) && turns_of(over).is_none();
     let loads = mechanism.loads().iter().zip(1..);
-    let found = loads.filter(|(load, _)| match load {
-        Load::Force { over, .. } | Load::Torque { over, .. } => once(over),
-        Load::Press { .. }
-        | Load::Spring { .. }
-        | Load::GasSpring { .. }
-        | Load::TorsionSpring { .. } => false,
-    });
+    let found = loads.filter(|(load, _)| factor(load).is_some_and(once));
     found.map(|(_, number)| number).collect()
 }
 

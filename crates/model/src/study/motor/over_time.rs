@@ -326,12 +326,7 @@ impl TimedDuty {
     #[must_use]
     pub fn fit(&self, motor: &Motor) -> MotorFit {
         let largest = |peaks: [TimedPeak; 2]| peaks[0].value.abs().max(peaks[1].value.abs());
-        let both = |requested, has: Option<f64>| {
-            has.map(|has| MotorDemand {
-                required: requested,
-                capacity: has,
-            })
-        };
+        let both = |required: f64, capacity| MotorDemand::of(Some(required), capacity);
         MotorFit {
             rated: both(self.rms, motor.rated),
             peak: both(largest(self.torque), motor.peak),
