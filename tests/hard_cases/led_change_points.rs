@@ -364,6 +364,12 @@ fn change_points_of_coupler_beside_reversal_are_both_passed() {
         Vec2::new(1319.1682, 4563.1215),
     ];
     assert_passes(o, 15.0, -84.506109, 1501.606148191, start);
+    // The motion may also start between both.
+    let start = [
+        Vec2::new(490.001476614, 1679.99956932),
+        Vec2::new(1330.001476614, 4559.99956932),
+    ];
+    assert_passes(o, 15.0, -9.97585459, 1501.606148191, start);
 }
 
 const TWO_CRANKS: &str = include_str!("scenes/cylinder_between_cranks.toml");

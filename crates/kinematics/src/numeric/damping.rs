@@ -20,7 +20,7 @@ pub struct DampedSearch {
     pub shrinking: f64,
     /// The smallest damping of any step.
     pub min_damping: f64,
-    /// The damping above which no step improves.
+    /// The search ends above this damping.
     pub max_damping: f64,
     /// The measure at which a place is exact.
     pub exact: f64,
@@ -31,8 +31,8 @@ pub struct DampedSearch {
 }
 
 impl DampedSearch {
-    /// Rules without limits of steps.
-    pub const UNLIMITED: DampedSearch = DampedSearch {
+    /// Rules with no limit on the number of steps.
+    pub const DEFAULT: DampedSearch = DampedSearch {
         steps: usize::MAX,
         tries: usize::MAX,
         damping: 1e-3,
@@ -87,7 +87,7 @@ mod tests {
         growth: 8.0,
         exact: 1e-30,
         level_steps: 3,
-        ..DampedSearch::UNLIMITED
+        ..DampedSearch::DEFAULT
     };
 
     /// Fits the exponent of e^(k x) to points of e^(2 x).

@@ -18,9 +18,10 @@ use crate::{Double, LinkId, PointId, Vec2};
 /// Maximum distance from a change point at which the series replaces the group's equations, in
 /// radians or scaled lengths. Beyond it, a dyad's own second derivatives are off by less than about
 /// 1e-11, and its positions by some roundings. A wider zone would replace accurate equations.
-const MAX_WIDTH: f64 = 0.02;
-/// Minimum width of a series about two change points, in units of their distance from its centre.
-const MIN_WIDTH: f64 = 3.0;
+const WIDTH: f64 = 0.02;
+/// The same distance for a series about two change points, in units of their distance from its centre,
+/// if it is wider.
+const PAIR_WIDTH: f64 = 3.0;
 /// Maximum size of the last terms of a series in the second derivatives, within its zone: about a
 /// rounding error.
 const MAX_LAST_TERM: f64 = 1e-15;
@@ -314,7 +315,7 @@ impl ChangePointCrossing {
         outputs: (Vec<PointId>, Vec<LinkId>),
         series: &State<Series>,
     ) -> Option<ChangePointCrossing> {
-        let width = MAX_WIDTH.max(MIN_WIDTH * spread);
+        let width = WIDTH.max(PAIR_WIDTH * spread);
         ChangePointCrossing::within(width, at, of, outputs, series)
     }
 
@@ -327,7 +328,7 @@ impl ChangePointCrossing {
         outputs: (Vec<PointId>, Vec<LinkId>),
         series: &State<Series>,
     ) -> Option<ChangePointCrossing> {
-        ChangePointCrossing::within(2.0 * MAX_WIDTH, at, of, outputs, series)
+        ChangePointCrossing::within(2.0 * WIDTH, at, of, outputs, series)
     }
 
     fn within(

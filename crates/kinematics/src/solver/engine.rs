@@ -248,7 +248,7 @@ impl Engine {
         workspace: &mut Workspace,
     ) -> Condition {
         let Workspace { state, scratch, .. } = workspace;
-        let (q, direction) = self.coordinate_in_doubles(at);
+        let (q, direction) = self.coordinate_with_angle(at);
         let mut condition = Condition::Ok;
         let mut steps = steps.iter();
         // The driver's own steps come first: they are placed before any code spills its direction
@@ -457,7 +457,7 @@ impl Engine {
     /// Returns the driver's coordinate as [`Engine::coordinate`] does, but always with the angle: a
     /// test whether any step reads it would take longer.
     #[inline(always)]
-    pub(super) fn coordinate_in_doubles<T: Number>(&self, at: T) -> (T, Vec2<T>) {
+    pub(super) fn coordinate_with_angle<T: Number>(&self, at: T) -> (T, Vec2<T>) {
         if self.is_rotary {
             (at, T::unit(at))
         } else {

@@ -107,7 +107,7 @@ impl Engine {
 
     #[inline(always)]
     fn run_lanes_to<const ORDER: u8>(&self, at: Lanes, state: &mut State<Lanes>) -> bool {
-        let (q, direction) = self.coordinate_in_doubles(at);
+        let (q, direction) = self.coordinate_with_angle(at);
         for step in &self.program.steps {
             match step.run::<Lanes, ORDER>(q, direction, state) {
                 StepOutcome::Done => {}

@@ -241,13 +241,14 @@ fn lines(text: &str, ascii: bool) -> String {
 /// Returns the text of a file.
 ///
 /// # Errors
-/// Returns the diagnostic of a file that is not UTF-8. Text before the first invalid byte keeps its
-/// offsets in the shown text; invalid bytes become replacement characters.
+/// Returns the diagnostic of a file that is not UTF-8.
 pub fn utf8_text<'b>(bytes: &'b [u8], origin: &str) -> Result<&'b str, Diagnostics> {
     std::str::from_utf8(bytes).map_err(|error| not_utf8(bytes, error.valid_up_to(), origin))
 }
 
-fn not_utf8(bytes: &[u8], at: usize, origin: &str) -> Diagnostics {
+/// Returns the diagnostic of a file that is not UTF-8. Text before the first invalid byte keeps its
+/// offsets in the shown text; invalid bytes become replacement characters.
+pub fn not_utf8(bytes: &[u8], at: usize, origin: &str) -> Diagnostics {
     let shown = String::from_utf8_lossy(bytes);
     let end = at + char::REPLACEMENT_CHARACTER.len_utf8();
     let bad = bytes.get(at).copied().unwrap_or_default();

@@ -11,7 +11,7 @@ mod reader;
 mod sanitize;
 mod syntax;
 
-pub use diagnostic::{Diagnostic, Diagnostics, Label, utf8_text};
+pub use diagnostic::{Diagnostic, Diagnostics, Label, not_utf8, utf8_text};
 pub(crate) use node::number_of;
 pub use node::{Entries, WrittenValue, entries, items};
 pub use reader::{

@@ -97,7 +97,7 @@ impl FunctionDesign {
         let rules = DampedSearch {
             steps,
             shrinking: 0.15,
-            ..DampedSearch::UNLIMITED
+            ..DampedSearch::DEFAULT
         };
         rules.run(slopes.sum, |damping| {
             let next = here.with(&(here.numbers() - slopes.step(damping)));

@@ -35,7 +35,7 @@ const DESCENT: DampedSearch = DampedSearch {
     max_damping: 1e10,
     exact: 1e-31,
     min_gain: 1e-9,
-    ..DampedSearch::UNLIMITED
+    ..DampedSearch::DEFAULT
 };
 /// Singular values below this fraction of the largest belong to unknowns that the path does not
 /// determine.

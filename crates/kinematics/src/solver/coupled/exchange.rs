@@ -32,7 +32,8 @@ impl Coupled {
     }
 
     /// Returns the joints whose rough positions decide to which solution Newton's method converges.
-    /// Equations that are linear in a joint place it anywhere in one step.
+    /// Equations that are linear in a joint place it from anywhere; its start only changes the lengths of
+    /// the first steps.
     pub(in crate::solver) fn guessed_joints(&self) -> impl Iterator<Item = PointId> {
         let is_nonlinear = |i: usize| {
             let has = |spot: &Spot| matches!(spot.base, Base::Free(other) if other == i);

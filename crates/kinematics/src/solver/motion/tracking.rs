@@ -738,8 +738,8 @@ impl Walker<'_> {
     }
 
     /// Approaches a limit from the last sample, about halving the distance each time, in steps over which
-    /// no link turns too far. Returns the first limit found before it, or a barrier before it. Returns
-    /// `limit` if states depend on the path, because bisection did this already.
+    /// no link turns too far. Returns the first limit or barrier before it, otherwise `limit`. If states
+    /// depend on the path, bisection did this already.
     fn approach(&mut self, limit: f64) -> f64 {
         if self.has_path() {
             return limit;
@@ -761,13 +761,13 @@ impl Walker<'_> {
             let Some(next) = next else {
                 break;
             };
-            if self.run(from, Order::Acceleration) != Condition::Ok {
+            if self.run(from, Order::Acceleration) == Condition::NoAssembly {
                 break;
             }
             match self.advance(from, next) {
                 Ok(()) => from = next,
                 Err(Stop::Limit(earlier)) => {
-                    limit = earlier;
+                    limit = self.before_limit(earlier);
                     break;
                 }
                 Err(Stop::Barrier { good, bad }) => {
@@ -777,16 +777,13 @@ impl Walker<'_> {
                 }
             }
         }
-        // Samples close to the limit are only those of this search.
-        let mut far = walked;
-        while self
-            .samples
-            .get(far)
-            .is_some_and(|at| (limit - at).abs() > nearest)
-        {
-            far += 1;
-        }
-        self.samples.truncate(far);
+        // The samples close to the limit and beyond it only served this search.
+        let is_far = |at: &f64| (limit - at) * self.sense > nearest;
+        let far = self.samples[walked..]
+            .iter()
+            .take_while(|at| is_far(at))
+            .count();
+        self.samples.truncate(walked + far);
         self.state = at_end;
         limit
     }

@@ -22,7 +22,7 @@ const SEARCH: DampedSearch = DampedSearch {
     max_damping: 1e12,
     min_gain: f64::EPSILON,
     level_steps: 1,
-    ..DampedSearch::UNLIMITED
+    ..DampedSearch::DEFAULT
 };
 /// The relative size below which a singular value counts as zero; differences are more accurate
 /// than that.

@@ -14,6 +14,7 @@ use crate::solver::elements::SingularShift;
 use crate::solver::motion::tracking::Walker;
 use crate::solver::state::{Condition, State};
 use crate::solver::workspace::Workspace;
+use std::f64::consts::TAU;
 
 /// Distances before a reversal, in radians or scaled lengths, from which both crossings are passed.
 const BEFORE: [f64; 5] = [0.07, 0.03, 0.01, 3e-3, 1e-3];
@@ -23,6 +24,8 @@ const FEW_TERMS: usize = 14;
 const MOVES: usize = 5;
 /// Maximum distance of the centre from the reversal, relative to the distance of the crossings.
 const CENTRED: f64 = 1e-3;
+/// Maximum distance of the centre from the limit at which a pair is searched.
+const HERE: f64 = 2.0 * SPREAD;
 /// Maximum difference between series and motion, relative to the distance of the other branch.
 const OTHER: f64 = 0.1;
 
@@ -32,6 +35,8 @@ struct ChangePair {
     step: usize,
     /// The coordinate of the reversal, the centre of the series.
     centre: Double,
+    /// The maximum distance of the crossings from the centre.
+    spread: f64,
     opening: Opening,
 }
 
@@ -65,7 +70,7 @@ impl Walker<'_> {
             self.predict_nearest(limit);
             let pair = self.change_pair(step, limit);
             self.state.clone_from(&saved);
-            let Some(pair) = pair else {
+            let Some(pair) = pair.filter(|pair| !self.starts_within(pair)) else {
                 continue;
             };
             for by in BEFORE {
@@ -78,6 +83,17 @@ impl Walker<'_> {
             }
         }
         None
+    }
+
+    /// Returns `true` if the motion starts between both crossings of a pair, or whole turns away. One of
+    /// them then lies behind the start, and a turn closes between them.
+    fn starts_within(&self, pair: &ChangePair) -> bool {
+        let away = self.engine.difference(pair.centre.hi, self.start);
+        let away = match self.engine.is_rotary {
+            true => away - (away / TAU).round() * TAU,
+            false => away,
+        };
+        away.abs() < pair.spread
     }
 
     /// Returns `true` if a coupled group has two change points, or almost, close to a coordinate.
@@ -106,14 +122,17 @@ impl Walker<'_> {
             let (found, _) = self.opening_series(step, centre, &opening, FEW_TERMS)?;
             let by = match paired_opening(found.by, self.opening_slack(step)) {
                 Some(paired) if paired.middle.abs().hi <= CENTRED * paired.spread => {
-                    return Some(ChangePair {
+                    let spread = paired.spread;
+                    let is_here = self.engine.difference(limit, centre.hi).abs() <= HERE;
+                    return is_here.then_some(ChangePair {
                         step,
                         centre,
+                        spread,
                         opening,
                     });
                 }
                 Some(paired) => paired.middle,
-                None => off_centre(found.by)?,
+                None => mean_of_extremes(found.by)?,
             };
             centre = self.moved_exactly(centre, by);
         }
@@ -326,9 +345,9 @@ impl Walker<'_> {
     }
 }
 
-/// Returns the mean distance of the three extremes of an opening from the centre of its series, if the
-/// centre is not yet between them.
-fn off_centre(opening: Series) -> Option<Double> {
+/// Returns the displacement from the centre of an opening's series to the mean of the three extremes, or
+/// `None` if it is too far away.
+fn mean_of_extremes(opening: Series) -> Option<Double> {
     let mean = -opening.c[3].hi / (4.0 * opening.c[4].hi);
-    (mean.abs() <= 2.0 * SPREAD).then_some(Double::exactly(mean))
+    (mean.abs() <= HERE).then_some(Double::exactly(mean))
 }

@@ -13,8 +13,8 @@ use crate::solver::elements::{Dyad, Pair, SingularShift};
 use crate::solver::motion::tracking::Walker;
 use crate::solver::state::State;
 
-/// Maximum distance of the three extremes from the centre of a series about all of them, in radians
-/// or scaled lengths. If they are further apart, each has a series of its own.
+/// Maximum distance of the three extremes of a dyad or a coupled group from the centre of a series about
+/// all of them, in radians or scaled lengths. If they are further apart, each has a series of its own.
 pub(super) const SPREAD: f64 = 2e-2;
 /// Distance below which both change points count as one, at which the motion reverses: the input
 /// exceeds the change point by less than the rounding of a double.
