@@ -951,3 +951,20 @@ fn change_point_before_end_within_one_step_is_found() {
     assert_keeps_offset(&scene, &solver, ["Q", "E"], Vec2::new(420.0, 560.0));
     assert_keeps_offset(&scene, &solver, ["B", "C"], Vec2::new(255.0, 340.0));
 }
+
+/// Two loops of one coupled group in line at once are not passed. The search saw this only from beyond, and
+/// the end had no reason.
+#[test]
+fn end_at_two_loops_in_line_names_its_group() {
+    let (_, solver) = open(include_str!("scenes/two_loops_in_line.toml"));
+    let motion = solver.motion();
+    let (low, high) = motion.range.ends();
+    assert!(
+        (low - 291.05847638689377).abs() < 1e-5 && high == 299.811,
+        "{low} to {high}"
+    );
+    let [meeting] = &motion.meeting_assemblies[..] else {
+        panic!("{:?}", motion.meeting_assemblies);
+    };
+    assert_eq!(meeting.at, low);
+}

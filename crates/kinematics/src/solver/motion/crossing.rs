@@ -209,7 +209,12 @@ impl Walker<'_> {
     /// Returns `true` if the measure of a coupled group is small in a state.
     fn is_near_crossing(&mut self, step: usize, state: &Workspace) -> bool {
         self.state.clone_from(state);
-        self.engine.measure_coupled(state.at, &mut self.state);
+        self.has_small_measure(step, state.at)
+    }
+
+    /// Returns `true` if the measure of a coupled group is small at the z in the scratch.
+    fn has_small_measure(&mut self, step: usize, at: f64) -> bool {
+        self.engine.measure_coupled(at, &mut self.state);
         let group = self.engine.group_of(step);
         group.is_some_and(|group| {
             self.state.measures[group].abs() < MAX_CROSSING_MEASURE * self.peaks[group]
@@ -277,9 +282,9 @@ impl Walker<'_> {
         self.state = saved;
     }
 
-    /// Adds the coupled groups that are almost singular in the last state before an end without a bound
-    /// to those that are not proved to pass, unless others are known.
-    pub(super) fn add_singular_groups(&mut self, last: &Workspace) {
+    /// Adds the coupled groups that are almost singular at an end without a bound, or in the last state
+    /// before it, to those that are not proved to pass, unless others are known.
+    pub(super) fn add_singular_groups(&mut self, end: f64, last: &Workspace) {
         if !self.unproved.is_empty() {
             return;
         }
@@ -287,7 +292,12 @@ impl Walker<'_> {
             let Some(index) = of.coupled() else {
                 continue;
             };
-            if self.is_near_crossing(step, last) {
+            let is_singular = self.is_near_crossing(step, last) || {
+                self.predict_nearest(end);
+                let is_placed = self.place_inputs(step, end, GroupInputs::Steps);
+                is_placed && self.has_small_measure(step, end)
+            };
+            if is_singular {
                 let group = self.engine.program.coupled[index].group;
                 self.unproved.push(GroupId::new(group));
             }

@@ -258,7 +258,7 @@ impl Walker<'_> {
                         BoundedEnd::unproved(self.before_refused(limit))
                     };
                     if limit.bound.is_none() {
-                        self.add_singular_groups(&last);
+                        self.add_singular_groups(limit.at, &last);
                     }
                     let groups = std::mem::take(&mut self.unproved).into_iter();
                     self.meeting_assemblies
