@@ -249,7 +249,7 @@ pub(crate) fn effort_word(effort: Aspect) -> &'static str {
     }
 }
 
-/// The parts of the driver's effort, and the residual of the checks, as named in columns.
+/// Returns the unit of the driver's effort.
 pub(in crate::report) fn effort_unit(effort: Aspect) -> &'static str {
     match effort {
         Aspect::Torque => "N m",
@@ -257,6 +257,7 @@ pub(in crate::report) fn effort_unit(effort: Aspect) -> &'static str {
     }
 }
 
+/// The parts of the driver's effort, and the residual of the checks, as named in columns.
 pub(in crate::report) const PARTS: [&str; 3] = ["load", "gravity", "inertia"];
 const RESIDUAL: &str = "residual";
 

@@ -30,7 +30,7 @@ pub struct TimedMotorReport {
     effort: Aspect,
     /// The header of the driver's coordinate.
     coordinate: String,
-    /// The units of the driver's coordinate and of lengths.
+    /// The units of the driver's coordinate, and of its rates without the time.
     units: [String; 2],
 }
 
@@ -38,16 +38,15 @@ impl TimedMotorReport {
     /// Creates the report on a computed period, compared with a motor.
     #[must_use]
     pub fn new(scene: &Scene, duty: TimedDuty, motor: &Motor) -> TimedMotorReport {
+        let input = scene.mechanism.driver().input;
         TimedMotorReport {
             scene: scene.name.clone(),
             fit: duty.fit(motor),
-            effort: Aspect::effort_of(scene.mechanism.driver().input),
+            effort: Aspect::effort_of(input),
             coordinate: Catalogue::new(scene).driver().header(),
             units: [
                 Catalogue::new(scene).driver().unit.clone(),
-                scene
-                    .input_rate_unit(scene.mechanism.driver().input)
-                    .to_owned(),
+                scene.input_rate_unit(input).to_owned(),
             ],
             duty,
         }

@@ -18,10 +18,9 @@ impl Coupled {
         match turning {
             Turning::Known(link) => state.links[link.index()],
             Turning::Unknown(i) => {
-                let at = 2 * (self.free + i);
                 let angle = 2 * self.free + i;
                 LinkState {
-                    d: Vec2::new(buffers.z[at], buffers.z[at + 1]),
+                    d: self.direction(turning, state, buffers),
                     w: buffers.first[angle],
                     a: buffers.second[angle],
                 }

@@ -184,7 +184,7 @@ impl Walker<'_> {
     }
 
     /// Returns the coordinate close to `at` where a dyad's reach is extreme, in double-double.
-    /// Returns `None` if Newton's method converges to another extreme.
+    /// Returns `None` if Newton's method leaves for another extreme.
     pub(super) fn exactly_near(&mut self, step: usize, at: f64) -> Option<Double> {
         let exact = self.exactly_by(step, at, DEPARTURE * NEIGHBOURING);
         exact.filter(|exact| self.engine.difference(exact.hi, at).abs() <= NEIGHBOURING)

@@ -778,12 +778,10 @@ impl Walker<'_> {
             }
         }
         // The samples close to the limit and beyond it only served this search.
-        let is_far = |at: &f64| (limit - at) * self.sense > nearest;
-        let far = self.samples[walked..]
-            .iter()
-            .take_while(|at| is_far(at))
-            .count();
-        self.samples.truncate(walked + far);
+        let is_kept = |at: &f64| (limit - at) * self.sense > nearest;
+        let kept = self.samples[walked..].iter().take_while(|at| is_kept(at));
+        let kept = walked + kept.count();
+        self.samples.truncate(kept);
         self.state = at_end;
         limit
     }
