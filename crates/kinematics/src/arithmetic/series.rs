@@ -60,6 +60,18 @@ impl Series {
         known.fold(Double::ZERO, |sum, &c| sum * t + c)
     }
 
+    /// Returns the series of the known terms about t = `by`.
+    pub(crate) fn shifted(mut self, by: Double) -> Series {
+        // Horner's scheme, once for each coefficient.
+        for first in 0..self.known {
+            for n in (first..self.known - 1).rev() {
+                let higher = self.c[n + 1] * by;
+                self.c[n] += higher;
+            }
+        }
+        self
+    }
+
     /// Returns the series of the coefficients' absolute values. Its sums and products bound those
     /// of the series.
     pub(crate) fn majorant(self) -> Series {

@@ -431,14 +431,8 @@ impl Bend {
     /// parameter, relative to the fold, on the side of the motion. Returns `None` if the fold is not
     /// an extreme of the coordinate.
     pub(super) fn new(coordinate: &Series, fold: Double, side: f64) -> Option<Bend> {
-        let mut shifted: Vec<Double> = coordinate.c[..coordinate.known].to_vec();
-        // Horner's scheme, once for each coefficient.
-        for first in 0..shifted.len() {
-            for n in (first..shifted.len() - 1).rev() {
-                let higher = shifted[n + 1] * fold;
-                shifted[n] += higher;
-            }
-        }
+        let shifted = coordinate.shifted(fold);
+        let shifted = &shifted.c[..coordinate.known];
         let coefficients: Vec<f64> = shifted.get(2..)?.iter().map(|c| c.hi).collect();
         let is_extreme = coefficients.first().is_some_and(|c| c.abs() > 0.0);
         is_extreme.then_some(Bend {

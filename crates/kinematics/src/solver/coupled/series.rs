@@ -73,7 +73,7 @@ impl Null {
     /// Computes the null vectors by bordering the matrix with an arbitrary vector, which must not
     /// be orthogonal to them. Returns `None` if the bordered matrix is singular.
     pub(super) fn of(matrix: &[f64], n: usize) -> Option<Null> {
-        let any: Vec<f64> = (0..n).map(|i| (1.7 * i as f64 + 0.3).cos()).collect();
+        let any = any(n);
         let null = |matrix: &[f64]| {
             let mut x =
                 BorderedMatrix::new(matrix, n, Some((&any, &any)))?.solve(&vec![0.0; n], 1.0);
@@ -89,6 +89,11 @@ impl Null {
     }
 }
 
+/// Returns an arbitrary vector.
+fn any(n: usize) -> Vec<f64> {
+    (0..n).map(|i| (1.7 * i as f64 + 0.3).cos()).collect()
+}
+
 /// Returns the transpose of a square matrix.
 fn transposed(matrix: &[f64], n: usize) -> Vec<f64> {
     (0..n * n).map(|k| matrix[k % n * n + k / n]).collect()
@@ -102,6 +107,37 @@ impl Coupled {
         let links = links.into_iter().map(|l| state.links[l.index()].d);
         let known = points.chain(links).map(|v| v.x.known.min(v.y.known));
         known.fold(q.known, usize::min)
+    }
+
+    /// Returns the residuals of the group's equations at the places in a workspace.
+    pub(in crate::solver) fn misfit<'s, T: Number>(
+        &self,
+        q: T,
+        here: &'s mut Workspace<T>,
+    ) -> &'s [T] {
+        let Workspace { state, scratch, .. } = here;
+        let mut buffers = self.open(scratch);
+        self.read(state, buffers.z);
+        self.residuals(q, state, &mut buffers);
+        buffers.right
+    }
+
+    /// Returns a function of the places in a workspace with a simple zero where the matrix is singular, and
+    /// the measure of the group. The function is the reciprocal of an element of the inverse matrix, in an
+    /// arbitrary basis.
+    pub(in crate::solver) fn distance_and_measure(
+        &self,
+        q: f64,
+        here: &mut Workspace,
+    ) -> (f64, f64) {
+        let n = self.unknowns();
+        let Workspace { state, scratch, .. } = here;
+        self.read(state, self.open(scratch).z);
+        let measure = self.measure(q, state, scratch);
+        let matrix = self.matrix(q, here);
+        let any = any(n);
+        let solved = BorderedMatrix::new(&matrix, n, None).map(|m| m.solve(&any, 0.0));
+        (solved.map_or(0.0, |x| 1.0 / dot(&any, &x)), measure)
     }
 
     /// Computes the group's series about a state, and writes its points and links into `series`.

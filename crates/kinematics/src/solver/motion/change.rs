@@ -127,7 +127,11 @@ impl Walker<'_> {
         self.refused = None;
         self.missed = self.missed.take().filter(|missed| missed.at == limit);
         let kept = self.missed.and_then(|missed| self.keep_assembly(&missed));
-        kept.or_else(|| self.pass_change_point(limit))
+        kept.or_else(|| self.pass_change_point(limit)).or_else(|| {
+            self.has_path()
+                .then(|| self.cross_by_continuation(limit))
+                .flatten()
+        })
     }
 
     /// Crosses a limit if it is a change point. Returns the coordinate reached beyond it.

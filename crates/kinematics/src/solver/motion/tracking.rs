@@ -233,40 +233,12 @@ impl Walker<'_> {
                 let last = self.state.clone();
                 // A change point already passed is not ahead: the continuation would be
                 // undetermined.
-                let beyond = self.pass(limit).filter(|&at| self.ahead(at) > passed);
-                let Some(beyond) = beyond else {
-                    if let Some(end) = self.end_behind_crossing(limit) {
-                        return Ok(WalkEnd::Limit(end));
-                    }
-                    let end = self.refined(limit, &last);
-                    if end.bound.is_none() {
-                        self.add_crossing_groups(limit, &last);
-                    }
-                    let limit = self.last_resolved(from, limit);
-                    // Beyond a change point that is not passed, the motion may be another one.
-                    let beyond = self.sense * self.engine.difference(limit, end.at);
-                    let maximum = if self.unproved.is_empty() {
-                        REFINED
-                    } else {
-                        0.0
-                    };
-                    // A change point that is passed is no limit.
-                    let is_known = beyond <= maximum && self.ahead(end.at) >= passed;
-                    let limit = if is_known {
-                        end
-                    } else {
-                        BoundedEnd::unproved(self.before_refused(limit))
-                    };
-                    if limit.bound.is_none() {
-                        self.add_singular_groups(limit.at, &last);
-                    }
-                    let groups = std::mem::take(&mut self.unproved).into_iter();
-                    self.meeting_assemblies
-                        .extend(groups.map(|group| MeetingAssemblies {
-                            group,
-                            at: limit.at,
-                        }));
-                    return Ok(WalkEnd::Limit(limit));
+                let beyond = match self.pass(limit).filter(|&at| self.ahead(at) > passed) {
+                    Some(beyond) => beyond,
+                    None => match self.pass_end((from, limit, passed), &last) {
+                        Ok(beyond) => beyond,
+                        Err(end) => return Ok(end),
+                    },
                 };
                 // Nothing moves beyond a table, and doubles cannot solve it close to a change point.
                 if self.engine.inwards(beyond) * sense < 0.0 {
@@ -305,6 +277,70 @@ impl Walker<'_> {
             (from, k) = (to, k + 1);
         }
         Ok(WalkEnd::Cut(from))
+    }
+
+    /// Crosses a limit that no series about itself crosses. Returns the coordinate reached.
+    ///
+    /// # Errors
+    /// The end of the walk, if this is one.
+    fn pass_end(
+        &mut self,
+        (from, limit, passed): (f64, f64, f64),
+        last: &Workspace,
+    ) -> Result<f64, WalkEnd> {
+        if let Some(end) = self.end_behind_crossing(limit) {
+            return Err(WalkEnd::Limit(end));
+        }
+        let stored = (self.folds.len(), self.stretched.len());
+        let end = self.refined(limit, last);
+        if end.bound.is_none() {
+            let beyond = self.cross_by_continuation(limit);
+            if let Some(beyond) = beyond.filter(|&at| self.ahead(at) > passed) {
+                self.folds.truncate(stored.0);
+                self.stretched.truncate(stored.1);
+                return Ok(beyond);
+            }
+        }
+        Err(self.ended((from, limit, passed), end, last))
+    }
+
+    /// Ends a walk at a limit behind the coordinate `from` that is not passed. `end` is its refined
+    /// coordinate, `last` the last state before it, and `passed` the distance up to which change points are
+    /// passed.
+    fn ended(
+        &mut self,
+        (from, limit, passed): (f64, f64, f64),
+        end: BoundedEnd,
+        last: &Workspace,
+    ) -> WalkEnd {
+        if end.bound.is_none() {
+            self.add_crossing_groups(limit, last);
+        }
+        let limit = self.last_resolved(from, limit);
+        // Beyond a change point that is not passed, the motion may be another one.
+        let beyond = self.sense * self.engine.difference(limit, end.at);
+        let maximum = if self.unproved.is_empty() {
+            REFINED
+        } else {
+            0.0
+        };
+        // A change point that is passed is no limit.
+        let is_known = beyond <= maximum && self.ahead(end.at) >= passed;
+        let limit = if is_known {
+            end
+        } else {
+            BoundedEnd::unproved(self.before_refused(limit))
+        };
+        if limit.bound.is_none() {
+            self.add_singular_groups(limit.at, last);
+        }
+        let groups = std::mem::take(&mut self.unproved).into_iter();
+        self.meeting_assemblies
+            .extend(groups.map(|group| MeetingAssemblies {
+                group,
+                at: limit.at,
+            }));
+        WalkEnd::Limit(limit)
     }
 
     /// Ends a walk that has closed, and removes what it found beyond.

@@ -28,6 +28,8 @@ const CENTRED: f64 = 1e-3;
 const HERE: f64 = 2.0 * SPREAD;
 /// Maximum difference between series and motion, relative to the distance of the other branch.
 const OTHER: f64 = 0.1;
+/// Minimum distance of other branches, relative to the distance from their crossing.
+const ARRIVAL: f64 = 5e-3;
 
 /// Two crossings of a coupled group close to each other.
 struct ChangePair {
@@ -45,9 +47,22 @@ pub(in crate::solver::motion) struct CoupledPair {
     pub(super) step: usize,
     /// Half the displacement between the branches.
     height: Series,
+    /// The maximum distance from the centre at which the series holds.
+    pub(super) within: f64,
 }
 
 impl CoupledPair {
+    /// Creates the branch of a group that passes one crossing. The other branches are about as far away as
+    /// the crossing.
+    pub(super) fn apart(step: usize, within: f64) -> CoupledPair {
+        let height = Series::line(Double::ZERO, Double::exactly(ARRIVAL));
+        CoupledPair {
+            step,
+            height,
+            within,
+        }
+    }
+
     /// Returns the maximum difference of a state on this branch at a distance from the centre.
     fn tolerance(&self, by: f64) -> f64 {
         OTHER * 2.0 * self.height.value(Double::exactly(by)).abs().hi
@@ -166,14 +181,14 @@ impl Walker<'_> {
         let (q, direction) = self.coordinate_of(at, terms);
         let mut series = exact.engine.state(self.state.travels.len());
         self.place_in_series(0..step, at.hi, q, direction, &mut series)?;
-        self.take_places(&series);
+        self.take_places(&series, Double::ZERO);
         let found = group.opening_series(q, opening, &mut self.state, &mut series)?;
         Some((found, series))
     }
 
     /// Returns the maximum opening of a group's equations that counts as zero. An error of a length
     /// shifts an equation by at most twice that error.
-    fn opening_slack(&self, step: usize) -> f64 {
+    pub(super) fn opening_slack(&self, step: usize) -> f64 {
         let index = self.engine.program.steps[step].coupled();
         let unknowns = index.map_or(0, |index| self.engine.program.coupled[index].unknowns());
         let slack = self.exact.map_or(0.0, |exact| exact.typed_slack());
@@ -219,7 +234,11 @@ impl Walker<'_> {
             missed: Vec::new(),
             sides: [signs.clone(), signs],
             curve: None,
-            pair: Some(CoupledPair { step, height }),
+            pair: Some(CoupledPair {
+                step,
+                height,
+                within: f64::INFINITY,
+            }),
         };
         let fold = SingularGroup {
             step,
@@ -247,7 +266,7 @@ impl Walker<'_> {
     /// Returns the sine that measures a coupled group's distance from a change point, at the centre of
     /// a junction.
     fn sine_at(&mut self, junction: &Junction, step: usize) -> f64 {
-        self.take_places(&junction.series);
+        self.take_places(&junction.series, Double::ZERO);
         self.take_series(junction, step, 0.0);
         let at = junction.at.hi;
         self.engine.measure_coupled(at, &mut self.state);
@@ -323,7 +342,7 @@ impl Walker<'_> {
         let Some(index) = exact.engine.program.steps[pair.step].coupled() else {
             return false;
         };
-        self.take_places(here);
+        self.take_places(here, Double::ZERO);
         self.take_series(junction, pair.step, by);
         let group = &exact.engine.program.coupled[index];
         if !group.follow(q, &mut self.state, None, here) {

@@ -41,12 +41,12 @@ const STEPS: usize = 12;
 const MAX_LAST_STEP: f64 = 1e-25;
 /// Range of the distance between change point and fold along the curve.
 ///
-/// The driver's coordinates of both differ by about the square. At the lower end this is 1e-14, a
-/// rounding error of the coordinate in doubles, which hides their order. At the upper end it is
-/// 6e-4: there a series in the driver's coordinate passes the change point. On a flat curve it can be
-/// a tenth of this, as 6e-5 at 3e-2 in a planted motion, where such a series needs more terms. A zone
-/// of at most 0.04 contains [`WIDER`] times the upper end.
-const APART: std::ops::Range<f64> = 1e-7..2.5e-2;
+/// The driver's coordinates of both differ by about the square. Below 1e-8 this is less than a rounding
+/// error of doubles, and both coordinates are one double. At the upper end it is 6e-4: there a series in
+/// the driver's coordinate passes the change point. On a flat curve it can be a tenth of this, as 6e-5 at
+/// 3e-2 in a planted motion, where such a series needs more terms. A zone of at most 0.04 contains
+/// [`WIDER`] times the upper end.
+const APART: std::ops::Range<f64> = 1e-12..2.5e-2;
 /// Minimum zone of the series, in units of the distance between change point and fold. The zone must
 /// contain the fold, and a part of the curve behind it, where the series is proved.
 const WIDER: f64 = 1.5;
@@ -521,7 +521,8 @@ impl Walker<'_> {
         let steps = 0..self.engine.program.steps.len();
         let condition = self.run_some(steps, at, Order::Position);
         self.state.state.signs = signs;
-        condition == Condition::Ok && self.check_fit().is_ok()
+        // Change point and fold may be one double.
+        condition != Condition::NoAssembly && self.check_fit().is_ok()
     }
 
     /// Returns `true` if the series agrees with a state of the motion before the change point.
@@ -635,7 +636,7 @@ impl Walker<'_> {
             let direction = junction.series.links[link.index()].d;
             here.state.links[link.index()].d = value(direction);
         }
-        self.take_places(here);
+        self.take_places(here, Double::ZERO);
         let (q, _) = engine.coordinate(at.nearest());
         let correction = engine.program.coupled[index].correction_at(q, &mut self.state);
         correction.is_some_and(|size| size <= PROOF_TOLERANCE)

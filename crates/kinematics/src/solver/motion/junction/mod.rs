@@ -6,6 +6,7 @@
 //! 2p, and its sign changes if p is odd. All series are in double-double. They are proved by
 //! solving the mechanism on both sides of the coordinate.
 
+mod continuation;
 mod coupled_pair;
 mod curve;
 mod pair;

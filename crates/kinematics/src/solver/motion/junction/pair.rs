@@ -197,7 +197,7 @@ pub(super) fn paired(
     }
     let within = spread.max(MERGED);
     let (pair, middle) = divided(cubic, spread);
-    let is_small = |v: Series| bound(v.divided(pair.lower).1, within) <= 4.0 * slack;
+    let is_small = |v: Series| bound(&v.divided(pair.lower).1, within) <= 4.0 * slack;
     let meets = dyad.meeting(q, slack, state).is_some()
         && dyad
             .pivots(state)
@@ -213,7 +213,7 @@ pub(super) fn paired(
     let allowed = 4.0 * slack * slope
         + (4.0 * slack).powi(2) * right.sqrt()
         + ROUNDING * (height.size.nearest() + right * within * within);
-    if !(bound(remainder, within) <= allowed && rest.nearest() > 0.0) {
+    if !(bound(&remainder, within) <= allowed && rest.nearest() > 0.0) {
         return None;
     }
     let zeros = pair.zeros().filter(|_| spread >= MERGED);
@@ -256,7 +256,7 @@ pub(super) fn paired_opening(opening: Series, slack: f64) -> Option<PairedOpenin
     let (pair, middle) = divided(cubic, spread);
     let (_, remainder) = opening.divided(pair.squared());
     let turns = pair.zeros().into_iter().flatten().collect();
-    (bound(remainder, spread) <= slack).then_some(PairedOpening {
+    (bound(&remainder, spread) <= slack).then_some(PairedOpening {
         pair,
         turns,
         middle,
@@ -265,7 +265,7 @@ pub(super) fn paired_opening(opening: Series, slack: f64) -> Option<PairedOpenin
 }
 
 /// Returns a bound of a polynomial at all distances up to `spread`.
-fn bound<const N: usize>(coefficients: [Double; N], spread: f64) -> f64 {
+pub(super) fn bound(coefficients: &[Double], spread: f64) -> f64 {
     let sizes = coefficients.iter().rev().map(|c| c.abs().hi);
     sizes.fold(0.0, |sum, size| sum * spread + size)
 }

@@ -42,6 +42,8 @@ impl Walker<'_> {
             crossing.zone = crossing.zone.min(engine.smooth(crossing.at));
             let other = self.crossings.distance(engine, fold.group, crossing.at);
             crossing.zone = other.map_or(crossing.zone, |other| crossing.zone.min(0.5 * other));
+            let within = junction.pair.as_ref().map(|pair| pair.within);
+            crossing.zone = within.map_or(crossing.zone, |within| crossing.zone.min(within));
             crossing.side = junction.side;
             crossing.is_led_through = fold.is_missed;
             (crossing.zone > minimum).then_some(crossing)

@@ -86,7 +86,7 @@ impl Walker<'_> {
         let Some(index) = engine.program.steps[step].coupled() else {
             return false;
         };
-        self.take_places(&junction.series);
+        self.take_places(&junction.series, Double::ZERO);
         self.take_series(junction, step, 0.0);
         let (q, _) = engine.coordinate(junction.at.hi);
         let Workspace { state, scratch, .. } = &mut self.state;
@@ -111,7 +111,7 @@ impl Walker<'_> {
         let group = &exact.engine.program.coupled[index];
         // The group's inputs are also read in doubles.
         self.predict_nearest(at);
-        self.take_places(series);
+        self.take_places(series, Double::ZERO);
         let branch = crossing.map(|Change { z, rate, .. }| Branch { z, rate });
         if branch.is_none() {
             let _ = engine.run_steps(step..step + 1, at, Order::Position, &mut self.state);
@@ -119,15 +119,15 @@ impl Walker<'_> {
         group.follow(q, &mut self.state, branch.as_ref(), series)
     }
 
-    /// Copies the constant terms of the series, as positions and directions, to the state in
+    /// Copies the series at a distance from their centre, as positions and directions, to the state in
     /// doubles.
-    pub(super) fn take_places(&mut self, series: &State<Series>) {
+    pub(super) fn take_places(&mut self, series: &State<Series>, by: Double) {
         let here = &mut self.state.state;
         for (point, from) in here.points.iter_mut().zip(&series.points) {
-            point.p = from.p.nearest();
+            point.p = from.p.map(|s| s.value(by).hi);
         }
         for (link, from) in here.links.iter_mut().zip(&series.links) {
-            link.d = from.d.nearest();
+            link.d = from.d.map(|s| s.value(by).hi);
         }
     }
 }
