@@ -399,3 +399,44 @@ fn elbow_at_crank_turns_fully_and_wrist_is_limited() {
         "{seen}"
     );
 }
+
+/// A lever whose slot goes through its own pivot, and a crank as long as the distance of both pivots: the
+/// lever's angle is that of the input with the opposite sign. A lever turned by 180 degrees holds the
+/// slot's equation, and Newton's step of the angle is zero there. It was taken for a solution.
+#[test]
+fn opposite_direction_of_a_link_is_no_solution() {
+    let links = [
+        "L6 = { from = \"G4\", to = \"X5\", length = 140.73 }",
+        "L3 = { from = \"B2\", to = \"G1\", length = 93.81944 }",
+    ];
+    for (first, second) in [(0, 1), (1, 0)] {
+        for (shift, start) in [(0.0, -30.0), (6e5, -30.0), (6e5, -120.75), (0.0, 45.0)] {
+            let [crank, lever] = [shift - 93.81944, shift];
+            let (sin, cos) = f64::to_radians(-start).sin_cos();
+            let slide = -2.0 * 93.81944 * cos;
+            let pin = [shift + slide * cos, shift + slide * sin];
+            let text = format!(
+                "[ground]\nG1 = [{crank:?}, {lever:?}]\nG4 = [{lever:?}, {lever:?}]\n\
+                 [driver]\nlink = \"L6\"\nfrom = \"L3\"\nangle = {start:?}\n[links]\n{}\n{}\n\
+                 [slides]\ns7 = {{ point = \"B2\", on = \"L6\", through = \"G4\", angle = 0 }}\n\
+                 [start]\nB2 = [{:.6}, {:.6}]\n",
+                links[first], links[second], pin[0], pin[1]
+            );
+            let scene = Scene::parse(&text, "lever").unwrap();
+            let solver = Solver::new(&scene.mechanism).unwrap_or_else(|f| panic!("{f:?} {text}"));
+            assert_eq!(
+                solver.motion().range,
+                Range::Full { period: 360.0 },
+                "{text}"
+            );
+            let mut ids = scene.mechanism.link_ids();
+            let lever = ids.find(|&l| scene.link_name(l) == "L6").unwrap();
+            for at in [start, start + 7.3, 10.0, 100.0, 200.0] {
+                let state = solved(&solver, at).unwrap();
+                let found = angle::degrees(state.direction(lever).unwrap());
+                let off = (found + at).rem_euclid(360.0);
+                assert!(off.min(360.0 - off) < 1e-6, "{found} at {at} in {text}");
+            }
+        }
+    }
+}

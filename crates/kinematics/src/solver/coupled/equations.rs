@@ -242,6 +242,33 @@ impl Coupled {
         }
     }
 
+    /// Returns `true` if a link points opposite to the direction that its input gives it. Its residual is
+    /// infinite there, but Newton's step, the residual over its slope, is zero.
+    pub(super) fn is_elbow_reversed(
+        &self,
+        q: f64,
+        state: &State,
+        buffers: &GroupScratch<'_>,
+    ) -> bool {
+        // Elbows are the last equations.
+        let elbows = self
+            .equations
+            .iter()
+            .rev()
+            .map_while(|equation| match equation {
+                GroupEquation::Elbow {
+                    link,
+                    from,
+                    following,
+                } => Some(([link, from], following)),
+                _ => None,
+            });
+        elbows.into_iter().any(|(ways, following)| {
+            let (_, along) = self.input_lead_sin_cos(ways, following.as_ref(), q, state, buffers);
+            along < 0.0
+        })
+    }
+
     pub(super) fn jacobian<T: Number>(
         &self,
         q: T,

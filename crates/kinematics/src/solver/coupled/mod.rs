@@ -500,7 +500,8 @@ impl Coupled {
                 break;
             }
         }
-        outcome.settled = last <= MAX_LAST_CORRECTION;
+        outcome.settled =
+            last <= MAX_LAST_CORRECTION && !self.is_elbow_reversed(q, state, &buffers);
         outcome
     }
 
