@@ -465,6 +465,12 @@ impl Engine {
         }
     }
 
+    /// Returns the steps of the coupled groups, each with the number of its group.
+    pub(super) fn coupled_steps(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let steps = self.program.steps.iter().enumerate();
+        steps.filter_map(|(step, of)| Some((step, of.coupled()?)))
+    }
+
     /// Returns the group whose sign a step has, if any.
     pub(super) fn group_of(&self, step: usize) -> Option<usize> {
         let step = &self.program.steps[step];

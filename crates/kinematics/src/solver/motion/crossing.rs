@@ -49,13 +49,15 @@ const HALVINGS: i32 = 40;
 const CLOSEST: f64 = 0.1;
 /// Width of a near miss, in radians or scaled lengths, above which doubles resolve the bend in it.
 const RESOLVED: f64 = 1e-7;
+/// Distance from a near miss, in radians or scaled lengths, within which the motion bends.
+const BENT: f64 = 1e-3;
 
 /// Measure of a coupled group, relative to its maximum so far, below which its solutions may cross
 /// within the widest step.
 const MAX_CROSSING_MEASURE: f64 = 1e-2;
 /// Maximum distance of a crossing from an end of the range that it causes, in radians or scaled
 /// lengths.
-const MAX_END_DISTANCE: f64 = 1e-6;
+pub(super) const MAX_END_DISTANCE: f64 = 1e-6;
 
 /// A near miss of a coupled group between samples of the walk.
 #[derive(Clone, Copy, Debug)]
@@ -108,10 +110,8 @@ impl Walker<'_> {
         }
         let saved = self.state.clone();
         let flat = self.flat(limit);
-        let steps = 0..engine.program.steps.len();
-        let is_coupled = |&i: &usize| engine.program.steps[i].coupled().is_some();
         // Dyads before the group may have a change point at the same coordinate.
-        let ways = steps.filter(is_coupled).flat_map(|step| {
+        let ways = engine.coupled_steps().flat_map(|(step, _)| {
             let earlier = &flat[..flat.partition_point(|&dyad| dyad < step)];
             let both = [&[], earlier].into_iter();
             both.take(1 + earlier.len().min(1))
@@ -268,10 +268,7 @@ impl Walker<'_> {
     pub(super) fn add_crossing_groups(&mut self, limit: f64, last: &Workspace) {
         let engine = self.engine;
         let saved = self.state.clone();
-        for (step, of) in engine.program.steps.iter().enumerate() {
-            let Some(index) = of.coupled() else {
-                continue;
-            };
+        for (step, index) in engine.coupled_steps() {
             let near = (limit, MAX_END_DISTANCE);
             let meets = self.crossing(step, near, GroupInputs::Steps, last);
             let group = GroupId::new(engine.program.coupled[index].group);
@@ -288,17 +285,15 @@ impl Walker<'_> {
         if !self.unproved.is_empty() {
             return;
         }
-        for (step, of) in self.engine.program.steps.iter().enumerate() {
-            let Some(index) = of.coupled() else {
-                continue;
-            };
+        let engine = self.engine;
+        for (step, index) in engine.coupled_steps() {
             let is_singular = self.is_near_crossing(step, last) || {
                 self.predict_nearest(end);
                 let is_placed = self.place_inputs(step, end, GroupInputs::Steps);
                 is_placed && self.has_small_measure(step, end)
             };
             if is_singular {
-                let group = self.engine.program.coupled[index].group;
+                let group = engine.program.coupled[index].group;
                 self.unproved.push(GroupId::new(group));
             }
         }
@@ -393,7 +388,7 @@ impl Walker<'_> {
         // Anchors stored at once would make a bend of this width a corner.
         let mut passed = Anchors::default();
         let is_wide = width > RESOLVED;
-        let mut here = from;
+        let (mut here, mut reached) = (from, self.state.clone());
         for place in places {
             let is_reached = self.step_from(here, place, |walker, at| {
                 if is_wide {
@@ -405,14 +400,47 @@ impl Walker<'_> {
             if !is_reached {
                 let by = engine.difference(at, here) * self.sense;
                 if by > width {
+                    // Partial steps have left the state between both places.
+                    self.state = reached;
                     break;
                 }
                 return None;
             }
             here = place;
+            reached.clone_from(&self.state);
         }
         self.anchors.add(engine, &passed, self.sense);
         Some(here)
+    }
+
+    /// Returns `true` if the walk stopped at a limit in the bend of a near miss, which doubles resolve. From
+    /// now on, it is no corner. `last` is the state there.
+    pub(super) fn resolves_bend(&mut self, limit: f64, last: &Workspace) -> bool {
+        let engine = self.engine;
+        if self.is_resolved(limit) || !self.is_at_corner {
+            return false;
+        }
+        let is_open = engine.coupled_steps().any(|(step, _)| {
+            self.state.clone_from(last);
+            let near = (limit, BENT);
+            let found = self.nearest_opening(step, near, GroupInputs::Steps);
+            found.is_some_and(|(crossing, at)| {
+                // The opening is about the square of the sine.
+                let is_wide = crossing.unfolding.abs() > RESOLVED * RESOLVED;
+                is_wide && self.meets(step, at, crossing, GroupInputs::Steps).is_none()
+            })
+        });
+        self.state.clone_from(last);
+        if is_open {
+            self.resolved = Some(limit);
+        }
+        is_open
+    }
+
+    /// Returns `true` if doubles resolve the bends close to a coordinate.
+    pub(super) fn is_resolved(&self, at: f64) -> bool {
+        let resolved = self.resolved;
+        resolved.is_some_and(|bend| self.engine.difference(bend, at).abs() < BENT)
     }
 
     /// Returns the latest coordinate at or before `at` with a known state.
@@ -478,6 +506,19 @@ impl Walker<'_> {
     pub(super) fn nearest_crossing(
         &mut self,
         step: usize,
+        near: (f64, f64),
+        inputs: GroupInputs<'_>,
+    ) -> Option<(Crossing, f64)> {
+        let maximum = OPENED + REACH_SLACK * self.engine.frame.far;
+        let found = self.nearest_opening(step, near, inputs);
+        found.filter(|(crossing, _)| crossing.unfolding.abs() <= maximum)
+    }
+
+    /// Returns the place within `by` of a limit at which the branches of a coupled group cross or are
+    /// closest to each other, as [`Walker::nearest_crossing`] does.
+    fn nearest_opening(
+        &mut self,
+        step: usize,
         (limit, by): (f64, f64),
         inputs: GroupInputs<'_>,
     ) -> Option<(Crossing, f64)> {
@@ -512,9 +553,7 @@ impl Walker<'_> {
             }
         }
         let is_here = engine.difference(limit, at).abs() < by;
-        let crossing = crossing.filter(|_| is_here)?;
-        let is_open = crossing.unfolding.abs() > OPENED + REACH_SLACK * engine.frame.far;
-        (!is_open).then_some((crossing, at))
+        crossing.filter(|_| is_here).map(|crossing| (crossing, at))
     }
 
     /// Returns the crossing in double-double if the branches meet according to the typed decimals. If

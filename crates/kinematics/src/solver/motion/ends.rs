@@ -32,8 +32,46 @@ const FOLDED: f64 = 1e-11;
 /// Maximum distance of a fold from the end of the walk, in radians or scaled lengths. A fold
 /// further away is another one.
 const FOLD_TOLERANCE: f64 = 1e-6;
+/// Distances before a limit, in radians or scaled lengths, from which a fold is searched.
+const FOLD_STARTS: [f64; 6] = [1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
+/// Maximum difference between the unknowns at such a fold and at the limit.
+const FOLD_REACH: f64 = 1e-2;
 
 impl Walker<'_> {
+    /// Returns the proved fold of a coupled group at a limit, from states before it. Beside a near miss,
+    /// doubles count a state behind the fold as solved, and its rates do not lead back.
+    fn fold_before(&mut self, limit: f64) -> Option<BoundedEnd> {
+        let engine = self.engine;
+        let saved = self.state.clone();
+        let stored = self.folds.len();
+        let found = FOLD_STARTS.into_iter().find_map(|by| {
+            let before = engine.moved(limit, -self.sense * by);
+            let is_placed = self.ahead(before) > 0.0 && self.step_to(before);
+            let start = is_placed.then(|| self.state.clone())?;
+            engine.coupled_steps().find_map(|(step, index)| {
+                let end = self.fold(step, index, limit, &start);
+                let end = end.filter(|end| end.bound.is_some() && self.is_reached(index, &saved));
+                if end.is_none() {
+                    self.folds.truncate(stored);
+                }
+                end
+            })
+        });
+        self.state = saved;
+        found
+    }
+
+    /// Returns `true` if a state is close to the fold stored last of a coupled group.
+    fn is_reached(&mut self, index: usize, state: &Workspace) -> bool {
+        let group = &self.engine.program.coupled[index];
+        let z = &state.scratch.numbers[group.offset..group.offset + group.width()];
+        let fold = self.folds.last().filter(|fold| fold.index == index);
+        fold.is_some_and(|fold| {
+            let mut apart = fold.z.iter().zip(z);
+            apart.all(|(fold, z)| (fold - z).abs() <= FOLD_REACH)
+        })
+    }
+
     /// Returns the limit that ends the motion, to the last digit. `state` is the last one before
     /// it.
     pub(super) fn refined(&mut self, limit: f64, state: &Workspace) -> BoundedEnd {
@@ -50,6 +88,10 @@ impl Walker<'_> {
                 self.end_of_reach(step, limit)
             }
         });
+        let refined = match refined {
+            Some(end) if end.bound.is_some() => Some(end),
+            other => self.fold_before(limit).or(other),
+        };
         // A start within the rounding of a limit belongs to the motion.
         let refined = refined.unwrap_or(BoundedEnd::unproved(limit));
         let before = -self.ahead(refined.at);

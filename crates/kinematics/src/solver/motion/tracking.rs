@@ -147,6 +147,12 @@ pub(super) struct Walker<'e> {
     pub(super) missed: Option<CloseMiss>,
     /// The step and coordinate of the extreme that could not be passed at the next limit.
     pub(super) refused: Option<(usize, Double)>,
+    /// The coordinate of the last step that ended at a corner.
+    pub(super) corner: Option<f64>,
+    /// Whether the walk stopped at a corner.
+    pub(super) is_at_corner: bool,
+    /// The coordinate of a near miss whose bend doubles resolve.
+    pub(super) resolved: Option<f64>,
     /// The groups whose assemblies are known to meet at the next limit.
     pub(super) unproved: Vec<GroupId>,
     /// The ends of the range at which groups are lined up.
@@ -229,6 +235,8 @@ impl Walker<'_> {
                 if let Some(turns) = closed.filter(|&t| self.ahead(limit) > angle_turn(t)) {
                     return Ok(self.closed(turns));
                 }
+                let is_here = |corner: f64| self.engine.difference(corner, limit).abs() < CORNER;
+                self.is_at_corner = self.corner.take().is_some_and(is_here);
                 self.check_fit_between(from, limit)?;
                 let last = self.state.clone();
                 // A change point already passed is not ahead: the continuation would be
@@ -295,6 +303,7 @@ impl Walker<'_> {
         let end = self.refined(limit, last);
         if end.bound.is_none() {
             let beyond = self.cross_by_continuation(limit);
+            let beyond = beyond.or_else(|| self.resolves_bend(limit, last).then_some(limit));
             if let Some(beyond) = beyond.filter(|&at| self.ahead(at) > passed) {
                 self.folds.truncate(stored.0);
                 self.stretched.truncate(stored.1);
@@ -721,21 +730,35 @@ impl Walker<'_> {
         condition == Condition::Ok && !corrections.any(|(first, maximum)| first > maximum)
     }
 
-    /// Returns `true` if a coupled group turns sharply just before the coordinate of the state.
+    /// Returns `true` if a coupled group that is almost singular turns sharply just before the coordinate of
+    /// the state. A regular group follows its inputs, which turn before a fold.
     fn has_corner(&mut self, at: f64) -> bool {
-        let Walker {
-            engine,
-            anchors,
-            state,
-            ..
-        } = self;
-        anchors.within(engine, at, CORNER).any(|anchor| {
-            let mut rates = anchors.rates(engine, anchor);
-            engine.program.coupled.iter().any(|group| {
-                let now = &*group.open(&mut state.scratch).first;
-                rates.next().is_some_and(|then| turns_sharply(then, now))
-            })
-        })
+        if self.is_resolved(at) {
+            return false;
+        }
+        let engine = self.engine;
+        let mut sharp = Vec::new();
+        for anchor in self.anchors.within(engine, at, CORNER) {
+            let rates = self.anchors.rates(engine, anchor);
+            for (group, then) in engine.program.coupled.iter().zip(rates) {
+                let now = &*group.open(&mut self.state.scratch).first;
+                if turns_sharply(then, now) {
+                    sharp.push(group.group);
+                }
+            }
+        }
+        if sharp.is_empty() {
+            return false;
+        }
+        engine.measure_coupled(at, &mut self.state);
+        let measure = |group: usize| self.state.measures[group].abs();
+        let is_corner = sharp
+            .into_iter()
+            .any(|group| measure(group) < MAX_CHECKED_MEASURE * self.peaks[group]);
+        if is_corner {
+            self.corner = Some(at);
+        }
+        is_corner
     }
 
     /// Returns a limit, or its neighbour if a change point that was not passed lies between: directly

@@ -13,6 +13,7 @@ use crate::Double;
 use crate::arithmetic::Series;
 use crate::numeric::root;
 use crate::solver::elements::SingularShift;
+use crate::solver::motion::crossing::MAX_END_DISTANCE;
 use crate::solver::motion::tracking::Walker;
 use crate::solver::state::State;
 
@@ -25,6 +26,8 @@ const KEPT: usize = 16;
 /// Maximum distance from the crossing at which the terms hold, relative to that of the regular place. Up to
 /// there, the growth of rounding errors is compensated.
 const HELD: f64 = 0.125;
+/// Maximum measure at a singular place, relative to that at the regular one.
+const SINGULAR: f64 = 1e-12;
 
 impl Walker<'_> {
     /// Crosses a limit at which several loops of a coupled group may be in line at once. Returns the
@@ -32,15 +35,19 @@ impl Walker<'_> {
     pub(in crate::solver::motion) fn cross_by_continuation(&mut self, limit: f64) -> Option<f64> {
         let engine = self.engine;
         let (anchors, saved) = (self.anchors.clone(), self.state.clone());
-        let is_coupled = |&i: &usize| engine.program.steps[i].coupled().is_some();
-        for step in (0..engine.program.steps.len()).filter(is_coupled) {
+        for (step, _) in engine.coupled_steps() {
             for by in BEFORE {
                 let before = engine.moved(limit, -self.sense * by);
                 self.anchors.forget_beyond(engine, before, self.sense);
-                let passed = self
+                let junction = self
                     .store_approach(limit, before)
                     .then(|| self.continuation(step, (before, by)).ok())
-                    .flatten()
+                    .flatten();
+                let causes_end = |junction: &Junction| {
+                    engine.difference(limit, junction.at.hi).abs() <= MAX_END_DISTANCE
+                };
+                let passed = junction
+                    .filter(causes_end)
                     .and_then(|junction| self.pass_through(&junction));
                 if passed.is_some() {
                     return passed;
@@ -119,9 +126,12 @@ impl Walker<'_> {
             self.take_places(series, Double::exactly(away));
             group.distance_and_measure(q, &mut self.state)
         };
-        let (first, last) = (here(0.0), here(beyond));
-        let ends = ((0.0, first.0), (beyond, last.0));
-        let away = root(ends.0, ends.1, 0.0, |away| Some(here(away).0));
-        Some((Double::exactly(away.ok()?), first.1 * last.1 < 0.0))
+        let first = here(0.0);
+        let ends = ((0.0, first.0), (beyond, here(beyond).0));
+        let away = root(ends.0, ends.1, 0.0, |away| Some(here(away).0)).ok()?;
+        // The function also changes its sign at a pole.
+        let is_singular = here(away).1.abs() <= SINGULAR * first.1.abs();
+        let turns = first.1 * here(2.0 * away).1 < 0.0;
+        is_singular.then_some((Double::exactly(away), turns))
     }
 }

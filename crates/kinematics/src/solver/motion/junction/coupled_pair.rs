@@ -78,10 +78,7 @@ impl Walker<'_> {
     pub(in crate::solver::motion) fn cross_twice(&mut self, limit: f64) -> Option<f64> {
         let engine = self.engine;
         let (anchors, saved) = (self.anchors.clone(), self.state.clone());
-        for step in 0..engine.program.steps.len() {
-            if engine.program.steps[step].coupled().is_none() {
-                continue;
-            }
+        for (step, _) in engine.coupled_steps() {
             self.predict_nearest(limit);
             let pair = self.change_pair(step, limit);
             self.state.clone_from(&saved);

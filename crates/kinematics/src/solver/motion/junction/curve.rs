@@ -134,8 +134,10 @@ impl Walker<'_> {
         if by_dyad.is_some() {
             return by_dyad;
         }
-        let is_coupled = |&i: &usize| engine.program.steps[i].coupled().is_some();
-        let by_group = (0..step).filter(is_coupled).find_map(|leader| {
+        let mut earlier = engine
+            .coupled_steps()
+            .take_while(|&(leader, _)| leader < step);
+        let by_group = earlier.find_map(|(leader, _)| {
             self.state.clone_from(&arrived);
             let junction = self.junction_by_group(leader, at)?;
             self.end_on_curve(&junction, before, &arrived)
@@ -143,7 +145,7 @@ impl Walker<'_> {
         if by_group.is_some() {
             return by_group;
         }
-        for step in (0..engine.program.steps.len()).filter(is_coupled) {
+        for (step, _) in engine.coupled_steps() {
             self.state.clone_from(&arrived);
             if self
                 .nearest_crossing(step, (limit, by), GroupInputs::Steps)
