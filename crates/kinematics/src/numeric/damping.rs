@@ -30,6 +30,32 @@ pub struct DampedSearch {
     pub level_steps: usize,
 }
 
+/// The result of one try.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Trial {
+    /// The caller keeps the new place.
+    Kept {
+        /// The measure at the new place.
+        measure: f64,
+        /// The factor of the damping, if it is not that of the rules.
+        shrinking: Option<f64>,
+    },
+    /// The step does not improve the measure.
+    Rejected,
+    /// The search ends: no further step has any effect.
+    Finished,
+}
+
+/// An improving step has its measure; `None` rejects the step.
+impl From<Option<f64>> for Trial {
+    fn from(better: Option<f64>) -> Trial {
+        better.map_or(Trial::Rejected, |measure| Trial::Kept {
+            measure,
+            shrinking: None,
+        })
+    }
+}
+
 impl DampedSearch {
     /// Rules with no limit on the number of steps.
     pub const DEFAULT: DampedSearch = DampedSearch {
@@ -51,7 +77,7 @@ impl DampedSearch {
     ///
     /// `try_step` tries the step of a damping. If this improves the measure, it keeps the new place
     /// and returns its measure.
-    pub fn run(&self, start: f64, mut try_step: impl FnMut(f64) -> Option<f64>) -> f64 {
+    pub fn run<T: Into<Trial>>(&self, start: f64, mut try_step: impl FnMut(f64) -> T) -> f64 {
         let mut measure = start;
         let (mut damping, mut growth) = (self.damping, self.growth);
         let (mut steps, mut level) = (0, 0);
@@ -61,17 +87,25 @@ impl DampedSearch {
             if is_finished || !(measure > self.exact) || damping > self.max_damping {
                 break;
             }
-            let Some(better) = try_step(damping) else {
-                damping *= growth;
-                growth *= self.growth_of_growth;
-                continue;
-            };
-            let is_level = better > measure * (1.0 - self.min_gain);
-            level = if is_level { level + 1 } else { 0 };
-            steps += 1;
-            measure = better;
-            damping = (damping * self.shrinking).max(self.min_damping);
-            growth = self.growth;
+            match try_step(damping).into() {
+                Trial::Kept {
+                    measure: better,
+                    shrinking,
+                } => {
+                    let is_level = better > measure * (1.0 - self.min_gain);
+                    level = if is_level { level + 1 } else { 0 };
+                    steps += 1;
+                    measure = better;
+                    let shrinking = shrinking.unwrap_or(self.shrinking);
+                    damping = (damping * shrinking).max(self.min_damping);
+                    growth = self.growth;
+                }
+                Trial::Rejected => {
+                    damping *= growth;
+                    growth *= self.growth_of_growth;
+                }
+                Trial::Finished => break,
+            }
         }
         measure
     }
@@ -141,7 +175,7 @@ mod tests {
         };
         rules.run(1.0, |damping| {
             tried.push(damping);
-            None
+            Trial::Rejected
         });
         assert_eq!(tried, [1e-3, 8e-3, 8e-3 * 16.0, 8e-3 * 16.0 * 32.0]);
     }

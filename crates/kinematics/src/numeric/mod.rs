@@ -27,7 +27,7 @@ mod random;
 mod root;
 mod sampled_extrema;
 
-pub use damping::DampedSearch;
+pub use damping::{DampedSearch, Trial};
 pub use evolution::mutate;
 pub use lowest::{MinimumError, lowest};
 pub use polynomial::polynomial_roots;

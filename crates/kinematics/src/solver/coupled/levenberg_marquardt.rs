@@ -8,16 +8,23 @@
 //! Methods for Non-Linear Least Squares Problems, 2004, algorithm 3.16).
 
 use super::{Coupled, GroupScratch, Scratch};
+use crate::numeric::{DampedSearch, Trial};
 use crate::solver::lu;
 use crate::solver::state::State;
 
-/// Maximum number of steps. Near a double solution every step halves the distance, so that these
-/// suffice down to the rounding error.
-const STEPS: usize = 120;
+/// The initial damping is relative to the largest entry of J'J. Near a double solution every step
+/// halves the distance, so that these tries suffice down to the rounding error.
+const SEARCH: DampedSearch = DampedSearch {
+    tries: 120,
+    growth: 2.0,
+    growth_of_growth: 2.0,
+    min_damping: 0.0,
+    max_damping: f64::INFINITY,
+    level_steps: usize::MAX,
+    ..DampedSearch::DEFAULT
+};
 /// Step size, in scaled lengths and radians, below which Newton's method takes over.
 const NEAR: f64 = 1e-9;
-/// The initial damping, relative to the largest entry of J'J.
-const DAMPING: f64 = 1e-3;
 
 impl Coupled {
     /// Moves the z in the scratch downhill, and completes it by Newton's method. Returns `true` if
@@ -29,22 +36,18 @@ impl Coupled {
         scratch: &mut Scratch,
     ) -> bool {
         let mut region = Region::new(self.unknowns());
-        for _ in 0..STEPS {
-            let mut buffers = self.open(scratch);
-            if !region.step(self, q, state, &mut buffers) {
-                break;
-            }
-        }
+        SEARCH.run(f64::INFINITY, |damping| {
+            region.step(self, q, state, &mut self.open(scratch), damping)
+        });
         self.correct(q, state, scratch).settled
     }
 }
 
-/// The trust region: the damping of the steps, and buffers.
+/// The trust region: the unit of the damping, and buffers.
 struct Region {
     n: usize,
-    damping: Option<f64>,
-    /// The factor of the damping after a failed step; it doubles with every failure in a row.
-    growth: f64,
+    /// The largest entry of J'J at the start.
+    unit: Option<f64>,
     matrix: Vec<f64>,
     step: Vec<f64>,
     pivots: Vec<usize>,
@@ -54,23 +57,23 @@ impl Region {
     fn new(n: usize) -> Region {
         Region {
             n,
-            damping: None,
-            growth: 2.0,
+            unit: None,
             matrix: vec![0.0; n * n],
             step: vec![0.0; n],
             pivots: vec![0; n],
         }
     }
 
-    /// Tries one step, and keeps it if it leads downhill. Returns `false` once the steps are small
-    /// or the matrix is singular.
+    /// Tries one step, and keeps it if it leads downhill. The search is finished once the steps are
+    /// small or the matrix is singular.
     fn step(
         &mut self,
         group: &Coupled,
         q: f64,
         state: &State,
         buffers: &mut GroupScratch<'_>,
-    ) -> bool {
+        damping: f64,
+    ) -> Trial {
         let n = self.n;
         group.residuals(q, state, buffers);
         group.jacobian(q, state, buffers);
@@ -83,36 +86,35 @@ impl Region {
             })
             .collect();
         let largest = self.square(buffers.matrix);
-        let damping = *self.damping.get_or_insert(DAMPING * largest);
+        let damping = damping * *self.unit.get_or_insert(largest);
         for (i, slope) in slope.iter().enumerate() {
             self.matrix[i * n + i] += damping;
             self.step[i] = -slope;
         }
         if lu::factor(&mut self.matrix, &mut self.pivots, n).is_none() {
-            return false;
+            return Trial::Finished;
         }
         lu::solve(&self.matrix, &self.pivots, &mut self.step, n);
         let size = lu::largest(&self.step);
         // Negated so that NaN also ends the steps.
         if !(size > NEAR) {
-            return false;
+            return Trial::Finished;
         }
         let kept = buffers.z.to_vec();
         group.shift(buffers.z, &self.step);
         group.residuals(q, state, buffers);
         let steps = self.step.iter().zip(&slope);
         let promised: f64 = steps.map(|(d, g)| d * (damping * d - g)).sum();
-        let gain = (before - lu::dot(buffers.right, buffers.right)) / promised;
+        let measure = lu::dot(buffers.right, buffers.right);
+        let gain = (before - measure) / promised;
         if gain > 0.0 {
-            let shrunk = 1.0 - (2.0 * gain - 1.0).powi(3);
-            self.damping = Some(damping * shrunk.max(1.0 / 3.0));
-            self.growth = 2.0;
+            let shrinking = 1.0 - (2.0 * gain - 1.0).powi(3);
+            let shrinking = Some(shrinking.max(1.0 / 3.0));
+            Trial::Kept { measure, shrinking }
         } else {
             buffers.z.copy_from_slice(&kept);
-            self.damping = Some(damping * self.growth);
-            self.growth *= 2.0;
+            Trial::Rejected
         }
-        true
     }
 
     /// Sets `matrix` to J'J and returns its largest entry.

@@ -7,22 +7,25 @@
 //! motions.
 
 use super::rows::{RankPose, Rows};
+use crate::numeric::{DampedSearch, Trial};
 use crate::solver::plan::network::GROUND;
 use crate::{LinkId, PointId, Vec2, angle};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-/// Maximum number of steps.
-const MAX_STEPS: usize = 200;
-/// The initial and the minimum damping, relative to the squares of rows of unit length. The minimum
-/// is below the square root of the rounding error: it affects no regular direction, but still damps
-/// a free one.
-const DAMPING: f64 = 1e-3;
-const MIN_DAMPING: f64 = 1e-13;
-/// Number of steps in which the squared residual must fall to half; if not, the iteration converges
-/// to a nonzero residual.
-const MAX_SLOW_STEPS: usize = 20;
-/// Maximum damping; beyond it, nothing moves any more.
-const MAX_DAMPING: f64 = 1e9;
+/// The damping is relative to the squares of rows of unit length. Its minimum is below the square
+/// root of the rounding error: it affects no regular direction, but still damps a free one. The
+/// squared residual must fall to half in 20 steps; if not, the search converges to a nonzero
+/// residual.
+const SEARCH: DampedSearch = DampedSearch {
+    steps: 200,
+    growth: 10.0,
+    shrinking: 0.1,
+    min_damping: 1e-13,
+    max_damping: 1e9,
+    min_gain: 0.034,
+    level_steps: 20,
+    ..DampedSearch::DEFAULT
+};
 /// Steps shorter than this, in units of about the longest link, are rounding errors.
 const MIN_STEP: f64 = 4.0 * f64::EPSILON;
 /// Maximum residual of an assembled pose, relative to its size: the rounding of its coordinates.
@@ -46,25 +49,20 @@ pub(super) fn assemble(
     mut pose: RankPose,
 ) -> Option<Assembled> {
     rows.drive(at, &mut pose);
-    let mut damping = DAMPING;
     let mut system = Normal::of(rows, at, &pose);
-    let mut before = f64::INFINITY;
-    for k in 0..MAX_STEPS {
-        if k % MAX_SLOW_STEPS == 0 {
-            if system.cost > 0.5 * before {
-                break;
-            }
-            before = system.cost;
+    let mut is_converged = false;
+    SEARCH.run(system.cost, |damping| {
+        if is_converged {
+            return Trial::Finished;
         }
-        let Some((next, step)) = system.step(rows, at, &pose, &mut damping) else {
-            break;
-        };
-        pose = next;
-        system = Normal::of(rows, at, &pose);
-        if step <= MIN_STEP {
-            break;
-        }
-    }
+        let better = system.step(rows, at, &pose, damping).map(|(next, step)| {
+            pose = next;
+            system = Normal::of(rows, at, &pose);
+            is_converged = step <= MIN_STEP;
+            system.cost
+        });
+        better.into()
+    });
     let reach = pose.points.iter().map(|p| p.norm()).fold(1.0, f64::max);
     let allowed = misfit.max(ASSEMBLED * reach);
     let slack = system.largest.max(MIN_STEP * reach);
@@ -104,33 +102,24 @@ impl Normal {
         normal
     }
 
-    /// Returns the next pose and the step length, or `None` if no step reduces the cost.
+    /// Returns the next pose and the step length, or `None` if the step does not reduce the cost.
     fn step(
         &self,
         rows: &Rows<'_>,
         at: f64,
         pose: &RankPose,
-        damping: &mut f64,
+        damping: f64,
     ) -> Option<(RankPose, f64)> {
-        while *damping < MAX_DAMPING {
-            let mut damped = self.matrix.clone();
-            for i in 0..rows.width {
-                damped[(i, i)] += *damping;
-            }
-            if let Some(factors) = Cholesky::new(damped) {
-                let step = factors.solve(&self.downhill);
-                let mut next = pose.clone();
-                rows.step(&mut next, step.as_slice());
-                let misses = rows.linear(at, &next).into_iter().map(|(miss, _)| miss);
-                let cost: f64 = misses.map(|miss| 0.5 * miss * miss).sum();
-                if cost < self.cost {
-                    *damping = (0.1 * *damping).max(MIN_DAMPING);
-                    return Some((next, step.norm()));
-                }
-            }
-            *damping *= 10.0;
+        let mut damped = self.matrix.clone();
+        for i in 0..rows.width {
+            damped[(i, i)] += damping;
         }
-        None
+        let step = Cholesky::new(damped)?.solve(&self.downhill);
+        let mut next = pose.clone();
+        rows.step(&mut next, step.as_slice());
+        let misses = rows.linear(at, &next).into_iter().map(|(miss, _)| miss);
+        let cost: f64 = misses.map(|miss| 0.5 * miss * miss).sum();
+        (cost < self.cost).then(|| (next, step.norm()))
     }
 }
 
