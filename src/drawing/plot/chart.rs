@@ -41,6 +41,9 @@ pub struct DecadeAxis {
     pub label: fn(i32) -> String,
 }
 
+/// The error at which smaller errors and zeros are plotted: below the rounding error of a double.
+const MIN_ERROR: f64 = 1e-17;
+
 /// Points against two logarithmic axes; small values are better on both.
 #[derive(Clone, Debug)]
 pub struct Chart {
@@ -50,6 +53,22 @@ pub struct Chart {
     pub y: DecadeAxis,
     /// The points. If two are in one cell, the best one, and then the first one, keeps it.
     pub data: Vec<Datum>,
+}
+
+impl Chart {
+    /// Creates a chart of errors; the vertical coordinates of its points may be 0.
+    pub(super) fn of_errors(x: DecadeAxis, data: impl Iterator<Item = Datum>) -> Chart {
+        let datum = |datum: Datum| Datum {
+            y: datum.y.max(MIN_ERROR),
+            ..datum
+        };
+        let y = DecadeAxis {
+            title: words().error_of_iteration().into(),
+            label: |power| format!("1e{power}"),
+        };
+        let data = data.map(datum).collect();
+        Chart { x, y, data }
+    }
 }
 
 /// Returns the glyphs of the front's steps: along a row, and down a column.

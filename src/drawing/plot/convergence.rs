@@ -4,9 +4,6 @@ use crate::drawing::plot::{Chart, Datum, DecadeAxis};
 use crate::study::ErrorCurve;
 use crate::wording::words;
 
-/// The error at which smaller errors and zeros are plotted: below the rounding error of a double.
-const MIN_ERROR: f64 = 1e-17;
-
 /// Returns the chart of the errors of one or more groups. The points of a single curve are joined.
 #[must_use]
 pub fn convergence(curves: &[ErrorCurve]) -> Chart {
@@ -15,22 +12,16 @@ pub fn convergence(curves: &[ErrorCurve]) -> Chart {
         let errors = (0_i32..).zip(curve.errors.clone());
         let data = errors.map(move |(k, error)| Datum {
             x: 10.0_f64.powi(k),
-            y: error.max(MIN_ERROR),
+            y: error,
             letter: mark,
             best: curves.len() == 1,
         });
         data.collect::<Vec<_>>()
     };
-    Chart {
-        // The axis counts iterations from 0: its decades are labelled by their exponents.
-        x: DecadeAxis {
-            title: words().iteration().into(),
-            label: |power| power.to_string(),
-        },
-        y: DecadeAxis {
-            title: words().error_of_iteration().into(),
-            label: |power| format!("1e{power}"),
-        },
-        data: curves.iter().flat_map(of).collect(),
-    }
+    // The axis counts iterations from 0: its decades are labelled by their exponents.
+    let iterations = DecadeAxis {
+        title: words().iteration().into(),
+        label: |power| power.to_string(),
+    };
+    Chart::of_errors(iterations, curves.iter().flat_map(of))
 }

@@ -220,7 +220,7 @@ impl Plot {
                     block,
                     y: scale,
                     ticks,
-                    style: TickStyle::of_range(y.low, y.high),
+                    style: y.style(),
                 };
                 (number, frame)
             })

@@ -42,8 +42,7 @@ pub struct GridMap {
 /// The places of a variable on a grid, ascending.
 #[derive(Clone, Debug, PartialEq)]
 struct GridAxis {
-    name: String,
-    unit: String,
+    axis: Axis,
     coordinates: Vec<f64>,
 }
 
@@ -73,12 +72,13 @@ impl GridMap {
                 .iter()
                 .map(move |&column| height(row, column).flatten())
         });
-        let axis =
-            |([name, unit], coordinates): &([&str; 2], Vec<f64>), order: &[usize]| GridAxis {
-                name: (*name).to_owned(),
-                unit: (*unit).to_owned(),
-                coordinates: order.iter().map(|&k| coordinates[k]).collect(),
-            };
+        let axis = |([name, unit], coordinates): &([&str; 2], Vec<f64>), order: &[usize]| {
+            let coordinates: Vec<f64> = order.iter().map(|&k| coordinates[k]).collect();
+            let low = coordinates.first().copied().unwrap_or(0.0);
+            let high = coordinates.last().copied().unwrap_or(low);
+            let axis = Axis::new(name, unit, (low, high));
+            GridAxis { axis, coordinates }
+        };
         GridMap {
             title: title.map(str::to_owned),
             heights: all.collect(),
@@ -109,8 +109,7 @@ impl GridMap {
     #[must_use]
     pub fn text(&self, cols: u16, rows: u16) -> String {
         let levels = self.levels();
-        let style = self.up.style();
-        let ends = self.up.ends().map(|end| style.text(end));
+        let ends = self.up.axis.end_labels(self.up.axis.style());
         let labels = ends.iter().map(String::len).max().unwrap_or(0) + 2;
         let width = usize::from(cols)
             .saturating_sub(labels + COLUMNS_AROUND_MAP)
@@ -118,7 +117,7 @@ impl GridMap {
         let height = usize::from(rows)
             .saturating_sub(ROWS_AROUND_MAP)
             .max(MIN_SIDE);
-        let mut text = format!("{}\n{}\n", self.titled(), self.up.title());
+        let mut text = format!("{}\n{}\n", self.titled(), self.up.axis.title());
         for line in 0..height {
             let row = self.up.nearest(height - 1 - line, height);
             let label = match line {
@@ -139,9 +138,8 @@ impl GridMap {
 
     /// Returns the ends of the horizontal axis, with its name between them if there is space.
     fn foot(&self, labels: usize, width: usize) -> String {
-        let style = self.along.style();
-        let [low, high] = self.along.ends().map(|end| style.text(end));
-        let title = self.along.title();
+        let [low, high] = self.along.axis.end_labels(self.along.axis.style());
+        let title = self.along.axis.title();
         let between = width.saturating_sub(low.len() + high.len());
         match title.chars().count() + 2 <= between {
             true => format!("{:labels$}  {low}{title:^between$}{high}\n", ""),
@@ -197,14 +195,17 @@ impl GridMap {
     #[must_use]
     pub fn contours(maps: &[GridMap]) -> Option<Plot> {
         let first = maps.first()?;
-        let axis = |of: &GridAxis, name: &str| Axis::new(name, &of.unit, of.ends().into());
+        let axis = |of: &GridAxis, name: String| Axis {
+            name,
+            ..of.axis.clone()
+        };
         let panel = |map: &GridMap| Panel {
-            y: axis(&map.up, ""),
+            y: axis(&map.up, String::new()),
             curves: map.curves(),
         };
-        let x = words().axes_of_map(&first.up.title(), &first.along.name);
+        let x = words().axes_of_map(&first.up.axis.title(), &first.along.axis.name);
         Some(Plot {
-            x: axis(&first.along, &x),
+            x: axis(&first.along, x),
             panels: maps.iter().map(panel).collect(),
             is_true: false,
         })
@@ -313,24 +314,10 @@ impl GridMap {
 }
 
 impl GridAxis {
-    fn ends(&self) -> [f64; 2] {
-        let first = self.coordinates.first().copied().unwrap_or(0.0);
-        [first, self.coordinates.last().copied().unwrap_or(first)]
-    }
-
-    fn title(&self) -> String {
-        with_unit(&self.name, &self.unit)
-    }
-
-    fn style(&self) -> TickStyle {
-        let [low, high] = self.ends();
-        TickStyle::of_range(low, high)
-    }
-
     /// Returns the index of the place nearest to the middle of a cell, with `cells` cells between
     /// the ends.
     fn nearest(&self, cell: usize, cells: usize) -> usize {
-        let [low, high] = self.ends();
+        let Axis { low, high, .. } = self.axis;
         let at = low + (high - low) * (cell as f64 / (cells - 1).max(1) as f64);
         let off = |k: &usize| (self.coordinates[*k] - at).abs();
         let nearest = (0..self.coordinates.len()).min_by(|a, b| off(a).total_cmp(&off(b)));

@@ -40,7 +40,9 @@ use crate::Vec2;
 use crate::drawing::Glyphs;
 use crate::drawing::figure::Role;
 use crate::drawing::roles::{link_of, link_roles};
+use crate::page::with_unit;
 use crate::quantity::{Abscissa, Aspect, Curves, Quantity, QuantitySource, Subject};
+use ticks::TickStyle;
 
 /// Curves against an axis, in panels.
 #[derive(Clone, Debug, PartialEq)]
@@ -404,6 +406,29 @@ impl Axis {
         for value in values {
             (self.low, self.high) = (self.low.min(value), self.high.max(value));
         }
+    }
+
+    /// Returns the number format of its values.
+    fn style(&self) -> TickStyle {
+        TickStyle::of_range(self.low, self.high)
+    }
+
+    /// Returns the name with its unit.
+    fn title(&self) -> String {
+        with_unit(&self.name, &self.unit)
+    }
+
+    /// Returns both ends as text.
+    fn end_labels(&self, style: TickStyle) -> [String; 2] {
+        [self.low, self.high].map(|end| style.text(end))
+    }
+
+    /// Formats a value, or a dash if there is none, aligned to the width of the ends.
+    fn text(&self, value: Option<f64>, style: TickStyle) -> String {
+        let [low, high] = self.end_labels(style).map(|label| label.len());
+        let text = value.map_or_else(|| "-".into(), |value| style.text(value));
+        let width = low.max(high);
+        format!("{text:>width$}")
     }
 
     /// Converts the axis of a length, or of its rate, to another unit. Returns the factor for its

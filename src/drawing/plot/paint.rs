@@ -3,7 +3,6 @@
 use super::frame::{FrameGlyphs, length, write};
 use super::layout::{PanelArea, PlotLayout, level_labels, unit_place};
 use super::path::{PLACE, Pen};
-use super::ticks::TickStyle;
 use super::{CurveTurn, Panel, Plot, PlotStyle};
 use crate::Vec2;
 use crate::drawing::cells::blocks::settle;
@@ -231,11 +230,8 @@ impl PlotPainter<'_> {
         let wanted: i32 = entries.map(|entry| length(&entry) + ENTRY + GAP).sum();
         let space = (end - self.legend_start(panel) - wanted).max(0);
         let x = &self.plot.x;
-        let style = TickStyle::of_range(x.low, x.high);
-        let width = [x.low, x.high].map(|v| style.text(v).len());
-        let width = width[0].max(width[1]);
         let here = self.here.and_then(|here| here.along);
-        let here = here.map(|along| format!("{:>width$} {}", style.text(along), x.unit));
+        let here = here.map(|along| format!("{} {}", x.text(Some(along), x.style()), x.unit));
         let name = words().over(&x.name);
         let long = here.as_ref().map(|here| format!("{name} {here}"));
         let titles = [long, Some(name), here];
@@ -263,15 +259,12 @@ impl PlotPainter<'_> {
         if let Some(off) = along.and_then(|x| line.band.as_ref()?.text(x)) {
             return format!("{} {off}", line.name);
         }
-        let width = [panel.y.low, panel.y.high].map(|v| frame.style.text(v).len());
-        let width = width[0].max(width[1]);
         let figure = line.figure.filter(|_| with_value);
         let value = figure.and_then(|figure| self.here?.values.get(figure).copied());
         let Some(value) = value else {
             return line.name.clone();
         };
-        let text = value.map_or_else(|| "-".into(), |v| frame.style.text(v));
-        format!("{} {text:>width$}", line.name)
+        format!("{} {}", line.name, panel.y.text(value, frame.style))
     }
 
     fn upright_axis(&self, frame: &PanelArea, raster: &mut Raster) {
@@ -426,7 +419,7 @@ impl PlotPainter<'_> {
     ) {
         let mut placed = self.turns(panel, frame);
         placed.sort_by_key(|(turn, ..)| !turn.is_extreme);
-        let x = TickStyle::of_range(self.plot.x.low, self.plot.x.high);
+        let x = self.plot.x.style();
         for (turn, role, point) in placed {
             let (value, along) = (frame.style.text(turn.at.y), x.text(turn.at.x));
             let text = words().extremum(&value, &along);

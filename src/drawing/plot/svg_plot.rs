@@ -97,7 +97,7 @@ impl PaperSheet<'_> {
         if self.plot.is_true && self.plot.panels.len() == 1 {
             y = self.true_scales(panel, top, bottom);
         }
-        let digits = TickStyle::of_range(axis.low, axis.high);
+        let digits = axis.style();
         let maximum = ((bottom - top) / LABEL_APART.y).clamp(2.0, 12.0) as usize;
         let (low, high) = y.ends();
         let ticks = Ticks::between(low, high, axis.is_angle, maximum);
@@ -190,7 +190,7 @@ impl PaperSheet<'_> {
     }
 
     fn turns(&mut self, line: &PlotCurve, y: &CellScale, digits: TickStyle) {
-        let along = TickStyle::of_range(self.plot.x.low, self.plot.x.high);
+        let along = self.plot.x.style();
         for turn in &line.turns {
             if !(self.x.holds(turn.at.x) && y.holds(turn.at.y)) {
                 continue;
@@ -225,7 +225,7 @@ impl PaperSheet<'_> {
             self.art.text(position, TextAnchor::Middle, "label", &label);
         }
         let here = self.here.and_then(|here| here.along);
-        let digits = TickStyle::of_range(axis.low, axis.high);
+        let digits = axis.style();
         let here = here.map_or(String::new(), |x| format!(" = {}", digits.text(x)));
         let title = format!("{}{here} [{}]", axis.name, axis.unit);
         let middle = Vec2::new((LEFT + self.right()) / 2.0, base + TICK + 34.0);

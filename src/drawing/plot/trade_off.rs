@@ -4,8 +4,6 @@ use crate::drawing::plot::{Chart, Datum, DecadeAxis};
 use crate::study::Findings;
 use crate::wording::words;
 
-/// The error at which smaller errors and zeros are plotted: below the rounding error of a double.
-const MIN_ERROR: f64 = 1e-17;
 const NANOSECONDS: f64 = 1e9;
 
 /// Returns the chart of a study's findings.
@@ -15,22 +13,16 @@ pub fn trade_off(findings: &Findings) -> Chart {
         let figures = finding.figures()?;
         Some(Datum {
             x: figures.time?.median * NANOSECONDS,
-            y: figures.errors?.position.max(MIN_ERROR),
+            y: figures.errors?.position,
             letter: finding.key,
             best: finding.best,
         })
     };
-    Chart {
-        x: DecadeAxis {
-            title: words().time().into(),
-            label: time,
-        },
-        y: DecadeAxis {
-            title: words().error_of_iteration().into(),
-            label: |power| format!("1e{power}"),
-        },
-        data: findings.methods.iter().filter_map(datum).collect(),
-    }
+    let time = DecadeAxis {
+        title: words().time().into(),
+        label: time,
+    };
+    Chart::of_errors(time, findings.methods.iter().filter_map(datum))
 }
 
 /// Formats ten to this power of nanoseconds in the largest unit of which it is a whole number.
