@@ -25,6 +25,14 @@ pub enum Colours {
 }
 
 impl Colours {
+    /// All sets of colours, the smallest one first.
+    pub(crate) const ALL: [Colours; 4] = [
+        Colours::None,
+        Colours::Sixteen,
+        Colours::Indexed,
+        Colours::True,
+    ];
+
     /// Returns the name in options and in the configuration.
     #[must_use]
     pub fn name(self) -> &'static str {

@@ -1,6 +1,6 @@
 //! Output formats of values, and the dialect of CSV.
 
-use crate::cli::choice::{OptionValue, one_of};
+use crate::cli::choice::{OptionValue, one_of, option_values};
 use crate::cli::failure::Failure;
 use crate::report::{CellSeparator, CsvDialect, DecimalMark, RowFormat};
 use crate::scene::with_point;
@@ -44,29 +44,28 @@ pub(super) struct FigureArgs {
     pub(super) sensitivity: bool,
 }
 
-const MARKS: [OptionValue<DecimalMark>; 2] = [
-    ("point", <dyn Words>::decimal_point, DecimalMark::Point),
-    ("comma", <dyn Words>::decimal_comma, DecimalMark::Comma),
-];
+fn marks() -> Vec<OptionValue<DecimalMark>> {
+    let about = [<dyn Words>::decimal_point, <dyn Words>::decimal_comma];
+    option_values(DecimalMark::ALL, DecimalMark::name, about)
+}
 
-const SEPARATORS: [OptionValue<CellSeparator>; 3] = [
-    ("comma", <dyn Words>::separator_comma, CellSeparator::Comma),
-    (
-        "semicolon",
+fn separators() -> Vec<OptionValue<CellSeparator>> {
+    let about = [
+        <dyn Words>::separator_comma,
         <dyn Words>::separator_semicolon,
-        CellSeparator::Semicolon,
-    ),
-    ("tab", <dyn Words>::separator_tab, CellSeparator::Tab),
-];
+        <dyn Words>::separator_tab,
+    ];
+    option_values(CellSeparator::ALL, CellSeparator::name, about)
+}
 
 /// How CSV is written.
 #[derive(Clone, Copy, Debug, Args)]
 pub(super) struct CsvArgs {
     #[arg(help = words().decimal_of_csv())]
-    #[arg(long, value_name = "MARK", value_parser = one_of(&MARKS))]
+    #[arg(long, value_name = "MARK", value_parser = one_of(marks()))]
     decimal: Option<DecimalMark>,
     #[arg(help = words().separator_of_csv())]
-    #[arg(long, value_name = "SEPARATOR", value_parser = one_of(&SEPARATORS))]
+    #[arg(long, value_name = "SEPARATOR", value_parser = one_of(separators()))]
     separator: Option<CellSeparator>,
 }
 
@@ -120,17 +119,4 @@ pub(super) fn number(text: &str) -> Result<f64, String> {
     let text = with_point(text).ok_or_else(unclear)?;
     text.parse()
         .map_err(|_| words().must_be_a_number().to_owned())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn options_have_names_of_the_configuration() {
-        let marks = DecimalMark::ALL.map(|mark| (mark.name(), mark));
-        assert_eq!(MARKS.map(|(name, _, mark)| (name, mark)), marks);
-        let separators = CellSeparator::ALL.map(|separator| (separator.name(), separator));
-        assert_eq!(SEPARATORS.map(|(name, _, it)| (name, it)), separators);
-    }
 }

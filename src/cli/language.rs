@@ -1,17 +1,18 @@
 //! Selects the language of the program. It must be known before the command line is parsed, because
 //! the parser's help texts depend on it.
 
-use crate::cli::choice::{OptionValue, OrAuto, value_named};
+use crate::cli::choice::{OptionValue, OrAuto, option_values, or_auto};
 use crate::wording::{Language, Words};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
-/// The values of `--language`; `auto` is the configured language, or that of the locale.
-pub(super) const LANGUAGES: [OptionValue<OrAuto<Language>>; 3] = [
-    ("auto", <dyn Words>::language_auto, None),
-    ("tr", <dyn Words>::language_turkish, Some(Language::Turkish)),
-    ("en", <dyn Words>::language_english, Some(Language::English)),
-];
+/// Returns the values of `--language`; `auto` is the configured language, or that of the locale.
+pub(super) fn languages() -> Vec<OptionValue<OrAuto<Language>>> {
+    let about = [<dyn Words>::language_english, <dyn Words>::language_turkish];
+    let mut languages = option_values(Language::ALL, Language::name, about);
+    languages.reverse();
+    or_auto(<dyn Words>::language_auto, languages)
+}
 
 /// Selects the requested language, the configured one, or that of the locale. Returns the arguments
 /// with the language option moved to the command, where every command accepts it.
@@ -21,7 +22,7 @@ pub(super) fn settle(
 ) -> Vec<OsString> {
     let configured = configured(value_of(&arguments, "--config").map(PathBuf::from));
     let requested = value_of(&arguments, OPTION);
-    let requested = requested.and_then(|name| value_named(&LANGUAGES, name.to_str()?)?);
+    let requested = requested.and_then(|name| Language::named(name.to_str()?));
     let env = |name: &str| Some(std::env::var_os(name)?.to_string_lossy().into_owned());
     let language = requested.or(configured);
     language.unwrap_or_else(|| Language::of_locale(env)).speak();

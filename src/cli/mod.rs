@@ -32,7 +32,7 @@ use clap::{Arg, ArgAction, CommandFactory, Parser};
 use commands::Command;
 use failure::Failure;
 use help::{misuse, version};
-use language::LANGUAGES;
+use language::languages;
 use screen::TextScreen;
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -73,7 +73,7 @@ struct Cli {
     #[command(flatten)]
     workbench: WorkbenchArgs,
     #[arg(help = words().language_to_speak())]
-    #[arg(long, global = true, value_parser = one_of(&LANGUAGES), default_value = "auto")]
+    #[arg(long, global = true, value_parser = one_of(languages()), default_value = "auto")]
     language: OrAuto<Language>,
 }
 

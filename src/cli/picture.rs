@@ -1,44 +1,27 @@
 //! Common properties of drawings and plots in characters: glyphs and size.
 
-use crate::cli::choice::{OptionValue, OrAuto};
+use crate::cli::choice::{OptionValue, OrAuto, option_values, or_auto};
 use crate::cli::output::writes_to_terminal;
 use crate::cli::screen;
 use crate::document::with_ascii_letters;
-use crate::drawing::{Blocks, Glyphs};
+use crate::drawing::Glyphs;
 use crate::wording::{Words, words};
 use std::path::Path;
 use std::str::FromStr;
 
-/// Characters to draw with.
-pub(super) const GLYPHS: [OptionValue<OrAuto<Glyphs>>; 7] = [
-    ("auto", <dyn Words>::glyphs_as_allowed, None),
-    (
-        "ascii",
+/// Returns the characters to draw with.
+pub(super) fn glyph_choices() -> Vec<OptionValue<OrAuto<Glyphs>>> {
+    let about = [
         <dyn Words>::glyphs_of_seven_bits,
-        Some(Glyphs::Ascii),
-    ),
-    ("line", <dyn Words>::glyphs_of_boxes, Some(Glyphs::Line)),
-    (
-        "braille",
+        <dyn Words>::glyphs_of_boxes,
         <dyn Words>::glyphs_of_braille,
-        Some(Glyphs::Braille),
-    ),
-    (
-        "quadrants",
         <dyn Words>::glyphs_of_quadrants,
-        Some(Glyphs::Blocks(Blocks::Quadrants)),
-    ),
-    (
-        "sextants",
         <dyn Words>::glyphs_of_sextants,
-        Some(Glyphs::Blocks(Blocks::Sextants)),
-    ),
-    (
-        "octants",
         <dyn Words>::glyphs_of_octants,
-        Some(Glyphs::Blocks(Blocks::Octants)),
-    ),
-];
+    ];
+    let glyphs = option_values(Glyphs::ALL, Glyphs::name, about);
+    or_auto(<dyn Words>::glyphs_as_allowed, glyphs)
+}
 
 /// A size in characters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! `krank exercise`: writes a sheet, a file for the answers and a solution for each seed.
 
 use crate::cli::choice::one_of;
-use crate::cli::commands::report::FORMATS;
+use crate::cli::commands::report::formats;
 use crate::cli::failure::Failure;
 use crate::cli::formats::{CsvArgs, OutputFormat};
 use crate::cli::output::write_text;
@@ -29,7 +29,7 @@ pub(in crate::cli) struct ExerciseArgs {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1000))]
     count: u16,
     #[arg(help = words().format_of_sheet())]
-    #[arg(long, value_parser = one_of(&FORMATS))]
+    #[arg(long, value_parser = one_of(formats()))]
     format: Option<ReportFormat>,
     #[command(flatten)]
     csv: CsvArgs,

@@ -1,6 +1,6 @@
 //! `krank explain`: writes the solution of one state step by step.
 
-use crate::cli::choice::{OptionValue, one_of};
+use crate::cli::choice::{OptionValue, one_of, option_values};
 use crate::cli::commands::report::NOTATIONS;
 use crate::cli::failure::Failure;
 use crate::cli::output::{OutputArgs, write_text};
@@ -32,14 +32,11 @@ const METHODS: [OptionValue<PositionMethod>; 4] = [
     ),
 ];
 
-const FORMATS: [OptionValue<ReportFormat>; 2] = [
-    ("text", <dyn Words>::format_plain, ReportFormat::Text),
-    (
-        "markdown",
-        <dyn Words>::format_markdown,
-        ReportFormat::Markdown,
-    ),
-];
+fn formats() -> Vec<OptionValue<ReportFormat>> {
+    let formats = [ReportFormat::Text, ReportFormat::Markdown];
+    let about = [<dyn Words>::format_plain, <dyn Words>::format_markdown];
+    option_values(formats, ReportFormat::name, about)
+}
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct ExplainArgs {
@@ -48,16 +45,16 @@ pub(in crate::cli) struct ExplainArgs {
     #[command(flatten)]
     place: PlaceArgs,
     #[arg(help = words().method_of_positions())]
-    #[arg(long, value_parser = one_of(&METHODS), default_value = "closed")]
+    #[arg(long, value_parser = one_of(METHODS), default_value = "closed")]
     method: PositionMethod,
     #[arg(help = words().guess_of_vectors())]
     #[arg(long, value_name = "NAME=VALUE")]
     guess: Vec<String>,
     #[arg(help = words().notation_of_working())]
-    #[arg(long, value_parser = one_of(&NOTATIONS), default_value = "krank")]
+    #[arg(long, value_parser = one_of(NOTATIONS), default_value = "krank")]
     notation: WorkingNotation,
     #[arg(help = words().format_of_output())]
-    #[arg(long, value_parser = one_of(&FORMATS), default_value = "text")]
+    #[arg(long, value_parser = one_of(formats()), default_value = "text")]
     format: ReportFormat,
     #[arg(help = words().digits())]
     #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=17))]

@@ -25,7 +25,7 @@ pub(in crate::cli) struct ExportArgs {
     #[command(flatten)]
     scene: SceneArgs,
     #[arg(help = words().format_of_output())]
-    #[arg(long, value_parser = one_of(&LANGUAGES))]
+    #[arg(long, value_parser = one_of(LANGUAGES))]
     format: ScriptLanguage,
     #[command(flatten)]
     output: OutputArgs,

@@ -1,13 +1,13 @@
 //! `krank plot`: plots values over the driver coordinate, time or another value.
 
 use crate::Vec2;
-use crate::cli::choice::{OptionValue, OrAuto, one_of};
+use crate::cli::choice::{OptionValue, OrAuto, one_of, option_values};
 use crate::cli::columns::{figures, named};
 use crate::cli::external_values::measured;
 use crate::cli::failure::{Failure, note};
 use crate::cli::lead::LeadArgs;
 use crate::cli::output::{OutputArgs, write_text};
-use crate::cli::picture::{self, ASPECT, GLYPHS, Size};
+use crate::cli::picture::{self, ASPECT, Size, glyph_choices};
 use crate::cli::place::note_near_misses;
 use crate::cli::rows::{first, last};
 use crate::cli::screen::TextScreen;
@@ -23,15 +23,12 @@ use crate::wording::{Words, words};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
-/// The limits that may be drawn beside a curve.
-const BANDS: [OptionValue<BandKind>; 2] = [
-    ("worst", <dyn Words>::band_worst, BandKind::Worst),
-    (
-        "rss",
-        <dyn Words>::band_root_sum_square,
-        BandKind::RootSumSquare,
-    ),
-];
+/// Returns the limits that may be drawn beside a curve.
+fn bands() -> Vec<OptionValue<BandKind>> {
+    let kinds = [BandKind::Worst, BandKind::RootSumSquare];
+    let about = [<dyn Words>::band_worst, <dyn Words>::band_root_sum_square];
+    option_values(kinds, BandKind::word, about)
+}
 
 /// How a plot is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -68,10 +65,10 @@ pub(in crate::cli) struct PlotArgs {
     #[arg(long)]
     no_extrema: bool,
     #[arg(help = words().band_of_tolerances())]
-    #[arg(long, value_parser = one_of(&BANDS))]
+    #[arg(long, value_parser = one_of(bands()))]
     band: Option<BandKind>,
     #[arg(help = words().characters_to_draw_with())]
-    #[arg(long, value_parser = one_of(&GLYPHS), default_value = "auto")]
+    #[arg(long, value_parser = one_of(glyph_choices()), default_value = "auto")]
     glyphs: OrAuto<Glyphs>,
     #[arg(help = words().size_of_plot())]
     #[arg(long, value_name = "COLSxROWS")]

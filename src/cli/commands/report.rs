@@ -1,6 +1,6 @@
 //! `krank report`: writes the solution of one state as a document.
 
-use crate::cli::choice::{OptionValue, one_of};
+use crate::cli::choice::{OptionValue, one_of, option_values};
 use crate::cli::external_values::foreign;
 use crate::cli::failure::Failure;
 use crate::cli::output::{OutputArgs, file, write_text};
@@ -13,17 +13,16 @@ use crate::wording::{Words, words};
 use clap::{Args, ValueHint};
 use std::path::{Path, PathBuf};
 
-/// The formats of reports.
-pub(in crate::cli) const FORMATS: [OptionValue<ReportFormat>; 4] = [
-    ("html", <dyn Words>::format_html, ReportFormat::Html),
-    ("latex", <dyn Words>::format_latex, ReportFormat::Latex),
-    (
-        "markdown",
+/// Returns the formats of reports.
+pub(in crate::cli) fn formats() -> Vec<OptionValue<ReportFormat>> {
+    let about = [
+        <dyn Words>::format_html,
+        <dyn Words>::format_latex,
         <dyn Words>::format_markdown,
-        ReportFormat::Markdown,
-    ),
-    ("text", <dyn Words>::format_plain, ReportFormat::Text),
-];
+        <dyn Words>::format_plain,
+    ];
+    option_values(ReportFormat::ALL, ReportFormat::name, about)
+}
 
 /// The notations of unit vectors in the working.
 pub(in crate::cli) const NOTATIONS: [OptionValue<WorkingNotation>; 2] = [
@@ -42,10 +41,10 @@ pub(in crate::cli) struct ReportArgs {
     #[command(flatten)]
     place: PlaceArgs,
     #[arg(help = words().notation_of_working())]
-    #[arg(long, value_parser = one_of(&NOTATIONS), default_value = "lecture")]
+    #[arg(long, value_parser = one_of(NOTATIONS), default_value = "lecture")]
     notation: WorkingNotation,
     #[arg(help = words().format_of_report())]
-    #[arg(long, value_parser = one_of(&FORMATS))]
+    #[arg(long, value_parser = one_of(formats()))]
     format: Option<ReportFormat>,
     #[arg(help = words().digits())]
     #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=17))]

@@ -81,7 +81,7 @@ pub(in crate::cli) struct ToleranceArgs {
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     #[arg(help = words().spread_of_lengths())]
-    #[arg(long, value_parser = one_of(&DISTRIBUTIONS), default_value = "normal")]
+    #[arg(long, value_parser = one_of(DISTRIBUTIONS), default_value = "normal")]
     distribution: Distribution,
     #[arg(help = words().format_of_output())]
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]

@@ -1,16 +1,16 @@
 //! Arguments of the workbench.
 
 #[cfg(feature = "tui")]
-use crate::cli::choice::{OptionValue, OrAuto, one_of};
+use crate::cli::choice::{OptionValue, OrAuto, one_of, option_values, or_auto};
 #[cfg(feature = "tui")]
-use crate::cli::picture::{GLYPHS, Size};
+use crate::cli::picture::{Size, glyph_choices};
 use crate::cli::source::AssemblyArgs;
 #[cfg(feature = "tui")]
 use crate::drawing::Glyphs;
 #[cfg(feature = "tui")]
 use crate::report::WrittenDecimal;
 #[cfg(feature = "tui")]
-use crate::tui::{Colours, PictureChoice, PictureProtocol, Theme, View};
+use crate::tui::{Colours, PictureChoice, Theme, View};
 #[cfg(feature = "tui")]
 use crate::wording::Words;
 use crate::wording::words;
@@ -35,19 +35,19 @@ pub(in crate::cli) struct WorkbenchArgs {
     pub(in crate::cli) at: Option<WrittenDecimal>,
     #[cfg(feature = "tui")]
     #[arg(help = words().characters_to_draw_with())]
-    #[arg(long, value_parser = one_of(&GLYPHS), default_value = "auto")]
+    #[arg(long, value_parser = one_of(glyph_choices()), default_value = "auto")]
     pub(in crate::cli) glyphs: OrAuto<Glyphs>,
     #[cfg(feature = "tui")]
     #[arg(help = words().colours_to_draw_with())]
-    #[arg(long, visible_alias = "color", value_parser = one_of(&COLOURS), default_value = "auto")]
+    #[arg(long, visible_alias = "color", value_parser = one_of(colours()), default_value = "auto")]
     pub(in crate::cli) colour: OrAuto<Colours>,
     #[cfg(feature = "tui")]
     #[arg(help = words().theme_to_draw_with())]
-    #[arg(long, value_parser = one_of(&THEMES))]
+    #[arg(long, value_parser = one_of(themes()))]
     pub(in crate::cli) theme: Option<Theme>,
     #[cfg(feature = "tui")]
     #[arg(help = words().way_of_pictures())]
-    #[arg(long, value_parser = one_of(&PICTURES))]
+    #[arg(long, value_parser = one_of(pictures()))]
     pub(in crate::cli) picture: Option<PictureChoice>,
     #[cfg(feature = "tui")]
     #[arg(help = words().view_to_open_with())]
@@ -83,63 +83,36 @@ impl ValueEnum for View {
 }
 
 #[cfg(feature = "tui")]
-const COLOURS: [OptionValue<OrAuto<Colours>>; 5] = [
-    ("auto", <dyn Words>::colours_as_allowed, None),
-    ("none", <dyn Words>::colours_none, Some(Colours::None)),
-    (
-        "16",
+fn colours() -> Vec<OptionValue<OrAuto<Colours>>> {
+    let about = [
+        <dyn Words>::colours_none,
         <dyn Words>::colours_of_palette,
-        Some(Colours::Sixteen),
-    ),
-    ("256", <dyn Words>::colours_fixed, Some(Colours::Indexed)),
-    ("true", <dyn Words>::colours_any, Some(Colours::True)),
-];
+        <dyn Words>::colours_fixed,
+        <dyn Words>::colours_any,
+    ];
+    let colours = option_values(Colours::ALL, Colours::name, about);
+    or_auto(<dyn Words>::colours_as_allowed, colours)
+}
 
 #[cfg(feature = "tui")]
-const THEMES: [OptionValue<Theme>; 4] = [
-    ("auto", <dyn Words>::theme_auto, Theme::Auto),
-    ("light", <dyn Words>::theme_light, Theme::Light),
-    ("dark", <dyn Words>::theme_dark, Theme::Dark),
-    ("plain", <dyn Words>::theme_plain, Theme::Plain),
-];
+fn themes() -> Vec<OptionValue<Theme>> {
+    let about = [
+        <dyn Words>::theme_auto,
+        <dyn Words>::theme_light,
+        <dyn Words>::theme_dark,
+        <dyn Words>::theme_plain,
+    ];
+    option_values(Theme::ALL, Theme::name, about)
+}
 
 #[cfg(feature = "tui")]
-const PICTURES: [OptionValue<PictureChoice>; 5] = [
-    ("auto", <dyn Words>::pictures_as_told, PictureChoice::Auto),
-    (
-        "kitty",
+fn pictures() -> Vec<OptionValue<PictureChoice>> {
+    let about = [
+        <dyn Words>::pictures_as_told,
         <dyn Words>::pictures_of_kitty,
-        PictureChoice::By(PictureProtocol::Kitty),
-    ),
-    (
-        "iterm",
         <dyn Words>::pictures_of_iterm,
-        PictureChoice::By(PictureProtocol::Iterm),
-    ),
-    (
-        "sixel",
         <dyn Words>::pictures_of_sixels,
-        PictureChoice::By(PictureProtocol::Sixel),
-    ),
-    ("none", <dyn Words>::pictures_never, PictureChoice::Never),
-];
-
-#[cfg(test)]
-mod tests {
-    #[cfg(feature = "tui")]
-    #[test]
-    fn options_have_names_of_the_configuration() {
-        use super::{COLOURS, Colours, PICTURES, PictureChoice, THEMES};
-
-        assert_eq!(PICTURES.map(|(.., picture)| picture), PictureChoice::ALL);
-        for (name, _, picture) in PICTURES {
-            assert_eq!(name, picture.name());
-        }
-        for (name, _, theme) in THEMES {
-            assert_eq!(name, theme.name());
-        }
-        for (name, _, colours) in COLOURS {
-            assert_eq!(name, colours.map_or("auto", Colours::name));
-        }
-    }
+        <dyn Words>::pictures_never,
+    ];
+    option_values(PictureChoice::ALL, PictureChoice::name, about)
 }

@@ -7,7 +7,6 @@ use crate::capability::{Colours, Detected, PictureChoice, TerminalProfile};
 use crate::cli::choice::OrAuto;
 use crate::cli::failure::Failure;
 use crate::cli::output::write_text;
-use crate::cli::picture::GLYPHS;
 use crate::cli::screen::judgement;
 use crate::drawing::Glyphs;
 use crate::files::directories;
@@ -98,7 +97,7 @@ fn about(found: &Terminal) -> Vec<DiagnosisRow> {
 
 /// Returns the settings that the workbench would use, with the reasons.
 fn chosen(judgement: &TerminalProfile, options: &Options) -> Vec<DiagnosisRow> {
-    let glyphs = requested_or_detected(options.glyphs, judgement.glyphs(), glyphs_name);
+    let glyphs = requested_or_detected(options.glyphs, judgement.glyphs(), Glyphs::name);
     let plain = (options.theme == Theme::Plain).then_some(Colours::None);
     let colours = options.colours.or(plain);
     let colours = requested_or_detected(colours, judgement.colours(), Colours::name);
@@ -136,11 +135,6 @@ fn requested_or_detected<T: Copy + PartialEq>(
         None => format!("{}: {}", name(found.value), found.why),
         Some(requested) => words().asked_for(name(requested), name(found.value), &found.why),
     }
-}
-
-fn glyphs_name(glyphs: Glyphs) -> &'static str {
-    let named = GLYPHS.iter().find(|(.., own)| *own == Some(glyphs));
-    named.map_or("", |(name, ..)| name)
 }
 
 /// Returns the path of one of krank's files, with a remark if it does not exist.

@@ -27,7 +27,6 @@ pub enum Glyphs {
 
 impl Glyphs {
     /// All sets of glyphs.
-    #[cfg(test)]
     pub(crate) const ALL: [Glyphs; 6] = [
         Glyphs::Ascii,
         Glyphs::Line,
@@ -36,6 +35,18 @@ impl Glyphs {
         Glyphs::Blocks(Blocks::Sextants),
         Glyphs::Blocks(Blocks::Octants),
     ];
+
+    /// Returns the name in options and in the configuration.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Glyphs::Ascii => "ascii",
+            Glyphs::Line => "line",
+            Glyphs::Braille => "braille",
+            Glyphs::Blocks(Blocks::Quadrants) => "quadrants",
+            Glyphs::Blocks(Blocks::Sextants) => "sextants",
+            Glyphs::Blocks(Blocks::Octants) => "octants",
+        }
+    }
 
     /// Returns `true` if lines consist of dots finer than cells.
     pub(crate) fn is_dotted(self) -> bool {

@@ -7,7 +7,7 @@ pub use template::template;
 
 use crate::capability::{Colours, PictureChoice};
 use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, DocumentKind, Entries, Reader};
-use crate::drawing::{Blocks, Glyphs};
+use crate::drawing::Glyphs;
 use crate::files::directories;
 use crate::nearest::did_you_mean;
 use crate::report::{CellSeparator, CsvDialect, DecimalMark};
@@ -80,56 +80,56 @@ const KEYS: [&str; 11] = [
 /// A value as written in the file, and its meaning.
 type Named<T> = (&'static str, T);
 
-const GLYPHS: [Named<Option<Glyphs>>; 7] = [
-    ("auto", None),
-    ("ascii", Some(Glyphs::Ascii)),
-    ("line", Some(Glyphs::Line)),
-    ("braille", Some(Glyphs::Braille)),
-    ("quadrants", Some(Glyphs::Blocks(Blocks::Quadrants))),
-    ("sextants", Some(Glyphs::Blocks(Blocks::Sextants))),
-    ("octants", Some(Glyphs::Blocks(Blocks::Octants))),
-];
-
-const COLOURS: [Named<Option<Colours>>; 5] = [
-    ("auto", None),
-    ("none", Some(Colours::None)),
-    ("16", Some(Colours::Sixteen)),
-    ("256", Some(Colours::Indexed)),
-    ("true", Some(Colours::True)),
-];
-
-const THEMES: [Named<Theme>; 4] = [
-    ("auto", Theme::Auto),
-    ("light", Theme::Light),
-    ("dark", Theme::Dark),
-    ("plain", Theme::Plain),
-];
-
-/// Returns the languages with their names.
-fn languages() -> [Named<Option<Language>>; 3] {
-    let [english, turkish] = Language::ALL.map(|language| (language.name(), Some(language)));
-    [("auto", None), turkish, english]
+/// Returns values with their names.
+fn named<T: Copy>(
+    values: impl IntoIterator<Item = T>,
+    name: fn(T) -> &'static str,
+) -> Vec<Named<T>> {
+    let values = values.into_iter();
+    values.map(|value| (name(value), value)).collect()
 }
 
-/// Returns the decimal marks with their names.
-fn decimals() -> [Named<DecimalMark>; 2] {
-    DecimalMark::ALL.map(|mark| (mark.name(), mark))
+/// Returns values with their names after `auto`, which lets krank choose.
+fn or_auto<T: Copy>(
+    values: impl IntoIterator<Item = T>,
+    name: fn(T) -> &'static str,
+) -> Vec<Named<Option<T>>> {
+    let values = values.into_iter();
+    let values = values.map(|value| (name(value), Some(value)));
+    [("auto", None)].into_iter().chain(values).collect()
 }
 
-/// Returns the cell separators with their names; `auto` is the usual one for the decimal mark.
-fn separators() -> [Named<Option<CellSeparator>>; 4] {
-    let [comma, semicolon, tab] = CellSeparator::ALL.map(|it| (it.name(), Some(it)));
-    [("auto", None), comma, semicolon, tab]
+fn glyphs() -> Vec<Named<Option<Glyphs>>> {
+    or_auto(Glyphs::ALL, Glyphs::name)
 }
 
-/// Returns the protocols for images with their names.
-fn pictures() -> [Named<PictureChoice>; 5] {
-    PictureChoice::ALL.map(|choice| (choice.name(), choice))
+fn colours() -> Vec<Named<Option<Colours>>> {
+    or_auto(Colours::ALL, Colours::name)
 }
 
-/// Returns the layouts with their names.
-fn layouts() -> [Named<LayoutName>; 6] {
-    LayoutName::ALL.map(|layout| (layout.name(), layout))
+fn themes() -> Vec<Named<Theme>> {
+    named(Theme::ALL, Theme::name)
+}
+
+fn languages() -> Vec<Named<Option<Language>>> {
+    or_auto(Language::ALL.into_iter().rev(), Language::name)
+}
+
+fn decimals() -> Vec<Named<DecimalMark>> {
+    named(DecimalMark::ALL, DecimalMark::name)
+}
+
+/// Returns the cell separators; `auto` is the usual one for the decimal mark.
+fn separators() -> Vec<Named<Option<CellSeparator>>> {
+    or_auto(CellSeparator::ALL, CellSeparator::name)
+}
+
+fn pictures() -> Vec<Named<PictureChoice>> {
+    named(PictureChoice::ALL, PictureChoice::name)
+}
+
+fn layouts() -> Vec<Named<LayoutName>> {
+    named(LayoutName::ALL, LayoutName::name)
 }
 
 impl Config {
@@ -182,11 +182,11 @@ impl Config {
 
     /// Applies the values in the file; invalid ones keep their defaults.
     fn take(&mut self, reader: &mut Reader<'_>, file: &Entries<'_>) {
-        let glyphs = choice(reader, "glyphs", &GLYPHS, file);
+        let glyphs = choice(reader, "glyphs", &glyphs(), file);
         self.glyphs = glyphs.unwrap_or_default();
-        let colours = choice(reader, "colour", &COLOURS, file);
+        let colours = choice(reader, "colour", &colours(), file);
         self.colours = colours.unwrap_or_default();
-        let theme = choice(reader, "theme", &THEMES, file);
+        let theme = choice(reader, "theme", &themes(), file);
         self.theme = theme.unwrap_or_default();
         let picture = choice(reader, "picture", &pictures(), file);
         self.picture = picture.unwrap_or_default();

@@ -1,7 +1,7 @@
 //! Writes a configuration file to start with: all defaults, commented out.
 
 use super::{
-    COLOURS, GLYPHS, Named, THEMES, decimals, keys, languages, layouts, pictures, separators,
+    Named, colours, decimals, glyphs, keys, languages, layouts, pictures, separators, themes,
 };
 use crate::tui::commands::key::Key;
 use crate::tui::views::help::keys::groups;
@@ -18,10 +18,14 @@ pub fn template() -> String {
     let mut text = words().template_head().to_owned();
     let mut set = |key: &str, value: &str, what: &str| text.push_str(&line(key, value, what));
     // There are so many names that quotation marks would make the line too long.
-    let glyphs = values(&GLYPHS).replace('"', "");
+    let glyphs = values(&glyphs()).replace('"', "");
     set("glyphs", "\"auto\"", &glyphs);
-    set("colour", "\"auto\"", &values(&COLOURS));
-    set("theme", "\"auto\"", &words().for_a_ground(&values(&THEMES)));
+    set("colour", "\"auto\"", &values(&colours()));
+    set(
+        "theme",
+        "\"auto\"",
+        &words().for_a_ground(&values(&themes())),
+    );
     set(
         "picture",
         "\"auto\"",

@@ -15,7 +15,7 @@ use crate::cli::choice::{OrAuto, one_of};
 use crate::cli::failure::{Failure, note};
 use crate::cli::lead::LeadArgs;
 use crate::cli::output::{OutputArgs, write_to, writes_to_terminal};
-use crate::cli::picture::{ASPECT, GLYPHS, Size};
+use crate::cli::picture::{ASPECT, Size, glyph_choices};
 use crate::cli::place::{PlaceArgs, check_nothing_hidden, out_of_reach, place};
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene};
@@ -107,7 +107,7 @@ pub(in crate::cli) struct DrawArgs {
     #[arg(long)]
     no_guides: bool,
     #[arg(help = words().characters_to_draw_with())]
-    #[arg(long, value_parser = one_of(&GLYPHS), default_value = "auto")]
+    #[arg(long, value_parser = one_of(glyph_choices()), default_value = "auto")]
     glyphs: OrAuto<Glyphs>,
     #[arg(help = words().size_of_drawing())]
     #[arg(long, value_name = "COLSxROWS")]

@@ -7,7 +7,7 @@ use crate::cli::choice::{OrAuto, one_of};
 use crate::cli::failure::{Failure, note};
 use crate::cli::formats::{CsvArgs, OutputFormat, positive};
 use crate::cli::output::{self, OutputArgs, write_to, writes_to_terminal};
-use crate::cli::picture::{GLYPHS, Size};
+use crate::cli::picture::{Size, glyph_choices};
 use crate::cli::progress::Progress;
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene};
@@ -119,7 +119,7 @@ pub(in crate::cli) struct StudyArgs {
     #[arg(long, value_name = "COLSxROWS")]
     size: Option<Size>,
     #[arg(help = words().characters_to_draw_with())]
-    #[arg(long, value_parser = one_of(&GLYPHS), default_value = "auto")]
+    #[arg(long, value_parser = one_of(glyph_choices()), default_value = "auto")]
     glyphs: OrAuto<Glyphs>,
     #[command(flatten)]
     output: OutputArgs,
