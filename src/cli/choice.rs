@@ -1,11 +1,10 @@
 //! Parses options whose values are names of library values.
 
-use crate::wording::{Wording, words};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// A value of an option: its name and its aliases, separated by `|`, its description and its
 /// meaning.
-pub(super) type OptionValue<T> = (&'static str, Wording, T);
+pub(super) type OptionValue<T> = (&'static str, &'static str, T);
 
 /// The value of an option; `None` for `auto`, which lets krank choose. A field of the type `Option` itself would
 /// make the parser treat the option as optional.
@@ -15,7 +14,7 @@ pub(super) type OrAuto<T> = Option<T>;
 pub(super) fn option_values<T: Copy, const N: usize>(
     values: [T; N],
     name: fn(T) -> &'static str,
-    about: [Wording; N],
+    about: [&'static str; N],
 ) -> Vec<OptionValue<T>> {
     let described = values.into_iter().zip(about);
     described
@@ -25,7 +24,7 @@ pub(super) fn option_values<T: Copy, const N: usize>(
 
 /// Adds the value `auto` before the others.
 pub(super) fn or_auto<T>(
-    about: Wording,
+    about: &'static str,
     values: Vec<OptionValue<T>>,
 ) -> Vec<OptionValue<OrAuto<T>>> {
     let values = values.into_iter();
@@ -42,7 +41,7 @@ where
     let values = choices.iter().map(|(names, about, _)| {
         let mut names = names.split('|');
         let value = PossibleValue::new(names.next().unwrap_or_default());
-        value.aliases(names).help(about(words()))
+        value.aliases(names).help(*about)
     });
     let values = PossibleValuesParser::new(values.collect::<Vec<_>>());
     values.try_map(move |name| value_named(&choices, &name).ok_or(name))

@@ -4,7 +4,7 @@ use crate::cli::choice::{OptionValue, one_of, option_values};
 use crate::cli::failure::Failure;
 use crate::report::{CellSeparator, CsvDialect, DecimalMark, RowFormat};
 use crate::scene::with_point;
-use crate::wording::{Words, words};
+use crate::wording::words;
 use clap::{Args, ValueEnum};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -45,15 +45,15 @@ pub(super) struct FigureArgs {
 }
 
 fn marks() -> Vec<OptionValue<DecimalMark>> {
-    let about = [<dyn Words>::decimal_point, <dyn Words>::decimal_comma];
+    let about = [words().decimal_point(), words().decimal_comma()];
     option_values(DecimalMark::ALL, DecimalMark::name, about)
 }
 
 fn separators() -> Vec<OptionValue<CellSeparator>> {
     let about = [
-        <dyn Words>::separator_comma,
-        <dyn Words>::separator_semicolon,
-        <dyn Words>::separator_tab,
+        words().separator_comma(),
+        words().separator_semicolon(),
+        words().separator_tab(),
     ];
     option_values(CellSeparator::ALL, CellSeparator::name, about)
 }

@@ -1,17 +1,22 @@
 //! Selects the language of the program. It must be known before the command line is parsed, because
 //! the parser's help texts depend on it.
 
-use crate::cli::choice::{OptionValue, OrAuto, option_values, or_auto};
-use crate::wording::{Language, Words};
+use crate::cli::choice::{OptionValue, OrAuto, or_auto};
+use crate::wording::{Language, words};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
 /// Returns the values of `--language`; `auto` is the configured language, or that of the locale.
 pub(super) fn languages() -> Vec<OptionValue<OrAuto<Language>>> {
-    let about = [<dyn Words>::language_english, <dyn Words>::language_turkish];
-    let mut languages = option_values(Language::ALL, Language::name, about);
+    let mut names = words().names_of_languages().split(' ');
+    let languages = Language::ALL.into_iter();
+    let languages = languages.map(|language| {
+        let own = language.name();
+        (own, names.next().unwrap_or(own), language)
+    });
+    let mut languages: Vec<_> = languages.collect();
     languages.reverse();
-    or_auto(<dyn Words>::language_auto, languages)
+    or_auto(words().language_auto(), languages)
 }
 
 /// Selects the requested language, the configured one, or that of the locale. Returns the arguments

@@ -5,22 +5,22 @@ use crate::cli::output::writes_to_terminal;
 use crate::cli::screen;
 use crate::document::with_ascii_letters;
 use crate::drawing::Glyphs;
-use crate::wording::{Words, words};
+use crate::wording::words;
 use std::path::Path;
 use std::str::FromStr;
 
 /// Returns the characters to draw with.
 pub(super) fn glyph_choices() -> Vec<OptionValue<OrAuto<Glyphs>>> {
     let about = [
-        <dyn Words>::glyphs_of_seven_bits,
-        <dyn Words>::glyphs_of_boxes,
-        <dyn Words>::glyphs_of_braille,
-        <dyn Words>::glyphs_of_quadrants,
-        <dyn Words>::glyphs_of_sextants,
-        <dyn Words>::glyphs_of_octants,
+        words().glyphs_of_seven_bits(),
+        words().glyphs_of_boxes(),
+        words().glyphs_of_braille(),
+        words().glyphs_of_quadrants(),
+        words().glyphs_of_sextants(),
+        words().glyphs_of_octants(),
     ];
     let glyphs = option_values(Glyphs::ALL, Glyphs::name, about);
-    or_auto(<dyn Words>::glyphs_as_allowed, glyphs)
+    or_auto(words().glyphs_as_allowed(), glyphs)
 }
 
 /// A size in characters.

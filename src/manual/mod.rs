@@ -24,42 +24,51 @@ pub(crate) use website::site;
 /// A topic of the manual.
 #[derive(Debug)]
 pub(crate) struct Topic {
-    /// The name in one word, accepted in every language.
+    /// The English name in one word.
     pub(crate) name: &'static str,
-    /// The Turkish name, accepted in every language too.
-    turkish: &'static str,
     /// The description, in one line.
     pub(crate) about: Wording,
-    parts: &'static [ManualPart],
+    /// The names of its pages.
+    pages: &'static [&'static str],
 }
 
-/// A chapter or a part of one, in each language.
-#[derive(Debug)]
-struct ManualPart {
-    english: &'static str,
-    turkish: &'static str,
-}
+/// The pages of a language, with their names.
+type Book = &'static [(&'static str, &'static str)];
 
-impl ManualPart {
-    fn of(&self, language: Language) -> &'static str {
-        match language {
-            Language::English => self.english,
-            Language::Turkish => self.turkish,
-        }
-    }
-}
-
-/// Includes the chapter with this file name in each language; its English text may come from another source.
-macro_rules! chapter {
-    ($name:literal) => {
-        chapter!($name, include_str!(concat!("english/", $name)))
+/// Includes the pages in a folder. Two of them may come from another source.
+macro_rules! book {
+    ($folder:literal) => {
+        book!(
+            $folder,
+            include_str!(concat!($folder, "/rules.md")),
+            include_str!(concat!($folder, "/notation.md"))
+        )
     };
-    ($name:literal, $english:expr) => {
-        ManualPart {
-            english: $english,
-            turkish: include_str!(concat!("turkish/", $name)),
-        }
+    ($folder:literal, $rules:expr, $notation:expr) => {
+        book!(
+            @ $folder, [("rules", $rules), ("notation", $notation)],
+            "columns" "commands" "designs" "drawings" "exercises" "faults" "files" "forces"
+            "glossary" "how" "imports" "keys" "limits" "scene" "synthesis" "terminals"
+            "tolerances" "trust" "tutorial" "views"
+        )
     };
+    (@ $folder:literal, [$($given:expr),*], $($page:literal)*) => {
+        &[$($given,)* $(($page, include_str!(concat!($folder, "/", $page, ".md")))),*]
+    };
+}
+
+/// The pages of each language, in the order of [`Language::ALL`].
+const BOOKS: [Book; Language::ALL.len()] = [
+    book!("english", crate::scene::RULES, kinematics::NOTATION),
+    book!("turkish"),
+];
+
+/// Returns a page in a language; every language has all pages.
+fn page(language: Language, name: &str) -> &'static str {
+    let mut pages = BOOKS[language as usize].iter();
+    pages
+        .find(|(own, _)| *own == name)
+        .map_or("", |(_, text)| text)
 }
 
 /// Placeholder line for the table of the workbench's keys.
@@ -72,29 +81,34 @@ impl Topic {
     /// called only if the topic has this table.
     pub(crate) fn text(&self, keys: impl FnOnce() -> String) -> String {
         let language = Language::current_language();
-        let text: String = self.parts.iter().map(|part| part.of(language)).collect();
+        let text: String = self.pages.iter().map(|name| page(language, name)).collect();
         let text = filled(text, KEYS, keys);
         filled(text, SCENE_KEYS, crate::scene::reference)
     }
-}
 
-impl Topic {
-    /// Returns the description for the list of topics; in Turkish it includes the Turkish name.
+    /// Returns the description for the list of topics; in Turkish it includes the name.
     pub(crate) fn description(&self) -> String {
-        words().topic_told((self.about)(words()), self.turkish)
+        words().topic_told((self.about)(words()), self.called())
     }
 
     /// Returns the name in the current language.
     pub(crate) fn called(&self) -> &'static str {
-        match Language::current_language() {
-            Language::English => self.name,
-            Language::Turkish => self.turkish,
-        }
+        self.name_in(Language::current_language())
     }
 
-    /// Returns `true` if this word is the topic's name, in English or in Turkish.
+    fn name_in(&self, language: Language) -> &'static str {
+        let names = |language: Language| language.words().names_of_topics().split(' ');
+        let mut pairs = names(Language::English).zip(names(language));
+        pairs
+            .find(|(name, _)| *name == self.name)
+            .map_or(self.name, |(_, own)| own)
+    }
+
+    /// Returns `true` if this word is the topic's name in any language.
     fn has_name(&self, word: &str) -> bool {
-        word == self.name || spelled(word) == spelled(self.turkish)
+        let names = Language::ALL.map(|language| self.name_in(language));
+        let mut translated = names.into_iter().filter(|name| *name != self.name);
+        word == self.name || translated.any(|name| spelled(word) == spelled(name))
     }
 }
 
@@ -115,128 +129,103 @@ fn filled(text: String, line: &str, what: impl FnOnce() -> String) -> String {
 pub(crate) const TOPICS: &[Topic] = &[
     Topic {
         name: "tutorial",
-        turkish: "giriş",
         about: <dyn Words>::about_tutorial,
-        parts: &[chapter!("tutorial.md"), chapter!("commands.md")],
+        pages: &["tutorial", "commands"],
     },
     Topic {
         name: "how",
-        turkish: "nasıl",
         about: <dyn Words>::about_how,
-        parts: &[chapter!("how.md")],
+        pages: &["how"],
     },
     Topic {
         name: "scene",
-        turkish: "sahne",
         about: <dyn Words>::about_scene,
-        parts: &[
-            chapter!("scene.md"),
-            chapter!("rules.md", crate::scene::RULES),
-            chapter!("faults.md"),
-        ],
+        pages: &["scene", "rules", "faults"],
     },
     Topic {
         name: "imports",
-        turkish: "aktarma",
         about: <dyn Words>::about_import,
-        parts: &[chapter!("imports.md")],
+        pages: &["imports"],
     },
     #[cfg(feature = "tui")]
     Topic {
         name: "views",
-        turkish: "görünümler",
         about: <dyn Words>::about_views,
-        parts: &[chapter!("views.md")],
+        pages: &["views"],
     },
     #[cfg(feature = "tui")]
     Topic {
         name: "keys",
-        turkish: "tuşlar",
         about: <dyn Words>::about_keys,
-        parts: &[chapter!("keys.md")],
+        pages: &["keys"],
     },
     Topic {
         name: "columns",
-        turkish: "sütunlar",
         about: <dyn Words>::about_columns,
-        parts: &[
-            chapter!("columns.md"),
-            chapter!("notation.md", kinematics::NOTATION),
-        ],
+        pages: &["columns", "notation"],
     },
     Topic {
         name: "designs",
-        turkish: "tasarımlar",
         about: <dyn Words>::about_designs,
-        parts: &[chapter!("designs.md")],
+        pages: &["designs"],
     },
     Topic {
         name: "synthesis",
-        turkish: "sentez",
         about: <dyn Words>::about_synthesis,
-        parts: &[chapter!("synthesis.md")],
+        pages: &["synthesis"],
     },
     Topic {
         name: "forces",
-        turkish: "kuvvetler",
         about: <dyn Words>::about_forces,
-        parts: &[chapter!("forces.md")],
+        pages: &["forces"],
     },
     Topic {
         name: "tolerances",
-        turkish: "toleranslar",
         about: <dyn Words>::about_tolerances,
-        parts: &[chapter!("tolerances.md")],
+        pages: &["tolerances"],
     },
     Topic {
         name: "drawings",
-        turkish: "çizimler",
         about: <dyn Words>::about_drawings,
-        parts: &[chapter!("drawings.md")],
+        pages: &["drawings"],
     },
     Topic {
         name: "files",
-        turkish: "dosyalar",
         about: <dyn Words>::about_files,
-        parts: &[chapter!("files.md"), chapter!("exercises.md")],
+        pages: &["files", "exercises"],
     },
     Topic {
         name: "trust",
-        turkish: "güven",
         about: <dyn Words>::about_trust,
-        parts: &[chapter!("trust.md")],
+        pages: &["trust"],
     },
     #[cfg(feature = "tui")]
     Topic {
         name: "terminals",
-        turkish: "terminaller",
         about: <dyn Words>::about_terminals,
-        parts: &[chapter!("terminals.md")],
+        pages: &["terminals"],
     },
     Topic {
         name: "limits",
-        turkish: "sınırlar",
         about: <dyn Words>::about_limits,
-        parts: &[chapter!("limits.md")],
+        pages: &["limits"],
     },
     Topic {
         name: "glossary",
-        turkish: "sözlük",
         about: <dyn Words>::about_glossary,
-        parts: &[chapter!("glossary.md")],
+        pages: &["glossary"],
     },
 ];
 
-/// Returns the topic with this name, in English or in Turkish; `None` if there is none.
+/// Returns the topic with this name in any language; `None` if there is none.
 pub(crate) fn find(name: &str) -> Option<&'static Topic> {
     TOPICS.iter().find(|topic| topic.has_name(name))
 }
 
 /// Returns the translated names of the topics in the current language; none in English.
 pub(crate) fn names_of_language() -> impl Iterator<Item = &'static str> {
-    let is_turkish = Language::current_language() == Language::Turkish;
-    let topics = TOPICS.iter().filter(move |_| is_turkish);
-    topics.map(|topic| topic.turkish)
+    let is_translated = |topic: &&Topic| topic.called() != topic.name;
+    TOPICS.iter().filter(is_translated).map(Topic::called)
 }
 
 #[cfg(test)]

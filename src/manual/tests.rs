@@ -20,6 +20,22 @@ fn texts() -> Vec<(String, String)> {
     texts.collect()
 }
 
+#[test]
+fn every_language_has_all_pages_and_names() {
+    for language in Language::ALL {
+        for topic in TOPICS {
+            let is_there = |name: &&str| !page(language, name).is_empty();
+            assert!(topic.pages.iter().all(is_there), "{language:?}: {topic:?}");
+            assert!(!topic.name_in(language).is_empty(), "{topic:?}");
+        }
+        let count = |language: Language| language.words().names_of_topics().split(' ').count();
+        assert_eq!(count(language), count(Language::English), "{language:?}");
+    }
+    let english = Language::English.words().names_of_topics();
+    let is_listed = |topic: &Topic| english.split(' ').any(|name| name == topic.name);
+    assert!(TOPICS.iter().all(is_listed));
+}
+
 /// Topics are read where the locale has nothing else, and their Markdown is what is understood here.
 #[test]
 fn topics_are_plain() {

@@ -1,7 +1,7 @@
 //! `krank explain`: writes the solution of one state step by step.
 
 use crate::cli::choice::{OptionValue, one_of, option_values};
-use crate::cli::commands::report::NOTATIONS;
+use crate::cli::commands::report::notations;
 use crate::cli::failure::Failure;
 use crate::cli::output::{OutputArgs, write_text};
 use crate::cli::place::{PlaceArgs, check_nothing_hidden, note_near_misses, out_of_reach, place};
@@ -13,28 +13,30 @@ use crate::report::{
     Guess, PositionMethod, Report, ReportFormat, WorkedMethod, Working, WorkingNotation,
 };
 use crate::solver::{Condition, Order};
-use crate::wording::{Words, words};
+use crate::wording::words;
 use clap::Args;
 
-/// The ways to fill the position table.
-const METHODS: [OptionValue<PositionMethod>; 4] = [
-    ("closed", <dyn Words>::method_closed, PositionMethod::Closed),
-    ("newton", <dyn Words>::method_newton, PositionMethod::Newton),
-    (
-        "bisection",
-        <dyn Words>::method_bisection,
-        PositionMethod::Bisection,
-    ),
-    (
-        "graphical",
-        <dyn Words>::method_graphical,
-        PositionMethod::Graphical,
-    ),
-];
+/// Returns the ways to fill the position table.
+fn methods() -> [OptionValue<PositionMethod>; 4] {
+    [
+        ("closed", words().method_closed(), PositionMethod::Closed),
+        ("newton", words().method_newton(), PositionMethod::Newton),
+        (
+            "bisection",
+            words().method_bisection(),
+            PositionMethod::Bisection,
+        ),
+        (
+            "graphical",
+            words().method_graphical(),
+            PositionMethod::Graphical,
+        ),
+    ]
+}
 
 fn formats() -> Vec<OptionValue<ReportFormat>> {
     let formats = [ReportFormat::Text, ReportFormat::Markdown];
-    let about = [<dyn Words>::format_plain, <dyn Words>::format_markdown];
+    let about = [words().format_plain(), words().format_markdown()];
     option_values(formats, ReportFormat::name, about)
 }
 
@@ -45,13 +47,13 @@ pub(in crate::cli) struct ExplainArgs {
     #[command(flatten)]
     place: PlaceArgs,
     #[arg(help = words().method_of_positions())]
-    #[arg(long, value_parser = one_of(METHODS), default_value = "closed")]
+    #[arg(long, value_parser = one_of(methods()), default_value = "closed")]
     method: PositionMethod,
     #[arg(help = words().guess_of_vectors())]
     #[arg(long, value_name = "NAME=VALUE")]
     guess: Vec<String>,
     #[arg(help = words().notation_of_working())]
-    #[arg(long, value_parser = one_of(NOTATIONS), default_value = "krank")]
+    #[arg(long, value_parser = one_of(notations()), default_value = "krank")]
     notation: WorkingNotation,
     #[arg(help = words().format_of_output())]
     #[arg(long, value_parser = one_of(formats()), default_value = "text")]

@@ -7,25 +7,27 @@ use crate::cli::place::note_near_misses;
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene};
 use crate::script_export::{ScriptLanguage, script};
-use crate::wording::{Words, words};
+use crate::wording::words;
 use clap::Args;
 
-/// The languages of scripts.
-const LANGUAGES: [OptionValue<ScriptLanguage>; 2] = [
-    ("python", <dyn Words>::format_python, ScriptLanguage::Python),
-    (
-        "matlab|octave",
-        <dyn Words>::format_matlab,
-        ScriptLanguage::Matlab,
-    ),
-];
+/// Returns the languages of scripts.
+fn languages() -> [OptionValue<ScriptLanguage>; 2] {
+    [
+        ("python", words().format_python(), ScriptLanguage::Python),
+        (
+            "matlab|octave",
+            words().format_matlab(),
+            ScriptLanguage::Matlab,
+        ),
+    ]
+}
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct ExportArgs {
     #[command(flatten)]
     scene: SceneArgs,
     #[arg(help = words().format_of_output())]
-    #[arg(long, value_parser = one_of(LANGUAGES))]
+    #[arg(long, value_parser = one_of(languages()))]
     format: ScriptLanguage,
     #[command(flatten)]
     output: OutputArgs,

@@ -19,14 +19,14 @@ use crate::report::{WrittenDecimal, limits_text};
 use crate::scene::Scene;
 use crate::solver::{Condition, Range, Solver};
 use crate::study::{BandKind, ToleranceStudy};
-use crate::wording::{Words, words};
+use crate::wording::words;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
 /// Returns the limits that may be drawn beside a curve.
 fn bands() -> Vec<OptionValue<BandKind>> {
     let kinds = [BandKind::Worst, BandKind::RootSumSquare];
-    let about = [<dyn Words>::band_worst, <dyn Words>::band_root_sum_square];
+    let about = [words().band_worst(), words().band_root_sum_square()];
     option_values(kinds, BandKind::word, about)
 }
 

@@ -9,30 +9,32 @@ use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene, check_output_differs_from_input};
 use crate::report::{Report, ReportFormat, WorkingNotation};
 use crate::solver::{Condition, Order};
-use crate::wording::{Words, words};
+use crate::wording::words;
 use clap::{Args, ValueHint};
 use std::path::{Path, PathBuf};
 
 /// Returns the formats of reports.
 pub(in crate::cli) fn formats() -> Vec<OptionValue<ReportFormat>> {
     let about = [
-        <dyn Words>::format_html,
-        <dyn Words>::format_latex,
-        <dyn Words>::format_markdown,
-        <dyn Words>::format_plain,
+        words().format_html(),
+        words().format_latex(),
+        words().format_markdown(),
+        words().format_plain(),
     ];
     option_values(ReportFormat::ALL, ReportFormat::name, about)
 }
 
-/// The notations of unit vectors in the working.
-pub(in crate::cli) const NOTATIONS: [OptionValue<WorkingNotation>; 2] = [
-    (
-        "lecture",
-        <dyn Words>::notation_lecture,
-        WorkingNotation::Lecture,
-    ),
-    ("krank", <dyn Words>::notation_krank, WorkingNotation::Krank),
-];
+/// Returns the notations of unit vectors in the working.
+pub(in crate::cli) fn notations() -> [OptionValue<WorkingNotation>; 2] {
+    [
+        (
+            "lecture",
+            words().notation_lecture(),
+            WorkingNotation::Lecture,
+        ),
+        ("krank", words().notation_krank(), WorkingNotation::Krank),
+    ]
+}
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct ReportArgs {
@@ -41,7 +43,7 @@ pub(in crate::cli) struct ReportArgs {
     #[command(flatten)]
     place: PlaceArgs,
     #[arg(help = words().notation_of_working())]
-    #[arg(long, value_parser = one_of(NOTATIONS), default_value = "lecture")]
+    #[arg(long, value_parser = one_of(notations()), default_value = "lecture")]
     notation: WorkingNotation,
     #[arg(help = words().format_of_report())]
     #[arg(long, value_parser = one_of(formats()))]

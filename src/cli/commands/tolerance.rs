@@ -21,18 +21,20 @@ use crate::solver::{Condition, Order, Solver};
 use crate::study::{
     CycleFigure, Distribution, MotionTolerance, SampleOrder, ToleranceError, ToleranceStudy,
 };
-use crate::wording::{Words, words};
+use crate::wording::words;
 use clap::Args;
 
-/// How lengths are spread among the samples.
-const DISTRIBUTIONS: [OptionValue<Distribution>; 2] = [
-    (
-        "normal",
-        <dyn Words>::spread_choice_normal,
-        Distribution::Normal,
-    ),
-    ("even", <dyn Words>::spread_choice_even, Distribution::Even),
-];
+/// Returns how lengths are spread among the samples.
+fn distributions() -> [OptionValue<Distribution>; 2] {
+    [
+        (
+            "normal",
+            words().spread_choice_normal(),
+            Distribution::Normal,
+        ),
+        ("even", words().spread_choice_even(), Distribution::Even),
+    ]
+}
 
 /// Maximum number of samples; more take memory and add no information.
 const MAX_SAMPLES: i64 = 10_000_000;
@@ -81,7 +83,7 @@ pub(in crate::cli) struct ToleranceArgs {
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     #[arg(help = words().spread_of_lengths())]
-    #[arg(long, value_parser = one_of(DISTRIBUTIONS), default_value = "normal")]
+    #[arg(long, value_parser = one_of(distributions()), default_value = "normal")]
     distribution: Distribution,
     #[arg(help = words().format_of_output())]
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]

@@ -11,8 +11,6 @@ use crate::drawing::Glyphs;
 use crate::report::WrittenDecimal;
 #[cfg(feature = "tui")]
 use crate::tui::{Colours, PictureChoice, Theme, View};
-#[cfg(feature = "tui")]
-use crate::wording::Words;
 use crate::wording::words;
 use clap::Args;
 #[cfg(feature = "tui")]
@@ -85,22 +83,22 @@ impl ValueEnum for View {
 #[cfg(feature = "tui")]
 fn colours() -> Vec<OptionValue<OrAuto<Colours>>> {
     let about = [
-        <dyn Words>::colours_none,
-        <dyn Words>::colours_of_palette,
-        <dyn Words>::colours_fixed,
-        <dyn Words>::colours_any,
+        words().colours_none(),
+        words().colours_of_palette(),
+        words().colours_fixed(),
+        words().colours_any(),
     ];
     let colours = option_values(Colours::ALL, Colours::name, about);
-    or_auto(<dyn Words>::colours_as_allowed, colours)
+    or_auto(words().colours_as_allowed(), colours)
 }
 
 #[cfg(feature = "tui")]
 fn themes() -> Vec<OptionValue<Theme>> {
     let about = [
-        <dyn Words>::theme_auto,
-        <dyn Words>::theme_light,
-        <dyn Words>::theme_dark,
-        <dyn Words>::theme_plain,
+        words().theme_auto(),
+        words().theme_light(),
+        words().theme_dark(),
+        words().theme_plain(),
     ];
     option_values(Theme::ALL, Theme::name, about)
 }
@@ -108,11 +106,11 @@ fn themes() -> Vec<OptionValue<Theme>> {
 #[cfg(feature = "tui")]
 fn pictures() -> Vec<OptionValue<PictureChoice>> {
     let about = [
-        <dyn Words>::pictures_as_told,
-        <dyn Words>::pictures_of_kitty,
-        <dyn Words>::pictures_of_iterm,
-        <dyn Words>::pictures_of_sixels,
-        <dyn Words>::pictures_never,
+        words().pictures_as_told(),
+        words().pictures_of_kitty(),
+        words().pictures_of_iterm(),
+        words().pictures_of_sixels(),
+        words().pictures_never(),
     ];
     option_values(PictureChoice::ALL, PictureChoice::name, about)
 }

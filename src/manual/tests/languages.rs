@@ -134,8 +134,9 @@ fn uncommented(lines: &[String]) -> Vec<&str> {
 fn parts() -> impl Iterator<Item = (&'static str, [Vec<Section>; 2])> {
     let parts = TOPICS
         .iter()
-        .flat_map(|topic| topic.parts.iter().map(|part| (topic.name, part)));
-    parts.map(|(name, part)| (name, [sections(part.english), sections(part.turkish)]))
+        .flat_map(|topic| topic.pages.iter().map(|part| (topic.name, part)));
+    let languages = [Language::English, Language::Turkish];
+    parts.map(move |(name, part)| (name, languages.map(|it| sections(page(it, part)))))
 }
 
 #[test]
@@ -238,19 +239,16 @@ fn figures_are_read_however_they_are_written() {
 #[test]
 fn topics_are_asked_for_in_both_languages() {
     for topic in TOPICS {
-        let ascii = with_ascii_letters(topic.turkish);
-        for word in [topic.name, topic.turkish, &ascii, &ascii.to_uppercase()] {
+        let turkish = topic.name_in(Language::Turkish);
+        let ascii = with_ascii_letters(turkish);
+        for word in [topic.name, turkish, &ascii, &ascii.to_uppercase()] {
             // Both names are accepted in both languages.
             let found = find(word).map(|found| found.name);
             assert_eq!(found, Some(topic.name), "{word}");
         }
         Language::Turkish.speak();
-        assert!(
-            topic
-                .description()
-                .ends_with(&format!(" ({})", topic.turkish))
-        );
-        assert_eq!(topic.called(), topic.turkish);
+        assert!(topic.description().ends_with(&format!(" ({turkish})")));
+        assert_eq!(topic.called(), turkish);
         Language::English.speak();
         assert_eq!(topic.description(), (topic.about)(words()));
     }

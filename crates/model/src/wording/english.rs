@@ -2,10 +2,6 @@
 
 use std::fmt::Display;
 
-/// English, the default language.
-#[derive(Debug)]
-pub(super) struct English;
-
 /// Formats a count with its noun: `1 link`, `3 links`.
 fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })

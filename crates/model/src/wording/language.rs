@@ -1,35 +1,11 @@
 //! The current language: English by default.
 
-use super::Words;
-use super::english::English;
-use super::turkish::Turkish;
-
-/// A language of krank's messages.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Language {
-    /// The default language.
-    #[default]
-    English,
-    /// The language of the lectures.
-    Turkish,
-}
+use super::Language;
 
 /// The environment variables for the language of messages, in POSIX order of precedence.
 const LOCALE: [&str; 3] = ["LC_ALL", "LC_MESSAGES", "LANG"];
 
 impl Language {
-    /// All languages, in the order of the variants. The workbench cycles through them.
-    pub const ALL: [Language; 2] = [Language::English, Language::Turkish];
-
-    /// Returns the language's name in options and in the configuration.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Language::English => "en",
-            Language::Turkish => "tr",
-        }
-    }
-
     /// Returns the language with this name.
     pub fn named(name: &str) -> Option<Language> {
         Language::ALL.into_iter().find(|it| it.name() == name)
@@ -71,13 +47,6 @@ impl Language {
             (_, Some(first)) => first.to_uppercase().to_string(),
         };
         first + letters.as_str()
-    }
-
-    pub(super) fn words(self) -> &'static dyn Words {
-        match self {
-            Language::English => &English,
-            Language::Turkish => &Turkish,
-        }
     }
 }
 

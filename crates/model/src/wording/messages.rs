@@ -1,7 +1,5 @@
-//! The trait of all messages and its implementations, as the build script writes them.
+//! The languages, the trait of all messages and its implementations, as the build script writes them.
 
-use super::english::English;
-use super::turkish::Turkish;
 use std::fmt::{Display, LowerExp};
 
 include!(concat!(env!("OUT_DIR"), "/words.rs"));

@@ -6,8 +6,8 @@
 //! of columns and of keys are part of the interface and are never translated.
 //!
 //! `english.txt` and `turkish.txt` have the texts. The build script writes the trait [`Words`] and its
-//! implementations from them. A second language is a copy of `turkish.txt`, a line in `build.rs`, and
-//! a variant of [`Language`]. A missing message is a compile error.
+//! implementations from them, and the type [`Language`]. A further language is a copy of
+//! `turkish.txt` and a line in `build.rs`. A missing message is a compile error.
 
 #[cfg(test)]
 mod catalogue;
@@ -16,10 +16,7 @@ mod language;
 mod messages;
 mod turkish;
 
-pub use language::Language;
-pub use messages::Words;
-
-use english::English;
+pub use messages::{Language, Words};
 
 /// A reference to a message, for tables such as that of the actions.
 pub type Wording = fn(&'static dyn Words) -> &'static str;
@@ -32,7 +29,7 @@ pub fn words() -> &'static dyn Words {
 /// Returns the messages for files that other programs read. They are always English: names and
 /// reasons in CSV and JSON must not change.
 pub fn english_words() -> &'static dyn Words {
-    &English
+    Language::English.words()
 }
 
 #[cfg(test)]

@@ -7,7 +7,3 @@ mod syntax;
 mod translations {
     include!(concat!(env!("OUT_DIR"), "/translations.rs"));
 }
-
-/// Turkish, the language of the lectures that krank implements.
-#[derive(Debug)]
-pub(super) struct Turkish;
