@@ -224,4 +224,45 @@ mod tests {
         let noise = through(|t| (t * 1e9).sin() * 1e-16);
         assert!(noise.is_flat());
     }
+
+    /// Returns the sum with these terms, by their numbers; all others are 0.
+    fn terms(some: &[(usize, f64)]) -> ChebyshevSum {
+        let mut sum = ChebyshevSum([0.0; TERMS]);
+        for &(k, term) in some {
+            sum.0[k] = term;
+        }
+        sum
+    }
+
+    #[test]
+    fn tail_third_and_flatness_read_their_terms() {
+        assert_eq!(terms(&[(19, 9.0), (20, -2.0), (23, 1.0)]).tail(), 2.0);
+        let third = terms(&[(7, 9.0), (8, 1.0), (11, -3.0), (12, 9.0)]).third();
+        assert_eq!(third, 3.0);
+        // Half of the terms from the sixth to the ninth; the fifth and the tenth do not count.
+        let of = |last| terms(&[(5, 9.0), (6, 1.0), (9, -2.0), (10, 9.0), (23, last)]);
+        assert!(of(1.0).is_flat() && !of(0.99).is_flat());
+        assert!(terms(&[]).is_flat());
+    }
+
+    #[test]
+    fn zeros_are_ascending_and_inside_the_interval() {
+        // The outermost subinterval is about 1e-3 wide.
+        let sum = through(|t| (t - 0.9995) * (t + 0.9995) * (t - 0.1));
+        let found = crossings(|t| sum.at(t));
+        assert_eq!(found.len(), 3);
+        for (found, zero) in found.iter().zip([-0.9995, 0.1, 0.9995]) {
+            assert!((found - zero).abs() < 1e-13, "{found}");
+        }
+        for zero in [-1.5, 1.5] {
+            let outside = through(|t| t - zero);
+            assert!(outside.zeros(&outside.turns()).is_empty());
+        }
+    }
+
+    #[test]
+    fn offset_is_subtracted() {
+        let sum = through(|t| t * t + 3.0).less(2.0);
+        assert!((sum.at(0.5) - 1.25).abs() < 1e-14 && (sum.size() - 1.5).abs() < 1e-14);
+    }
 }

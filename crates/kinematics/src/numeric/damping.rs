@@ -189,4 +189,75 @@ mod tests {
         });
         assert_eq!((count, measure), (3, 1.0 - 3e-12));
     }
+
+    #[test]
+    fn default_rules_end_after_four_level_steps() {
+        let mut count = 0;
+        DampedSearch::DEFAULT.run(1.0, |_| {
+            count += 1;
+            Some(1.0)
+        });
+        assert_eq!(count, 4);
+    }
+
+    #[test]
+    fn level_steps_count_in_a_row() {
+        let rules = DampedSearch {
+            min_gain: 0.5,
+            level_steps: 2,
+            ..RULES
+        };
+        // A step that gains exactly the minimum is progress.
+        let measures = [0.9, 0.45, 0.4, 0.2, 0.19, 0.18, 0.0];
+        let mut next = measures.into_iter();
+        assert_eq!(rules.run(1.0, |_| next.next()), 0.18);
+    }
+
+    #[test]
+    fn limits_of_damping_and_measure_are_inclusive() {
+        let mut tried = Vec::new();
+        let rules = DampedSearch {
+            damping: 1.0,
+            growth: 10.0,
+            max_damping: 100.0,
+            ..RULES
+        };
+        rules.run(1.0, |damping| {
+            tried.push(damping);
+            Trial::Rejected
+        });
+        assert_eq!(tried, [1.0, 10.0, 100.0]);
+        let exact = DampedSearch {
+            exact: 0.5,
+            ..RULES
+        };
+        assert_eq!(exact.run(0.5, |_| Some(0.1)), 0.5);
+    }
+
+    #[test]
+    fn damping_shrinks_to_its_minimum() {
+        let rules = DampedSearch {
+            damping: 1.0,
+            shrinking: 0.1,
+            min_damping: 0.05,
+            steps: 4,
+            ..RULES
+        };
+        let (mut tried, mut measure) = (Vec::new(), 1.0);
+        rules.run(measure, |damping| {
+            tried.push(damping);
+            measure *= 0.5;
+            // The second step has a factor of its own.
+            let shrinking = (tried.len() == 2).then_some(0.7);
+            Trial::Kept { measure, shrinking }
+        });
+        assert_eq!(tried, [1.0, 0.1, 0.1 * 0.7, 0.05]);
+    }
+
+    #[test]
+    fn finished_search_keeps_its_measure() {
+        let mut results = [Trial::from(Some(0.5)), Trial::Finished].into_iter();
+        let measure = RULES.run(1.0, |_| results.next().unwrap_or(Trial::from(Some(0.1))));
+        assert_eq!(measure, 0.5);
+    }
 }

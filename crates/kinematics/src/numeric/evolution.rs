@@ -100,4 +100,57 @@ mod tests {
         let found = all[best(&all).unwrap()];
         assert!(value(&found) < 1e-12, "{found:?}");
     }
+
+    #[test]
+    fn tenth_of_the_numbers_stays() {
+        let mut rng = SeededRng::new(3);
+        let mut own = [-1.0; 1000];
+        mutate(&mut own, &[[2.0; 1000]], None, &[None; 1000], &mut rng);
+        let kept = own.iter().filter(|&&number| number == -1.0).count();
+        assert!((70..130).contains(&kept), "{kept}");
+        assert!(own.iter().all(|&number| number == -1.0 || number == 2.0));
+    }
+
+    #[test]
+    fn number_beyond_a_bound_is_halfway_to_it() {
+        let mut rng = SeededRng::new(4);
+        let mut trial = |number: f64| {
+            let mut own = [4.0; 50];
+            mutate(
+                &mut own,
+                &[[number; 50]],
+                None,
+                &[Some([0.0, 9.0]); 50],
+                &mut rng,
+            );
+            own.into_iter().find(|&own| own != 4.0)
+        };
+        assert_eq!(trial(-2.0), Some(2.0));
+        assert_eq!(trial(12.0), Some(6.5));
+        // A number at a bound stays there.
+        assert_eq!((trial(0.0), trial(9.0)), (Some(0.0), Some(9.0)));
+    }
+
+    #[test]
+    fn trial_starts_from_returned_design_and_moves_by_weighted_difference() {
+        let mut rng = SeededRng::new(6);
+        let generation = [[0.0], [1.0]];
+        let mut weights = Vec::new();
+        for _ in 0..2000 {
+            let mut own = [-9.0];
+            let from = mutate(&mut own, &generation, None, &[None], &mut rng);
+            let moved = (own[0] - generation[from][0]).abs();
+            if own[0] != -9.0 && moved != 0.0 {
+                weights.push(moved);
+            }
+        }
+        let (low, high) = (
+            weights.iter().copied().fold(9.0, f64::min),
+            weights.iter().copied().fold(0.0, f64::max),
+        );
+        assert!(
+            (0.4..0.405).contains(&low) && (0.895..=0.9).contains(&high),
+            "{low} {high}"
+        );
+    }
 }

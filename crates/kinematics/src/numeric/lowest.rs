@@ -153,4 +153,63 @@ mod tests {
         assert!(matches!(spent, MinimumError::Spent { .. }), "{spent:?}");
         assert!(spent.best().0 > 1e300);
     }
+
+    /// Returns the place of the minimum of `f` between two places, and the number of evaluations.
+    fn counted(f: impl Fn(f64) -> f64, [low, high]: [f64; 2]) -> (f64, usize) {
+        let mut count = 0;
+        let first = low + 0.4 * (high - low);
+        let evaluated = |x| {
+            count += 1;
+            Some(f(x))
+        };
+        let (place, _) = lowest(evaluated, [low, high], (first, f(first))).unwrap();
+        (place, count)
+    }
+
+    #[test]
+    fn search_is_independent_of_the_scale() {
+        let f = |x: f64| (x - 0.3).powi(2) + 0.2 * (x - 0.3).powi(3);
+        let (place, count) = counted(f, [-1.0, 1.0]);
+        for scale in [2.0_f64.powi(40), 2.0_f64.powi(-40)] {
+            let scaled = counted(|x| f(x / scale), [-scale, scale]);
+            assert_eq!(scaled, (place * scale, count), "{scale:e}");
+        }
+    }
+
+    #[test]
+    fn number_of_evaluations_stays() {
+        let functions: [fn(f64) -> f64; 4] = [
+            |x| (x - 0.3) * (x - 0.3),
+            |x| x * x * x - x,
+            |x| (x - 0.7).abs(),
+            |x| 1.0 / (x + 0.5) + 2.0 * x,
+        ];
+        let counts = functions.map(|f| counted(f, [0.0, 1.0]).1);
+        assert_eq!(counts, [5, 10, 15, 11]);
+    }
+
+    #[test]
+    fn corner_is_found_to_the_tolerance() {
+        let finest = f64::EPSILON.sqrt();
+        for k in 1..40 {
+            let corner = f64::from(k) / 40.0 + 1e-3;
+            let (place, count) = counted(|x| (x - corner).abs(), [0.0, 1.0]);
+            assert!((place - corner).abs() <= 2.0 * finest, "{corner}: {place}");
+            assert!(count < 45, "{corner}: {count}");
+        }
+    }
+
+    /// Steps next to an end lead away from it, on both sides of zero.
+    #[test]
+    fn minimum_close_to_an_end_takes_few_steps() {
+        for [low, high] in [[1.0, 3.0], [-3.0, -1.0], [-1.0, 1.0]] {
+            for at in [low + 1e-7, high - 1e-7] {
+                let (place, count) = counted(|x| (x - at).powi(2), [low, high]);
+                assert!(
+                    (place - at).abs() < 1e-7 && count <= 40,
+                    "{at}: {place} {count}"
+                );
+            }
+        }
+    }
 }

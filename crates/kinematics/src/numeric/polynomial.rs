@@ -98,4 +98,26 @@ mod tests {
         // Leading zero coefficients do not add roots.
         assert_eq!(polynomial_roots(&[-2.0, 1.0, 0.0, 0.0]), vec![2.0]);
     }
+
+    #[test]
+    fn tolerance_of_double_roots_is_relative_to_the_terms() {
+        // The terms at 1 have the sum 4.
+        assert_eq!(polynomial_roots(&[1.0 + 2e-13, -2.0, 1.0]), vec![1.0]);
+        assert_eq!(
+            polynomial_roots(&[1.0 + 6e-13, -2.0, 1.0]),
+            Vec::<f64>::new()
+        );
+    }
+
+    #[test]
+    fn roots_far_from_zero_and_coefficients_without_roots() {
+        assert_eq!(polynomial_roots(&[-1.0, 1.0 / 1024.0]), vec![1024.0]);
+        for k in 0..3 {
+            for wrong in [f64::INFINITY, f64::NAN] {
+                let mut terms = [-2.0, 1.0, 3.0];
+                terms[k] = wrong;
+                assert_eq!(polynomial_roots(&terms), Vec::<f64>::new(), "{terms:?}");
+            }
+        }
+    }
 }

@@ -111,4 +111,13 @@ mod tests {
         assert_eq!(rng.between(7, 2), 7);
         assert_eq!(rng.one_of::<u8>(&[]), None);
     }
+
+    #[test]
+    fn numbers_within_a_range_are_uniform() {
+        let mut rng = SeededRng::new(2);
+        let all: Vec<f64> = (0..10_000).map(|_| rng.within(3.0, 7.0)).collect();
+        assert!(all.iter().all(|x| (3.0..=7.0).contains(x)));
+        let low = all.iter().filter(|x| **x < 4.0).count();
+        assert!((2300..2700).contains(&low), "{low}");
+    }
 }

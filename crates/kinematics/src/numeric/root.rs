@@ -198,4 +198,78 @@ mod tests {
         // Without a value in between, there is no root.
         assert_eq!(all(|x| (x != 3.0).then_some(x - 3.0)), [0.0; 0]);
     }
+
+    /// Returns the root of `f` between two places, and the number of evaluations.
+    fn counted(f: impl Fn(f64) -> f64, [low, high]: [f64; 2], finest: f64) -> (f64, usize) {
+        let mut count = 0;
+        let evaluated = |x| {
+            count += 1;
+            Some(f(x))
+        };
+        let found = root((low, f(low)), (high, f(high)), finest, evaluated).unwrap();
+        (found, count)
+    }
+
+    #[test]
+    fn number_of_evaluations_stays() {
+        let functions: [fn(f64) -> f64; 5] = [
+            |x| x - 0.3,
+            |x| x * x * x - 0.1,
+            |x| x / (1.0 + x) - 0.3,
+            |x| x.sqrt() - 0.2,
+            |x| 1.0 / (x + 0.01) - 3.0,
+        ];
+        let counts = functions.map(|f| counted(f, [0.0, 1.0], f64::MIN_POSITIVE).1);
+        assert_eq!(counts, [3, 10, 7, 8, 9]);
+    }
+
+    /// A function and its negative have the same root, whichever end is the better one.
+    #[test]
+    fn sign_of_the_function_does_not_matter() {
+        for k in 1..30 {
+            let at = f64::from(k) / 30.0;
+            for finest in [1e-9, 1e-3, 0.1] {
+                let f = |x: f64| (x - at) * (2.0 + x * x);
+                let (found, count) = counted(f, [0.0, 1.01], finest);
+                assert_eq!(
+                    counted(|x| -f(x), [0.0, 1.01], finest),
+                    (found, count),
+                    "{at}"
+                );
+                // The end with the smaller value is returned.
+                assert!(
+                    (found - at).abs() <= finest.max(1e-15),
+                    "{at} {finest}: {found}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn root_is_found_to_the_tolerance() {
+        for k in 1..50 {
+            let at = f64::from(k) / 51.0;
+            let step = |x: f64| if x > at { 1.0 } else { -1.0 };
+            let (found, _) = counted(step, [0.0, 1.0], 1e-3);
+            assert!((found - at).abs() <= 2e-3, "{at}: {found}");
+        }
+    }
+
+    #[test]
+    fn blurred_root_has_few_decimals() {
+        // Products are multiples of the smallest number: zero within 1e-7 around the root.
+        let (found, _) = counted(|x| (x - 0.3) * 1e6 * 5e-324, [0.0, 1.0], 1e-15);
+        assert!(
+            (found - 0.3).abs() < 1e-6 && found == few_decimals(found),
+            "{found}"
+        );
+        assert_eq!(few_decimals(1.23456789049), 1.234_567_89);
+    }
+
+    #[test]
+    fn root_at_a_place_keeps_the_roots_before_it() {
+        let places = || (0..=10).map(f64::from);
+        let found = roots(places(), f64::EPSILON, |x| Some((x - 2.5) * (7.0 - x)));
+        assert_eq!(found, [2.5, 7.0]);
+    }
 }

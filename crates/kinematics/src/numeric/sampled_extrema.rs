@@ -109,4 +109,15 @@ mod tests {
         let shifted: Vec<f64> = (3..=15).map(round).collect();
         assert_eq!(found(&shifted, true), [(9, true, false), (3, false, false)]);
     }
+
+    #[test]
+    fn three_samples_have_an_extremum_and_a_plateau_begins_one() {
+        assert_eq!(
+            found(&[0.0, 1.0, 0.0], false),
+            [(0, false, true), (1, true, false), (2, false, true)]
+        );
+        let plateau = found(&[0.0, 1.0, 1.0, 0.0, 0.0, 1.0], false);
+        let inner: Vec<usize> = plateau.iter().filter(|t| !t.2).map(|t| t.0).collect();
+        assert_eq!(inner, [1, 3]);
+    }
 }

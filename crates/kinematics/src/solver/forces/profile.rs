@@ -211,6 +211,15 @@ mod tests {
     }
 
     #[test]
+    fn profile_without_knots_is_one_in_every_arithmetic() {
+        let neutral = curve(&[], true);
+        assert!(neutral.is_one() && !hill().is_one());
+        assert_eq!(neutral.value(7.0), 1.0);
+        let ball = neutral.value(Ball::new(7.0, 1.0));
+        assert_eq!((ball.mid, ball.radius), (1.0, 0.0));
+    }
+
+    #[test]
     fn profile_is_linear_between_knots_and_constant_beyond() {
         for (x, y) in [
             (-5.0, 1.0),
