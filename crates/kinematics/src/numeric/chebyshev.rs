@@ -261,6 +261,13 @@ mod tests {
     }
 
     #[test]
+    fn last_term_is_integrated() {
+        // The integral of T23 is T24 / 48 - T22 / 44; the first part is omitted.
+        let integral = terms(&[(23, 1.0)]).integral();
+        assert_eq!((integral.0[22], integral.at(-1.0)), (-1.0 / 44.0, 0.0));
+    }
+
+    #[test]
     fn offset_is_subtracted() {
         let sum = through(|t| t * t + 3.0).less(2.0);
         assert!((sum.at(0.5) - 1.25).abs() < 1e-14 && (sum.size() - 1.5).abs() < 1e-14);

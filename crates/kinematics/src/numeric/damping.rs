@@ -192,12 +192,13 @@ mod tests {
 
     #[test]
     fn default_rules_end_after_four_level_steps() {
-        let mut count = 0;
-        DampedSearch::DEFAULT.run(1.0, |_| {
-            count += 1;
+        let mut tried = Vec::new();
+        DampedSearch::DEFAULT.run(1.0, |damping| {
+            tried.push(damping);
             Some(1.0)
         });
-        assert_eq!(count, 4);
+        let shrunk = |k| (0..k).fold(1e-3, |damping, _| damping * 0.2);
+        assert_eq!(tried, [0, 1, 2, 3].map(shrunk));
     }
 
     #[test]

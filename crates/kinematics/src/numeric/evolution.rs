@@ -112,6 +112,26 @@ mod tests {
     }
 
     #[test]
+    fn half_of_the_trials_are_pulled_towards_the_best_design() {
+        let mut rng = SeededRng::new(8);
+        let mut pulled = 0;
+        for _ in 0..1000 {
+            let mut own = [-1.0; 20];
+            mutate(
+                &mut own,
+                &[[0.0; 20]],
+                Some(&[5.0; 20]),
+                &[None; 20],
+                &mut rng,
+            );
+            let moved = own.into_iter().find(|&own| own != -1.0).unwrap();
+            assert!((0.0..=5.0).contains(&moved), "{moved}");
+            pulled += usize::from(moved > 0.0);
+        }
+        assert!((450..550).contains(&pulled), "{pulled}");
+    }
+
+    #[test]
     fn number_beyond_a_bound_is_halfway_to_it() {
         let mut rng = SeededRng::new(4);
         let mut trial = |number: f64| {

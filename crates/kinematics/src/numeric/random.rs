@@ -110,6 +110,9 @@ mod tests {
         assert_eq!(rng.between(7, 7), 7);
         assert_eq!(rng.between(7, 2), 7);
         assert_eq!(rng.one_of::<u8>(&[]), None);
+        assert_eq!(rng.one_of(&[7]), Some(&7));
+        let chosen: Vec<_> = (0..100).filter_map(|_| rng.one_of(&[3, 4, 5])).collect();
+        assert!([3, 4, 5].iter().all(|number| chosen.contains(&number)));
     }
 
     #[test]
