@@ -140,15 +140,15 @@ mod tests {
                 &mut own,
                 &[[number; 50]],
                 None,
-                &[Some([0.0, 9.0]); 50],
+                &[Some([1.0, 9.0]); 50],
                 &mut rng,
             );
             own.into_iter().find(|&own| own != 4.0)
         };
-        assert_eq!(trial(-2.0), Some(2.0));
+        assert_eq!(trial(-2.0), Some(2.5));
         assert_eq!(trial(12.0), Some(6.5));
         // A number at a bound stays there.
-        assert_eq!((trial(0.0), trial(9.0)), (Some(0.0), Some(9.0)));
+        assert_eq!((trial(1.0), trial(9.0)), (Some(1.0), Some(9.0)));
     }
 
     #[test]

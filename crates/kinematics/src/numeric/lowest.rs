@@ -186,6 +186,15 @@ mod tests {
         ];
         let counts = functions.map(|f| counted(f, [0.0, 1.0]).1);
         assert_eq!(counts, [5, 10, 15, 11]);
+        // Slopes that differ on both sides, at several places of the minimum in the interval.
+        let total: usize = (1..200)
+            .map(|k| {
+                let (skew, high) = (f64::from(k % 7), 0.4 + 0.02 * f64::from(k % 11));
+                let f = |x: f64| x * x * (1.0 + skew * x * x) / (2.0 + x);
+                counted(f, [-0.5 - 1e-3 * f64::from(k), high]).1
+            })
+            .sum();
+        assert_eq!(total, 1952);
     }
 
     #[test]

@@ -221,6 +221,15 @@ mod tests {
         ];
         let counts = functions.map(|f| counted(f, [0.0, 1.0], f64::MIN_POSITIVE).1);
         assert_eq!(counts, [3, 10, 7, 8, 9]);
+        let total: usize = (1..200)
+            .map(|k| {
+                let at = f64::from(k) / 200.0;
+                let skew = f64::from(k % 7);
+                let f = |x: f64| (x - at) * (0.1 + skew * x * x);
+                counted(f, [0.0, 1.0], f64::MIN_POSITIVE).1
+            })
+            .sum();
+        assert_eq!(total, 1666);
     }
 
     /// A function and its negative have the same root, whichever end is the better one.

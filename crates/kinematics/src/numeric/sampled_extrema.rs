@@ -102,6 +102,12 @@ mod tests {
     }
 
     #[test]
+    fn difference_of_exactly_the_minimum_is_noise() {
+        assert_eq!(turns(&[0.0, 0.5, 0.0], 0.5, false), []);
+        assert_eq!(turns(&[0.0, 0.5, 0.0], 0.4375, false).len(), 3);
+    }
+
+    #[test]
     fn periodic_values_have_no_ends() {
         let round = |k: i32| (f64::from(k) * std::f64::consts::TAU / 12.0).cos();
         let values: Vec<f64> = (0..=12).map(round).collect();

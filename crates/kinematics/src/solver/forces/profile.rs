@@ -261,6 +261,19 @@ mod tests {
     }
 
     #[test]
+    fn search_starts_close_to_its_segment() {
+        let knots: Vec<[f64; 2]> = (5..105).map(|k| [f64::from(k), 0.0]).collect();
+        let curve = curve(&knots, false);
+        for (k, knot) in knots.iter().enumerate().take(99) {
+            let part = ((knot[0] + 0.5 - 5.0) * curve.fineness) as usize;
+            assert!(
+                (k.saturating_sub(1)..=k).contains(&curve.parts[part]),
+                "{k}"
+            );
+        }
+    }
+
+    #[test]
     fn ball_over_knot_contains_both_segments() {
         let ball = hill().value(Ball::new(10.0, 0.5));
         for x in [9.5, 9.75, 10.0, 10.25, 10.5] {
@@ -277,6 +290,12 @@ mod tests {
         assert_eq!(turn.value(-360.0 + 45.0), 4.5);
         assert_eq!(length.value(720.0 + 45.0), 0.0);
         assert_eq!(hill().value(380.0), 0.0);
+        let profile = Profile::new(knots.to_vec()).unwrap();
+        assert_eq!(ReadyProfile::over_length(&profile).value(720.0 + 45.0), 0.0);
+        assert_eq!(
+            ReadyProfile::over_driver(&profile, true).value(720.0 + 45.0),
+            4.5
+        );
     }
 
     /// Exactly at the jump, the value is that behind it, in every arithmetic.
