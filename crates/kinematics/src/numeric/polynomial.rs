@@ -103,6 +103,7 @@ mod tests {
     fn tolerance_of_double_roots_is_relative_to_the_terms() {
         // The terms at 1 have the sum 4.
         assert_eq!(polynomial_roots(&[1.0 + 2e-13, -2.0, 1.0]), vec![1.0]);
+        assert_eq!(polynomial_roots(&[1.0 + 2e-13, 2.0, 1.0]), vec![-1.0]);
         assert_eq!(
             polynomial_roots(&[1.0 + 6e-13, -2.0, 1.0]),
             Vec::<f64>::new()
