@@ -1,6 +1,7 @@
 //! Parses numbers as students write them: with a decimal comma or point, and with any number of
 //! digits.
 
+use crate::expression::DASHES;
 use crate::scene::are_thousands;
 
 /// Maximum length of a number's text.
@@ -33,7 +34,7 @@ impl WrittenFigure {
         if text.len() > MAX_LEN {
             return None;
         }
-        let text = text.replace('\u{2212}', "-");
+        let text = text.replace(DASHES, "-");
         let (number, unit) = text.split_at(unit_start(&text));
         let compact: String = number
             .chars()
@@ -213,6 +214,7 @@ mod tests {
             ("22 500", (22500.0, 5, 1.0)),
             ("2.40e4", (24000.0, 3, 100.0)),
             ("\u{2212}0,0250", (-0.025, 3, 0.0001)),
+            ("\u{2013}229.03", (-229.03, 5, 0.01)),
             ("0", (0.0, 0, 1.0)),
             ("0e9", (0.0, 0, 1.0)),
             ("-89.4427 rd/s", (-89.4427, 6, 1e-4)),
