@@ -215,10 +215,10 @@ impl<'t> Copier<'_, '_, 't> {
             named: HashSet::new(),
             points: Vec::new(),
         };
-        let links = draft.links.iter().map(|link| link.name.text);
-        let links: HashMap<&str, usize> = links.zip(0..).collect();
-        let slides = draft.slides.iter().map(|slide| slide.name.text);
-        let slides: HashMap<&str, usize> = slides.zip(0..).collect();
+        let link_names = draft.links.iter().map(|link| link.name.text);
+        let links: HashMap<&str, usize> = link_names.clone().zip(0..).collect();
+        let slide_names = draft.slides.iter().map(|slide| slide.name.text);
+        let slides: HashMap<&str, usize> = slide_names.clone().zip(0..).collect();
         let points: HashSet<&str> = all_points(draft).map(|name| name.text).collect();
         let mut is_known = true;
         for name in &copy.of {
@@ -231,7 +231,10 @@ impl<'t> Copier<'_, '_, 't> {
             } else {
                 let of = words().copy_called(&copy.name.to_string());
                 let what = words().key_of("of", &of);
-                let known = links.keys().chain(slides.keys()).chain(&points).copied();
+                // In the order of the file, so that each run suggests the same name.
+                let point_names = all_points(draft).map(|name| name.text);
+                let known = link_names.clone().chain(slide_names.clone());
+                let known = known.chain(point_names);
                 let near = (!self.reader.is_full()).then(|| did_you_mean(name.text, known));
                 self.reader.report(
                     Diagnostic::new(words().no_element_called(&what, &name.to_string()))
