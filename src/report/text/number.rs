@@ -14,36 +14,41 @@ pub(in crate::report) fn significant(value: f64, digits: usize) -> String {
         return "0".into();
     }
     let digits = digits.max(1);
-    let scientific = format!("{value:.*e}", digits - 1);
+    let mut scientific = format!("{value:.*e}", digits - 1);
     let Some((mantissa, exponent)) = scientific.split_once('e') else {
         return scientific;
     };
     let wanted = i32::try_from(digits).unwrap_or(i32::MAX);
     match exponent.parse::<i32>() {
         Ok(exponent) if (MIN_FIXED_EXPONENT..wanted).contains(&exponent) => {
-            with_point(mantissa, exponent)
+            let length = mantissa.len();
+            scientific.truncate(length);
+            move_point(&mut scientific, exponent);
+            scientific
         }
         _ => scientific,
     }
 }
 
-/// Formats a mantissa times a power of ten without an exponent. The power is less than the number
-/// of digits, so no zeros are needed behind them.
-fn with_point(mantissa: &str, exponent: i32) -> String {
-    let (sign, digits) = match mantissa.strip_prefix('-') {
-        Some(digits) => ("-", digits),
-        None => ("", mantissa),
-    };
-    let (first, others) = digits.split_once('.').unwrap_or((digits, ""));
+/// Multiplies a mantissa by a power of ten. The power is less than the number of digits, so no
+/// zeros are needed behind them.
+fn move_point(mantissa: &mut String, exponent: i32) {
+    if exponent == 0 {
+        return;
+    }
+    let first = usize::from(mantissa.starts_with('-'));
+    // A single digit has no point.
+    if let Some(point) = mantissa.find('.') {
+        mantissa.remove(point);
+    }
     match usize::try_from(exponent) {
-        Ok(exponent) if exponent < others.len() => {
-            let (complete, decimals) = others.split_at(exponent);
-            [sign, first, complete, ".", decimals].concat()
+        Ok(exponent) if first + 1 + exponent < mantissa.len() => {
+            mantissa.insert(first + 1 + exponent, '.');
         }
-        Ok(_) => [sign, first, others].concat(),
+        Ok(_) => {}
         Err(_) => {
-            let noughts = "0".repeat(exponent.unsigned_abs() as usize - 1);
-            [sign, "0.", &noughts, first, others].concat()
+            let zeros = "0".repeat(exponent.unsigned_abs() as usize - 1);
+            mantissa.insert_str(first, &format!("0.{zeros}"));
         }
     }
 }
@@ -130,7 +135,12 @@ pub(crate) fn shortest(value: f64, to: &mut String) {
     // Adding zero clears the sign of a negative one.
     let text = buffer.format_finite(value + 0.0);
     if value.abs() < MAX_FIXED {
-        to.push_str(text.strip_suffix(".0").unwrap_or(text));
+        let integer = match text.as_bytes() {
+            // `strip_suffix` calls `memcmp`, which took a sixth of a sweep.
+            [integer @ .., b'.', b'0'] => integer.len(),
+            _ => text.len(),
+        };
+        to.push_str(&text[..integer]);
     } else {
         // Removes the plus sign of the exponent.
         to.extend(text.split('+'));

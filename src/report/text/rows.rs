@@ -9,7 +9,6 @@ use crate::report::text::number::{direction, perpendicular_up, shortest, signifi
 use crate::solver::Condition;
 use serde_json::{Map, Value};
 use std::borrow::Cow;
-use std::fmt::Write as _;
 use std::io::{self, Write};
 
 /// The output format of rows.
@@ -332,9 +331,11 @@ fn push_aligned(line: &mut String, kind: CellKind, text: &str, width: usize) {
     match kind {
         CellKind::LastWord => line.push_str(text),
         CellKind::Remark => {}
-        // Writing to a string cannot fail.
         _ => {
-            let _ = write!(line, "{text:>width$}  ");
+            let blanks = width.saturating_sub(text.chars().count());
+            line.extend(std::iter::repeat_n(' ', blanks));
+            line.push_str(text);
+            line.push_str("  ");
         }
     }
 }
