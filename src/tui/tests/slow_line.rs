@@ -261,7 +261,8 @@ fn drawings_per_second(preset: &str, size: Size) -> f64 {
     slow.press("space");
     // The key itself is answered by a frame of the whole screen.
     slow.pass(Duration::from_secs(4));
-    let seconds = 20;
+    // A turn of the slowest preset.
+    let seconds = 12;
     let end = slow.now() + Duration::from_secs(seconds);
     let (mut count, mut drawings) = (slow.session.workbench.frames().count, 0);
     while slow.now() < end {
