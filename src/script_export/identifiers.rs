@@ -154,7 +154,7 @@ mod tests {
     #[test]
     fn reserved_names_include_template_names_but_not_locals() {
         let reserved = reserved();
-        let used = "cos sin sqrt radians range print float int divmod repr isinstance complex sum zip all abs max sys \
+        let used = "cos sin sqrt radians range print float int divmod repr isinstance complex sum zip list abs max sys \
             math main root place positions stand turn circles cosd sind conj reshape numel fprintf lambda seeds";
         for name in used.split(' ') {
             assert!(reserved.contains(name), "{name}");
