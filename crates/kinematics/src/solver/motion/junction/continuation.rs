@@ -26,6 +26,9 @@ const KEPT: usize = 16;
 /// Maximum distance from the crossing at which the terms hold, relative to that of the regular place. Up to
 /// there, the growth of rounding errors is compensated.
 const HELD: f64 = 0.125;
+/// Range of the ratio of singularities at half the distance from a crossing and at all of it. It is 0.7 before
+/// a fold.
+const PROPORTIONAL: std::ops::Range<f64> = 0.35..0.62;
 /// Maximum measure at a singular place, relative to that at the regular one.
 const SINGULAR: f64 = 1e-12;
 
@@ -39,10 +42,10 @@ impl Walker<'_> {
             for by in BEFORE {
                 let before = engine.moved(limit, -self.sense * by);
                 self.anchors.forget_beyond(engine, before, self.sense);
-                let junction = self
-                    .store_approach(limit, before)
-                    .then(|| self.continuation(step, (before, by)).ok())
-                    .flatten();
+                let junction = (self.leads_to_crossing(step, (limit, by))
+                    && self.store_approach(limit, before))
+                .then(|| self.continuation(step, (before, by)).ok())
+                .flatten();
                 let causes_end = |junction: &Junction| {
                     engine.difference(limit, junction.at.hi).abs() <= MAX_END_DISTANCE
                 };
@@ -57,6 +60,26 @@ impl Walker<'_> {
             }
         }
         None
+    }
+
+    /// Returns `true` if a coupled group becomes singular in proportion to the distance from a limit, from
+    /// `by` before it on. Before a fold, it is in proportion to the root.
+    fn leads_to_crossing(&mut self, step: usize, (limit, by): (f64, f64)) -> bool {
+        let engine = self.engine;
+        let Some(index) = engine.program.steps[step].coupled() else {
+            return false;
+        };
+        let mut singularity = |by: f64| {
+            let at = engine.moved(limit, -self.sense * by);
+            let (q, _) = engine.coordinate(at);
+            let group = &engine.program.coupled[index];
+            self.step_to(at)
+                .then(|| group.distance_and_measure(q, &mut self.state).0)
+        };
+        let (Some(far), Some(near)) = (singularity(by), singularity(0.5 * by)) else {
+            return false;
+        };
+        PROPORTIONAL.contains(&(near / far))
     }
 
     /// Expands the mechanism about a crossing of a coupled group, which lies about `by` ahead of the
