@@ -73,7 +73,7 @@ impl Null {
     /// Computes the null vectors by bordering the matrix with an arbitrary vector, which must not
     /// be orthogonal to them. Returns `None` if the bordered matrix is singular.
     pub(super) fn of(matrix: &[f64], n: usize) -> Option<Null> {
-        let any = any(n);
+        let any = arbitrary(n);
         let null = |matrix: &[f64]| {
             let mut x =
                 BorderedMatrix::new(matrix, n, Some((&any, &any)))?.solve(&vec![0.0; n], 1.0);
@@ -90,7 +90,7 @@ impl Null {
 }
 
 /// Returns an arbitrary vector.
-fn any(n: usize) -> Vec<f64> {
+fn arbitrary(n: usize) -> Vec<f64> {
     (0..n).map(|i| (1.7 * i as f64 + 0.3).cos()).collect()
 }
 
@@ -135,7 +135,7 @@ impl Coupled {
         self.read(state, self.open(scratch).z);
         let measure = self.measure(q, state, scratch);
         let matrix = self.matrix(q, here);
-        let any = any(n);
+        let any = arbitrary(n);
         let solved = BorderedMatrix::new(&matrix, n, None).map(|m| m.solve(&any, 0.0));
         (solved.map_or(0.0, |x| 1.0 / dot(&any, &x)), measure)
     }

@@ -39,30 +39,28 @@ const FOLD_REACH: f64 = 1e-2;
 
 impl Walker<'_> {
     /// Returns the proved fold of a coupled group at a limit, from states before it. Beside a near miss,
-    /// doubles count a state behind the fold as solved, and its rates do not lead back.
-    fn fold_before(&mut self, limit: f64) -> Option<BoundedEnd> {
+    /// doubles count a state behind the fold as solved, and its rates do not lead back. `last` is the last
+    /// state before the limit.
+    fn fold_before(&mut self, limit: f64, last: &Workspace) -> Option<BoundedEnd> {
         let engine = self.engine;
-        let saved = self.state.clone();
         let stored = self.folds.len();
-        let found = FOLD_STARTS.into_iter().find_map(|by| {
+        FOLD_STARTS.into_iter().find_map(|by| {
             let before = engine.moved(limit, -self.sense * by);
             let is_placed = self.ahead(before) > 0.0 && self.step_to(before);
             let start = is_placed.then(|| self.state.clone())?;
             engine.coupled_steps().find_map(|(step, index)| {
                 let end = self.fold(step, index, limit, &start);
-                let end = end.filter(|end| end.bound.is_some() && self.is_reached(index, &saved));
+                let end = end.filter(|end| end.bound.is_some() && self.is_near_fold(index, last));
                 if end.is_none() {
                     self.folds.truncate(stored);
                 }
                 end
             })
-        });
-        self.state = saved;
-        found
+        })
     }
 
     /// Returns `true` if a state is close to the fold stored last of a coupled group.
-    fn is_reached(&mut self, index: usize, state: &Workspace) -> bool {
+    fn is_near_fold(&self, index: usize, state: &Workspace) -> bool {
         let group = &self.engine.program.coupled[index];
         let z = &state.scratch.numbers[group.offset..group.offset + group.width()];
         let fold = self.folds.last().filter(|fold| fold.index == index);
@@ -90,7 +88,7 @@ impl Walker<'_> {
         });
         let refined = match refined {
             Some(end) if end.bound.is_some() => Some(end),
-            other => self.fold_before(limit).or(other),
+            other => self.fold_before(limit, state).or(other),
         };
         // A start within the rounding of a limit belongs to the motion.
         let refined = refined.unwrap_or(BoundedEnd::unproved(limit));

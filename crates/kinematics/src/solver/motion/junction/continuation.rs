@@ -113,16 +113,9 @@ impl Walker<'_> {
         if !(largest <= self.opening_slack(step)) {
             return Err(Refusal::End);
         }
-        let signs = self.state.signs.clone();
         let mut junction = Junction {
-            at,
-            side: 0.0,
-            series,
-            folds: Vec::new(),
-            missed: Vec::new(),
-            sides: [signs.clone(), signs],
-            curve: None,
             pair: Some(CoupledPair::apart(step, within)),
+            ..Junction::about(at, series, &self.state.signs)
         };
         let of = (step, group.group);
         let order = if turns { 2 } else { 4 };

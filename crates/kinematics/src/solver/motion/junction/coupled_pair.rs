@@ -28,8 +28,8 @@ const CENTRED: f64 = 1e-3;
 const HERE: f64 = 2.0 * SPREAD;
 /// Maximum difference between series and motion, relative to the distance of the other branch.
 const OTHER: f64 = 0.1;
-/// Minimum distance of other branches, relative to the distance from their crossing.
-const ARRIVAL: f64 = 5e-3;
+/// Half the minimum displacement between branches, relative to the distance from their crossing.
+const MIN_HEIGHT: f64 = 5e-3;
 
 /// Two crossings of a coupled group close to each other.
 struct ChangePair {
@@ -42,10 +42,10 @@ struct ChangePair {
     opening: Opening,
 }
 
-/// A coupled group with two crossings in a junction.
+/// The branch of a coupled group that passes two close crossings, or one at which several loops are in line.
 pub(in crate::solver::motion) struct CoupledPair {
     pub(super) step: usize,
-    /// Half the displacement between the branches.
+    /// Half the displacement between the branches, or less.
     height: Series,
     /// The maximum distance from the centre at which the series holds.
     pub(super) within: f64,
@@ -55,7 +55,7 @@ impl CoupledPair {
     /// Creates the branch of a group that passes one crossing. The other branches are about as far away as
     /// the crossing.
     pub(super) fn apart(step: usize, within: f64) -> CoupledPair {
-        let height = Series::line(Double::ZERO, Double::exactly(ARRIVAL));
+        let height = Series::line(Double::ZERO, Double::exactly(MIN_HEIGHT));
         CoupledPair {
             step,
             height,
@@ -222,20 +222,13 @@ impl Walker<'_> {
         let height = group
             .follow_pair(q, (&found, paired.pair), side, &mut series)
             .ok_or(Refusal::End)?;
-        let signs = self.state.signs.clone();
         let mut junction = Junction {
-            at: centre,
-            side: 0.0,
-            series,
-            folds: Vec::new(),
-            missed: Vec::new(),
-            sides: [signs.clone(), signs],
-            curve: None,
             pair: Some(CoupledPair {
                 step,
                 height,
                 within: f64::INFINITY,
             }),
+            ..Junction::about(centre, series, &self.state.signs)
         };
         let fold = SingularGroup {
             step,

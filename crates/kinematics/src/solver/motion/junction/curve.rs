@@ -295,18 +295,11 @@ impl Walker<'_> {
         curve: Curve,
         fold: Option<SingularGroup>,
     ) -> Option<Junction> {
-        let signs = self.state.signs.clone();
         let coordinate = self.coordinate_along(at, curve.offset);
         let steps = curve.step + 1..self.engine.program.steps.len();
         let mut junction = Junction {
-            at,
-            side: 0.0,
-            series,
-            folds: Vec::new(),
-            missed: Vec::new(),
-            sides: [signs.clone(), signs],
             curve: Some(curve),
-            pair: None,
+            ..Junction::about(at, series, &self.state.signs)
         };
         // The signs of the state are those behind the change point if the motion ends before it.
         let sense = self.sense;
@@ -524,7 +517,7 @@ impl Walker<'_> {
         let condition = self.run_some(steps, at, Order::Position);
         self.state.state.signs = signs;
         // Change point and fold may be one double.
-        condition != Condition::NoAssembly && self.check_fit().is_ok()
+        matches!(condition, Condition::Ok | Condition::ChangePoint) && self.check_fit().is_ok()
     }
 
     /// Returns `true` if the series agrees with a state of the motion before the change point.

@@ -53,7 +53,7 @@ pub(super) struct Junction {
     sides: [Vec<f64>; 2],
     /// The driver's coordinate, if it is not the parameter of the series.
     curve: Option<Curve>,
-    /// The coupled group that passes two crossings.
+    /// The coupled group whose branch is known by its series alone.
     pair: Option<CoupledPair>,
 }
 
@@ -117,6 +117,20 @@ enum Refusal {
 }
 
 impl Junction {
+    /// Creates a junction at which no group is known to be singular yet, and at which no table ends.
+    fn about(at: Double, series: Workspace<Series>, signs: &[f64]) -> Junction {
+        Junction {
+            at,
+            side: 0.0,
+            series,
+            folds: Vec::new(),
+            missed: Vec::new(),
+            sides: [signs.to_vec(), signs.to_vec()],
+            curve: None,
+            pair: None,
+        }
+    }
+
     /// Returns `true` if the groups are only nearly singular.
     pub(super) fn is_miss(&self) -> bool {
         self.folds.is_empty()
@@ -140,7 +154,7 @@ impl Junction {
         self.folds.iter().map(|f| f.spread).fold(0.0, f64::max)
     }
 
-    /// Returns the coupled group that passes two crossings.
+    /// Returns the coupled group whose branch is known by its series alone.
     pub(super) fn coupled_pair(&self) -> Option<&CoupledPair> {
         self.pair.as_ref()
     }
@@ -190,16 +204,10 @@ impl Walker<'_> {
         terms: usize,
     ) -> Result<Junction, Refusal> {
         let engine = &self.exact.ok_or(Refusal::End)?.engine;
-        let signs = &self.state.signs;
+        let series = engine.state(self.state.travels.len());
         let mut junction = Junction {
-            at,
             side: self.engine.inwards(at.hi),
-            series: engine.state(self.state.travels.len()),
-            folds: Vec::new(),
-            missed: Vec::new(),
-            sides: [signs.clone(), signs.clone()],
-            curve: None,
-            pair: None,
+            ..Junction::about(at, series, &self.state.signs)
         };
         let coordinate = self.coordinate_of(at, terms);
         self.expand(0..steps, coordinate, changes, &mut junction)?;
