@@ -762,3 +762,34 @@ fn python_scripts_follow_coupled_groups_near_their_ends() {
     }
     assert_eq!(empty, 20, "{found:?}");
 }
+
+/// Regression test: the script did not end for a coordinate that is not finite.
+#[test]
+fn python_scripts_have_no_place_for_coordinates_that_are_not_finite() {
+    let folder = folder("exports-not-finite");
+    let [scene, script] = ["toml", "py"].map(|end| folder.join(format!("steep_end.{end}")));
+    std::fs::write(&scene, STEEP_END).unwrap();
+    run_ok(&[
+        "export",
+        scene.to_str().unwrap(),
+        "--format",
+        "python",
+        "-o",
+        script.to_str().unwrap(),
+    ]);
+    let ask = folder.join("ask.py");
+    let text = "from steep_end import positions\n\
+                for q in ['nan', 'inf', '-inf']:\n    \
+                    found = positions(float(q))\n    \
+                    print(len(found), sum(z != z for z in found))\n";
+    std::fs::write(&ask, text).unwrap();
+    let Some(found) = python(ask.to_str().unwrap(), &[]) else {
+        return;
+    };
+    let (points, missing): (Vec<&str>, Vec<&str>) = found
+        .lines()
+        .filter_map(|line| line.split_once(' '))
+        .unzip();
+    assert_eq!(points.len(), 3, "{found}");
+    assert_eq!(points, missing, "{found}");
+}

@@ -3,7 +3,7 @@
 //! angle, the machine must have the same states.
 
 use krank::scene::{Scene, presets};
-use krank::solver::{Condition, GroupKind, Order, Range, Solver, State};
+use krank::solver::{Condition, Fault, GroupKind, Order, Range, Solver, State};
 use krank::{Body, Input, LinkId, Vec2, angle};
 use std::fmt::Write;
 
@@ -437,6 +437,53 @@ fn opposite_direction_of_a_link_is_no_solution() {
                 let off = (found + at).rem_euclid(360.0);
                 assert!(off.min(360.0 - off) < 1e-6, "{found} at {at} in {text}");
             }
+        }
+    }
+}
+
+/// The cranks of a parallelogram keep their angle, so that it determines no position. Regression test:
+/// with rounded coordinates, the scene opened with a range of one coordinate or not, depending on names and
+/// the order of lines.
+#[test]
+fn cranks_of_parallelogram_cannot_drive_each_other() {
+    let places = [
+        (1000.0, 5.0, 75.5, 120.0, [-73.176112, 18.587808]),
+        (0.0, 5.0, 100.0, 100.0, [88.539_999, 46.484_242]),
+        (1000.0, 0.0, 60.0, 140.0, [-41.073_663, 43.738_118]),
+    ];
+    let orders = [
+        [0, 1, 2],
+        [0, 2, 1],
+        [1, 0, 2],
+        [1, 2, 0],
+        [2, 0, 1],
+        [2, 1, 0],
+    ];
+    for (x, y, crank, frame, [dx, dy]) in places {
+        for (names, order) in orders
+            .iter()
+            .flat_map(|names| orders.map(|order| (names, order)))
+        {
+            let [near, coupler, far] = names.map(|name| ["a", "m", "z"][name]);
+            let links = [
+                format!("{near} = {{ from = \"A\", to = \"B\", length = {crank:?} }}\n"),
+                format!("{coupler} = {{ from = \"B\", to = \"C\", length = {frame:?} }}\n"),
+                format!("{far} = {{ from = \"C\", to = \"D\", length = {crank:?} }}\n"),
+            ];
+            let text = format!(
+                "[ground]\nA = [{x:?}, {y:?}]\nD = [{:?}, {y:?}]\n\
+                 [driver]\nlink = \"{far}\"\nfrom = \"{near}\"\nangle = 180\n[links]\n{}\
+                 [start]\nB = [{:?}, {:?}]\nC = [{:?}, {:?}]\n",
+                x + frame,
+                order.map(|line| links[line].as_str()).concat(),
+                x + dx,
+                y + dy,
+                x + frame + dx,
+                y + dy,
+            );
+            let scene = Scene::parse(&text, "parallelogram").unwrap();
+            let fault = Solver::new(&scene.mechanism).unwrap_err();
+            assert!(matches!(fault, Fault::Singular { .. }), "{fault:?} {text}");
         }
     }
 }
