@@ -59,9 +59,11 @@ impl Fault {
             | Fault::NotAssembled { .. }
             | Fault::OverConstrained { .. }
             | Fault::Mobility { .. } => true,
-            Fault::Open { .. } => ordering.is_some_and(|o| !o.set_aside.is_empty()),
+            // A group with constraints set aside wrongly is singular everywhere.
+            Fault::Open { .. } | Fault::ChangePoint { .. } => {
+                ordering.is_some_and(|o| !o.set_aside.is_empty())
+            }
             Fault::Vague { .. }
-            | Fault::ChangePoint { .. }
             | Fault::BeyondStop { .. }
             | Fault::FastInput { .. }
             | Fault::HeldByStops { .. }
