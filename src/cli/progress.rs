@@ -185,7 +185,10 @@ impl StopFlags {
             return Ok(None);
         }
         let stop = StopFlags::default();
+        // Without it, a signal between the two registrations below would have no effect.
+        let early = Arc::<AtomicBool>::default();
         for signal in caught {
+            flag::register(signal, Arc::clone(&early))?;
             // `timeout` sends SIGTERM twice, and a closed terminal SIGHUP: once by its shell and
             // once by the system. Only a person who repeats Ctrl-C wants to end at once.
             let ends = match signal {
@@ -198,6 +201,9 @@ impl StopFlags {
                 flag::register_conditional_default(signal, Arc::clone(ends))?;
             }
             flag::register(signal, Arc::clone(&stop.is_stopped))?;
+        }
+        if early.load(Ordering::Relaxed) {
+            stop.is_stopped.store(true, Ordering::Relaxed);
         }
         Ok(Some(stop))
     }
