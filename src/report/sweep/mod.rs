@@ -146,9 +146,10 @@ impl<'a> RowReader<'a> {
     fn write_rows_at(&mut self, at: &[f64], rows: &mut RowWriter<impl Write>) -> io::Result<u64> {
         if self.errors.is_none() && self.clock.is_none() && self.read_at_once(at) {
             for lane in 0..at.len() {
-                self.cells.clear();
-                let cells = self.columns.iter().map(|column| Some(column.0[lane]));
-                self.cells.extend(cells);
+                self.cells.resize(self.columns.len(), None);
+                for (cell, column) in self.cells.iter_mut().zip(&self.columns) {
+                    *cell = Some(column.0[lane]);
+                }
                 rows.state_row(&self.cells, Condition::Ok)?;
             }
             return Ok(at.len() as u64);
@@ -212,9 +213,13 @@ impl<'a> RowReader<'a> {
         if !self.solver.solve_lanes(lanes, self.order, &mut self.lanes) {
             return false;
         }
-        let quantities = self.quantities.iter().map_while(|q| q.value(&self.lanes));
         self.columns.clear();
-        self.columns.extend(quantities);
-        self.columns.len() == self.quantities.len()
+        for quantity in self.quantities {
+            let Some(column) = quantity.value(&self.lanes) else {
+                return false;
+            };
+            self.columns.push(column);
+        }
+        true
     }
 }

@@ -1,6 +1,6 @@
 //! Dialects of comma separated values: decimal mark and separator.
 
-use crate::report::text::number::shortest;
+use crate::report::text::number::{MAX_FIXED, shortest, shortest_below_limit};
 use std::borrow::Cow;
 use std::io::{self, Write};
 
@@ -75,6 +75,9 @@ impl Default for CsvDialect {
     }
 }
 
+/// Maximum length of a number in bytes: sign, 17 digits, point, and an exponent such as `e-308`.
+const MAX_NUMBER: usize = 24;
+
 impl CsvDialect {
     /// Creates a dialect with this decimal mark, and this separator or the usual one for the mark.
     /// Returns `None` if a comma would have both roles.
@@ -108,6 +111,34 @@ impl CsvDialect {
             let point = before + point;
             line.replace_range(point..=point, ",");
         }
+    }
+
+    /// Writes cells of numbers to the start of a buffer, each with a separator behind it, and returns their
+    /// length. Missing numbers are empty.
+    ///
+    /// A sweep spends most of its time here: `String` would test its capacity several times per cell.
+    pub(in crate::report) fn fill(self, numbers: &[Option<f64>], buffer: &mut Vec<u8>) -> usize {
+        buffer.resize(numbers.len() * (MAX_NUMBER + 1), 0);
+        let separator = self.separator() as u8;
+        let has_point = self.decimal == DecimalMark::Point;
+        let (mut fixed, mut other) = (zmij::Buffer::new(), String::new());
+        let mut end = 0;
+        for number in numbers {
+            if let Some(value) = *number {
+                let text = if has_point && value.abs() < MAX_FIXED {
+                    shortest_below_limit(value, &mut fixed)
+                } else {
+                    other.clear();
+                    self.push(value, &mut other);
+                    &other
+                };
+                buffer[end..end + text.len()].copy_from_slice(text.as_bytes());
+                end += text.len();
+            }
+            buffer[end] = separator;
+            end += 1;
+        }
+        end
     }
 
     /// Appends a word to a line, with quotes if needed.

@@ -3,7 +3,7 @@
 /// Minimum power of ten without an exponent: many leading zeros are hard to count.
 const MIN_FIXED_EXPONENT: i32 = -5;
 /// From this value on, the shortest form has an exponent, because doubles have no decimals there.
-const MAX_FIXED: f64 = 1e16;
+pub(in crate::report) const MAX_FIXED: f64 = 1e16;
 
 /// Formats a value with `digits` significant digits, with trailing zeros; zero of either sign is
 /// `0`.
@@ -132,18 +132,24 @@ pub(crate) fn shortest(value: f64, to: &mut String) {
         "only values that exist are written: {value}"
     );
     let mut buffer = zmij::Buffer::new();
-    // Adding zero clears the sign of a negative one.
-    let text = buffer.format_finite(value + 0.0);
     if value.abs() < MAX_FIXED {
-        let integer = match text.as_bytes() {
-            // `strip_suffix` calls `memcmp`, which took a sixth of a sweep.
-            [integer @ .., b'.', b'0'] => integer.len(),
-            _ => text.len(),
-        };
-        to.push_str(&text[..integer]);
+        to.push_str(shortest_below_limit(value, &mut buffer));
     } else {
         // Removes the plus sign of the exponent.
-        to.extend(text.split('+'));
+        to.extend(buffer.format_finite(value).split('+'));
+    }
+}
+
+/// Returns the text of [`shortest`] for a value below [`MAX_FIXED`].
+// Sweeps call it for every cell, also without optimisation.
+#[inline(always)]
+pub(in crate::report) fn shortest_below_limit(value: f64, buffer: &mut zmij::Buffer) -> &str {
+    // Adding zero clears the sign of a negative one.
+    let text = buffer.format_finite(value + 0.0);
+    match text.as_bytes() {
+        // `strip_suffix` calls `memcmp`, which took a sixth of a sweep.
+        [integer @ .., b'.', b'0'] => &text[..integer.len()],
+        _ => text,
     }
 }
 

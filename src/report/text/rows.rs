@@ -351,6 +351,8 @@ pub(in crate::report) struct RowWriter<W: Write> {
     table: RowTable,
     to: W,
     line: String,
+    /// The numbers of a line.
+    numbers: Vec<u8>,
     is_first: bool,
 }
 
@@ -362,6 +364,7 @@ impl<W: Write> RowWriter<W> {
             table,
             to,
             line: String::new(),
+            numbers: Vec::new(),
             is_first: true,
         })
     }
@@ -383,8 +386,17 @@ impl<W: Write> RowWriter<W> {
         numbers: &[Option<f64>],
         condition: Condition,
     ) -> io::Result<()> {
-        let numbers = numbers.iter().copied().map(RowCell::Number);
-        self.row(numbers.chain([RowCell::word(state_word(condition))]))
+        let state = state_word(condition);
+        let RowFormat::Csv(dialect) = self.table.format else {
+            let numbers = numbers.iter().copied().map(RowCell::Number);
+            return self.row(numbers.chain([RowCell::word(state)]));
+        };
+        let end = dialect.fill(numbers, &mut self.numbers);
+        self.line.clear();
+        dialect.push_word(state, &mut self.line);
+        self.line.push('\n');
+        self.to.write_all(&self.numbers[..end])?;
+        self.to.write_all(self.line.as_bytes())
     }
 
     /// Writes the text after the rows.
