@@ -306,15 +306,15 @@ impl Walker<'_> {
             self.crossings.truncate(known);
             return None;
         }
-        let groups: Vec<usize> = self
+        let places: Vec<(usize, f64)> = self
             .crossings
             .latest(known)
             .iter()
-            .map(|p| p.group)
+            .map(|p| (p.group, p.at))
             .collect();
-        let guided: Vec<bool> = groups
+        let guided: Vec<bool> = places
             .into_iter()
-            .map(|group| self.is_led_through(group, junction.at.hi))
+            .map(|(group, at)| self.is_led_through(group, at, junction.at.hi))
             .collect();
         for (crossing, is_led) in self.crossings.latest(known).iter_mut().zip(guided) {
             crossing.is_led_through |= is_led;
@@ -458,9 +458,10 @@ impl Walker<'_> {
     }
 
     /// Returns `true` if a redundant constraint fails for the other assembly of a group directly
-    /// beyond its change point. Then the constraint leads the group through, and the whole
-    /// mechanism is not singular there. The state must be the one beyond.
-    fn is_led_through(&mut self, group: usize, at: f64) -> bool {
+    /// beside its change point. Then the constraint leads the group through, and the whole
+    /// mechanism is not singular there. The state must be the one beyond. Of a pair about `centre`, the
+    /// first change point is examined before it: in between, the group has its other sign.
+    fn is_led_through(&mut self, group: usize, at: f64, centre: f64) -> bool {
         let engine = self.engine;
         if engine.program.watches.is_empty() || !engine.program.coupled.is_empty() {
             return false;
@@ -468,8 +469,12 @@ impl Walker<'_> {
         let saved = self.state.clone();
         let sign = &mut self.state.state.signs[group];
         *sign = -*sign;
+        let outwards = match at == centre {
+            true => self.sense,
+            false => (at - centre).signum(),
+        };
         let mut other = |by: f64| {
-            let nearby = engine.moved(at, self.sense * by);
+            let nearby = engine.moved(at, outwards * by);
             let exists = engine.run(nearby, Order::Position, &mut self.state) == Condition::Ok;
             let misses = engine.misses(&self.state).map(|(_, miss, _)| miss.abs());
             exists.then(|| misses.fold(0.0, f64::max))

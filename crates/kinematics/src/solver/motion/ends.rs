@@ -36,11 +36,14 @@ const FOLD_TOLERANCE: f64 = 1e-6;
 const FOLD_STARTS: [f64; 6] = [1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
 /// Maximum difference between the unknowns at such a fold and at the limit.
 const FOLD_REACH: f64 = 1e-2;
+/// Maximum distance of such a fold behind the limit, in radians or scaled lengths: the rounding of the limit.
+const FOLD_BEHIND: f64 = 1e-12;
 
 impl Walker<'_> {
     /// Returns the proved fold of a coupled group at a limit, from states before it. Beside a near miss,
     /// doubles count a state behind the fold as solved, and its rates do not lead back. `last` is the last
-    /// state before the limit.
+    /// state before the limit. A fold behind the limit belongs to a motion that was not followed: a change
+    /// point may end it.
     fn fold_before(&mut self, limit: f64, last: &Workspace) -> Option<BoundedEnd> {
         let engine = self.engine;
         let stored = self.folds.len();
@@ -50,7 +53,10 @@ impl Walker<'_> {
             let start = is_placed.then(|| self.state.clone())?;
             engine.coupled_steps().find_map(|(step, index)| {
                 let end = self.fold(step, index, limit, &start);
-                let end = end.filter(|end| end.bound.is_some() && self.is_near_fold(index, last));
+                let end = end.filter(|end| {
+                    let behind = engine.difference(limit, end.at) * self.sense;
+                    end.bound.is_some() && behind <= FOLD_BEHIND && self.is_near_fold(index, last)
+                });
                 if end.is_none() {
                     self.folds.truncate(stored);
                 }

@@ -39,6 +39,8 @@ struct ChangePair {
     centre: Double,
     /// The maximum distance of the crossings from the centre.
     spread: f64,
+    /// The coordinates of both crossings, in increasing order; none if the branches miss each other.
+    places: Vec<f64>,
     opening: Opening,
 }
 
@@ -93,8 +95,34 @@ impl Walker<'_> {
                 self.anchors.clone_from(&anchors);
                 self.state.clone_from(&saved);
             }
+            let passed = self.cross_both(&pair);
+            if passed.is_some() {
+                return passed;
+            }
+            self.anchors.clone_from(&anchors);
+            self.state.clone_from(&saved);
         }
         None
+    }
+
+    /// Crosses both change points of a pair one after the other, where no series holds about both. A walk
+    /// from the first one could step over the second.
+    fn cross_both(&mut self, pair: &ChangePair) -> Option<f64> {
+        let &[low, high] = &pair.places[..] else {
+            return None;
+        };
+        let [first, second] = if self.sense > 0.0 {
+            [low, high]
+        } else {
+            [high, low]
+        };
+        let known = self.crossings.len();
+        self.cross(first)?;
+        let passed = self.cross(second);
+        if passed.is_none() {
+            self.crossings.truncate(known);
+        }
+        passed
     }
 
     /// Returns `true` if the motion starts between both crossings of a pair, or whole turns away. One of
@@ -128,18 +156,30 @@ impl Walker<'_> {
 
     /// Returns the two crossings of a coupled group close to a limit, from the z in the scratch.
     fn change_pair(&mut self, step: usize, limit: f64) -> Option<ChangePair> {
+        let slack = self.opening_slack(step);
         let mut centre = Double::exactly(limit);
         for _ in 0..MOVES {
             let opening = self.opening(step, centre.hi)?;
             let (found, _) = self.opening_series(step, centre, &opening, FEW_TERMS)?;
-            let by = match paired_opening(found.by, self.opening_slack(step)) {
+            let mut paired = paired_opening(found.by, slack);
+            if paired.is_none() && mean_of_extremes(found.by)?.abs().hi <= CENTRED * SPREAD {
+                // Directly between two crossings, few terms may miss their heights by more than the slack.
+                let (found, _) = self.opening_series(step, centre, &opening, TERMS)?;
+                paired = paired_opening(found.by, slack);
+            }
+            let by = match paired {
                 Some(paired) if paired.middle.abs().hi <= CENTRED * paired.spread => {
                     let spread = paired.spread;
+                    let places = paired.turns.iter();
+                    let places = places
+                        .map(|&by| self.moved_exactly(centre, by).hi)
+                        .collect();
                     let is_here = self.engine.difference(limit, centre.hi).abs() <= HERE;
                     return is_here.then_some(ChangePair {
                         step,
                         centre,
                         spread,
+                        places,
                         opening,
                     });
                 }
