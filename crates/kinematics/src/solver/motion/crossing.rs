@@ -20,9 +20,8 @@ const STEPS: usize = 20;
 /// larger than the longest link or a radian, and far away. Directly beside a near miss, steps grow and
 /// shrink without leaving it.
 const MAX_GROWTH: f64 = 2.0;
-/// Distance from a limit, relative to that within which its crossing is accepted, from which a growing
-/// Newton step does not return.
-const FAR: f64 = 100.0;
+/// Distance from a limit, in radians or scaled lengths, from which a growing Newton step does not return.
+const FAR: f64 = 0.1;
 /// Number of series tried at a crossing, each with more terms than the last.
 const SERIES: usize = 3;
 /// Minimum zone of a series with more terms, in radians or scaled lengths. A smaller one lies directly
@@ -543,7 +542,7 @@ impl Walker<'_> {
             let Correction { size, dq } = correction?;
             crossing = start;
             at = engine.moved(at, dq);
-            let is_far = engine.difference(limit, at).abs() > FAR * by;
+            let is_far = engine.difference(limit, at).abs() > FAR;
             if is_far && size > 1.0 && size > MAX_GROWTH * last {
                 return None;
             }
