@@ -196,7 +196,7 @@ impl StopFlags {
                 SIGTERM => Some(&stop.is_over),
                 _ => None,
             };
-            // Registered first, so that the signal that sets the flag does not end the program.
+            // Registered before `is_stopped`, so that the signal that sets it does not end the program.
             if let Some(ends) = ends {
                 flag::register_conditional_default(signal, Arc::clone(ends))?;
             }

@@ -105,3 +105,26 @@ fn trammel_with_both_slides_has_no_change_points() {
         assert!((state.position(p).unwrap().x - expected).abs() < 1e-13);
     }
 }
+
+/// Beside the end of a table, the change point and its mirror image beyond the end belong to one series. It
+/// counted as led through or not by the state between both.
+#[test]
+fn redundant_crank_leads_through_beside_the_end_of_a_table() {
+    let text = include_str!("scenes/led_before_table_end.toml");
+    let in_line = text
+        .replace("K = [31.9, 5]", "K = [31.9, 0]")
+        .replace("28.52, -15.14", "25.52, -19.14");
+    let in_line = in_line.replace("[-530.2796, -162.7383]", "[-526.6023, -159.3504]");
+    for (text, expected) in [
+        (text, &[][..]),
+        (&in_line, &[0.851_511_265_279, 106.138_857_598_155]),
+    ] {
+        let scene = krank::scene::Scene::parse(text, "cranks").unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let found = &solver.motion().change_points;
+        assert_eq!(found.len(), expected.len(), "{found:?}");
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-9, "{found} is not {expected}");
+        }
+    }
+}

@@ -15,8 +15,7 @@ use std::fmt;
 use std::ops::{Add, Mul, Sub};
 use std::rc::Rc;
 
-/// Number of scenes of an ordinary run. All pass. Of 12,000 scenes 2 end too early (6082, 8648), one change point is not
-/// listed (6522), and none is wrong.
+/// Number of scenes of an ordinary run. All of 12,000 pass.
 const ORDINARY: u64 = 180;
 /// Seeds of scenes in which a change point once led into another motion, or that took minutes to open.
 const ONCE_WRONG: [u64; 22] = [
@@ -27,11 +26,13 @@ const ONCE_WRONG: [u64; 22] = [
 /// an end or just behind it, some with two groups at once, or because a constraint was checked on another branch. Also
 /// at a change point on a sample of the walk, at the end of a table, with pivots at rest, and with coordinates of
 /// 15 digits that end in zeros. The scene of 8961 was wrong between a change point, which was not reported, and its end.
-/// The last two did not open: with the wrong one of three cranks set aside, the others are singular everywhere.
-const ONCE_CUT: [u64; 25] = [
-    2241, 2290, 2431, 2562, 2914, 3292, 3456, 3551, 4835, 4978, 5304, 5952, 6862, 7536, 7930, 8961,
-    8978, 9316, 9514, 9998, 10655, 11194, 11456, 30606, 31950,
+/// Those from 30606 on did not open: with the wrong one of three cranks set aside, the others are singular everywhere.
+const ONCE_CUT: [u64; 28] = [
+    777, 2241, 2290, 2431, 2562, 2914, 3292, 3456, 3551, 4835, 4978, 5304, 5952, 6862, 7536, 7930,
+    8479, 8961, 8978, 9316, 9514, 9998, 10655, 11194, 11456, 30606, 31950, 34806,
 ];
+/// Seeds of scenes with a change point that was not listed, beside the end of a table.
+const ONCE_SILENT: [u64; 4] = [1146, 1482, 5010, 6522];
 
 /// A point of the plane, multiplied like a complex number.
 #[derive(Clone, Copy, Debug)]
@@ -2067,9 +2068,7 @@ fn planted_motions_are_followed_to_their_ends() {
             .zip(failed)
             .find(|(_, why)| why.is_some());
         let Some((kind, why)) = kind else { continue };
-        if verdict.failure.is_some() || verdict.cut.is_some() {
-            failing.push(seed);
-        }
+        failing.push(seed);
         let why = why.clone().unwrap_or_default();
         if let Some(folder) = &keep {
             let path = std::path::Path::new(folder).join(format!("{kind}-{seed}.toml"));
@@ -2095,11 +2094,11 @@ fn planted_motions_are_followed_to_their_ends() {
             );
         }
     }
-    let [_, wrong, cut, _] = counts["all"];
+    let [_, failures @ ..] = counts["all"];
     assert_eq!(
-        [wrong, cut],
-        [0, 0],
-        "wrong and cut of {count} scenes; the first seeds are {:?}",
+        failures,
+        [0; 3],
+        "wrong, cut and silent of {count} scenes; the first seeds are {:?}",
         &failing[..failing.len().min(20)]
     );
 }
@@ -2117,7 +2116,7 @@ fn scenes_that_once_went_wrong_are_right_or_end() {
 
 #[test]
 fn scenes_that_once_ended_too_early_reach_their_ends() {
-    for seed in ONCE_CUT {
+    for seed in ONCE_CUT.into_iter().chain(ONCE_SILENT) {
         let verdict = Planted::drawn(seed).check_motion();
         let failed = [verdict.failure, verdict.cut, verdict.silent];
         assert_eq!(failed, [None, None, None], "seed {seed}");

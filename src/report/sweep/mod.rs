@@ -1,6 +1,6 @@
 //! Computes rows of values over the driver's coordinate, and writes them as they are solved.
 //!
-//! A few states and one line buffer serve all rows: memory does not depend on the number of rows.
+//! A few states and line buffers serve all rows: memory does not depend on the number of rows.
 
 pub(in crate::report) mod columns;
 pub(in crate::report) mod curves;

@@ -1,6 +1,6 @@
 //! Dialects of comma separated values: decimal mark and separator.
 
-use crate::report::text::number::{MAX_FIXED, shortest, shortest_below_limit};
+use crate::report::text::number::{MAX_FIXED, shortest, shortest_with_plus};
 use std::borrow::Cow;
 use std::io::{self, Write};
 
@@ -120,20 +120,26 @@ impl CsvDialect {
     pub(in crate::report) fn fill(self, numbers: &[Option<f64>], buffer: &mut Vec<u8>) -> usize {
         buffer.resize(numbers.len() * (MAX_NUMBER + 1), 0);
         let separator = self.separator() as u8;
-        let has_point = self.decimal == DecimalMark::Point;
-        let (mut fixed, mut other) = (zmij::Buffer::new(), String::new());
+        let has_comma = self.decimal == DecimalMark::Comma;
+        let mut text = zmij::Buffer::new();
         let mut end = 0;
         for number in numbers {
             if let Some(value) = *number {
-                let text = if has_point && value.abs() < MAX_FIXED {
-                    shortest_below_limit(value, &mut fixed)
-                } else {
-                    other.clear();
-                    self.push(value, &mut other);
-                    &other
-                };
-                buffer[end..end + text.len()].copy_from_slice(text.as_bytes());
+                let begin = end;
+                let text = shortest_with_plus(value, &mut text);
                 end += text.len();
+                buffer[begin..end].copy_from_slice(text.as_bytes());
+                if value.abs() >= MAX_FIXED
+                    && let Some(plus) = buffer[begin..end].iter().position(|&byte| byte == b'+')
+                {
+                    buffer.copy_within(begin + plus + 1..end, begin + plus);
+                    end -= 1;
+                }
+                if has_comma
+                    && let Some(point) = buffer[begin..end].iter_mut().find(|byte| **byte == b'.')
+                {
+                    *point = b',';
+                }
             }
             buffer[end] = separator;
             end += 1;
@@ -241,5 +247,36 @@ mod tests {
         let mut line = "0.5;".to_owned();
         dialect.push(-0.25, &mut line);
         assert_eq!(line, "0.5;-0,25");
+    }
+
+    #[test]
+    fn numbers_fill_a_buffer_as_single_cells_do() {
+        let values = [
+            0.0,
+            -0.0,
+            1.5,
+            -250.0,
+            1e16,
+            -1.234_567_890_123_456_7e300,
+            5e-324,
+            -2.5e-7,
+        ];
+        let comma = CsvDialect::of(DecimalMark::Comma, None).unwrap();
+        for dialect in [CsvDialect::default(), comma] {
+            let numbers: Vec<Option<f64>> = values.into_iter().map(Some).chain([None]).collect();
+            let mut buffer = Vec::new();
+            let end = dialect.fill(&numbers, &mut buffer);
+            let mut expected = String::new();
+            for number in numbers {
+                if let Some(value) = number {
+                    dialect.push(value, &mut expected);
+                }
+                expected.push(dialect.separator());
+            }
+            assert_eq!(std::str::from_utf8(&buffer[..end]), Ok(&*expected));
+        }
+        let mut line = String::new();
+        comma.push(-1.25e300, &mut line);
+        assert_eq!(line, "-1,25e300");
     }
 }

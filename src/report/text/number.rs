@@ -131,24 +131,18 @@ pub(crate) fn shortest(value: f64, to: &mut String) {
         value.is_finite(),
         "only values that exist are written: {value}"
     );
-    let mut buffer = zmij::Buffer::new();
-    if value.abs() < MAX_FIXED {
-        to.push_str(shortest_below_limit(value, &mut buffer));
-    } else {
-        // Removes the plus sign of the exponent.
-        to.extend(buffer.format_finite(value).split('+'));
-    }
+    to.extend(shortest_with_plus(value, &mut zmij::Buffer::new()).split('+'));
 }
 
-/// Returns the text of [`shortest`] for a value below [`MAX_FIXED`].
-// Sweeps call it for every cell, also without optimisation.
+/// Returns the text of [`shortest`], but with the plus sign of an exponent from [`MAX_FIXED`] on.
+// Sweeps call it for every cell. The profile `release` would not inline it.
 #[inline(always)]
-pub(in crate::report) fn shortest_below_limit(value: f64, buffer: &mut zmij::Buffer) -> &str {
+pub(in crate::report) fn shortest_with_plus(value: f64, buffer: &mut zmij::Buffer) -> &str {
     // Adding zero clears the sign of a negative one.
     let text = buffer.format_finite(value + 0.0);
     match text.as_bytes() {
         // `strip_suffix` calls `memcmp`, which took a sixth of a sweep.
-        [integer @ .., b'.', b'0'] => &text[..integer.len()],
+        [integer @ .., b'.', b'0'] if value.abs() < MAX_FIXED => &text[..integer.len()],
         _ => text,
     }
 }

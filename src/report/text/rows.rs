@@ -312,7 +312,6 @@ fn push_csv<'c>(
     line: &mut String,
 ) {
     let mut is_first = true;
-    // Internal iteration runs over numbers without looking at their kind.
     cells.into_iter().for_each(|cell| {
         if !std::mem::take(&mut is_first) {
             line.push(dialect.separator());

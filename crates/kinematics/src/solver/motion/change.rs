@@ -313,8 +313,15 @@ impl Walker<'_> {
             .map(|p| (p.group, p.at))
             .collect();
         let guided: Vec<bool> = places
-            .into_iter()
-            .map(|(group, at)| self.is_led_through(group, at, junction.at.hi))
+            .iter()
+            .map(|&(group, at)| {
+                // After both change points of a pair, the group has the sign that it had before the first.
+                let is_first = places
+                    .iter()
+                    .any(|&(other, place)| other == group && (place - at) * self.sense > 0.0);
+                let outwards = if is_first { -self.sense } else { self.sense };
+                self.is_led_through(group, at, outwards)
+            })
             .collect();
         for (crossing, is_led) in self.crossings.latest(known).iter_mut().zip(guided) {
             crossing.is_led_through |= is_led;
@@ -458,10 +465,10 @@ impl Walker<'_> {
     }
 
     /// Returns `true` if a redundant constraint fails for the other assembly of a group directly
-    /// beside its change point. Then the constraint leads the group through, and the whole
-    /// mechanism is not singular there. The state must be the one beyond. Of a pair about `centre`, the
-    /// first change point is examined before it: in between, the group has its other sign.
-    fn is_led_through(&mut self, group: usize, at: f64, centre: f64) -> bool {
+    /// beside its change point, on the side `outwards`. Then the constraint leads the group through, and
+    /// the whole mechanism is not singular there. The group must have the same sign on this side as in the
+    /// state, which is the one beyond.
+    fn is_led_through(&mut self, group: usize, at: f64, outwards: f64) -> bool {
         let engine = self.engine;
         if engine.program.watches.is_empty() || !engine.program.coupled.is_empty() {
             return false;
@@ -469,10 +476,6 @@ impl Walker<'_> {
         let saved = self.state.clone();
         let sign = &mut self.state.state.signs[group];
         *sign = -*sign;
-        let outwards = match at == centre {
-            true => self.sense,
-            false => (at - centre).signum(),
-        };
         let mut other = |by: f64| {
             let nearby = engine.moved(at, outwards * by);
             let exists = engine.run(nearby, Order::Position, &mut self.state) == Condition::Ok;

@@ -36,7 +36,8 @@ const FOLD_TOLERANCE: f64 = 1e-6;
 const FOLD_STARTS: [f64; 6] = [1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
 /// Maximum difference between the unknowns at such a fold and at the limit.
 const FOLD_REACH: f64 = 1e-2;
-/// Maximum distance of such a fold behind the limit, in radians or scaled lengths: the rounding of the limit.
+/// Maximum distance of such a fold behind the limit, in radians or scaled lengths: some thousand times the
+/// rounding of a coordinate.
 const FOLD_BEHIND: f64 = 1e-12;
 
 impl Walker<'_> {

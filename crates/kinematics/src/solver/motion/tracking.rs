@@ -90,7 +90,7 @@ const LATER: usize = 3;
 pub(super) const CLOSURE_TOLERANCE: f64 = 1e-7;
 
 /// A sample of the walk.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct WalkSample {
     /// The driver's coordinate.
     pub(super) at: f64,

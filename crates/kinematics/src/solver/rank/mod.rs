@@ -184,7 +184,16 @@ fn better(first: Fault, again: Fault) -> Fault {
 /// The dyads of a plan are regular where they are placed, and are not checked again.
 pub(super) fn with_rank(network: &Network<'_>, mut solver: Solver) -> Result<Solver, Fault> {
     let groups = verdict::groups(network, &solver);
-    if let Some(elements) = groups.singular.or_else(|| stuck(&solver)) {
+    let (low, high) = solver.motion.range.ends();
+    let is_stuck = low == high;
+    // The kept constraints may lock the driver at the start position; with others set aside, it may move.
+    // Otherwise the driver may not determine a coupled group, whose matrix is singular in all of its
+    // positions, except for rounding.
+    let held = match solver.ordering.set_aside.as_slice() {
+        [] => groups.almost_singular,
+        set_aside => Some(order::elements(set_aside)),
+    };
+    if let Some(elements) = groups.singular.or(held.filter(|_| is_stuck)) {
         return Err(Fault::Singular {
             elements,
             is_here_only: false,
@@ -196,25 +205,6 @@ pub(super) fn with_rank(network: &Network<'_>, mut solver: Solver) -> Result<Sol
         is_lower_at_start: groups.is_lower_at_start,
     };
     Ok(solver)
-}
-
-/// Returns the elements that hold the driver at the start position, if it cannot move at all.
-///
-/// The kept constraints may lock it; with others set aside, it may move. Otherwise the driver may not determine a
-/// coupled group, whose matrix is singular in all of its positions, but for rounding.
-fn stuck(solver: &Solver) -> Option<Vec<ElementId>> {
-    let (low, high) = solver.motion.range.ends();
-    let ordering = &solver.ordering;
-    let rows = match ordering.set_aside.as_slice() {
-        [] => ordering
-            .blocks
-            .iter()
-            .flat_map(|block| &block.rows)
-            .copied()
-            .collect(),
-        set_aside => set_aside.to_vec(),
-    };
-    (low == high && !rows.is_empty()).then(|| order::elements(&rows))
 }
 
 impl RankVerdict {

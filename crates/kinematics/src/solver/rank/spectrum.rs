@@ -25,6 +25,8 @@ pub(super) struct Spectrum {
     pub(super) rank: usize,
     /// Whether a nonzero singular value is close to zero.
     pub(super) is_unclear: bool,
+    /// The ratio of the smallest singular value to the largest one.
+    pub(super) ratio: f64,
     /// A share of a null vector below this is rounding error.
     pub(super) noise: f64,
 }
@@ -41,6 +43,7 @@ impl Spectrum {
             return Some(Spectrum {
                 rank: 0,
                 is_unclear: false,
+                ratio: 0.0,
                 noise: MAX_ROUNDING_SHARE,
             });
         }
@@ -64,6 +67,7 @@ impl Spectrum {
         Some(Spectrum {
             rank,
             is_unclear,
+            ratio: values.min() / largest,
             noise: MAX_ROUNDING_SHARE
                 .max(SHARE_ROUNDINGS * (U * largest).max(2.0 * slack) / minimum),
         })

@@ -117,10 +117,19 @@ impl Walker<'_> {
             [high, low]
         };
         let known = self.crossings.len();
-        self.cross(first)?;
-        let passed = self.cross(second);
+        let walked = (
+            self.samples.len(),
+            self.seen.clone(),
+            self.misses.clone(),
+            self.peaks.clone(),
+        );
+        let reached = self.cross(first)?;
+        let is_between = (second - reached) * self.sense > 0.0;
+        let passed = is_between.then(|| self.cross(second)).flatten();
         if passed.is_none() {
             self.crossings.truncate(known);
+            self.samples.truncate(walked.0);
+            (_, self.seen, self.misses, self.peaks) = walked;
         }
         passed
     }
