@@ -21,7 +21,7 @@ const STEPS: usize = 20;
 /// shrink without leaving it.
 const MAX_GROWTH: f64 = 2.0;
 /// Distance from a limit, in radians or scaled lengths, from which a growing Newton step does not return.
-const FAR: f64 = 0.1;
+const FAR: f64 = 0.01;
 /// Number of series tried at a crossing, each with more terms than the last.
 const SERIES: usize = 3;
 /// Minimum zone of a series with more terms, in radians or scaled lengths. A smaller one lies directly
