@@ -127,10 +127,6 @@ pub(in crate::report) fn direction(degrees: f64, digits: usize) -> String {
 /// A negative zero becomes `0`, because the sign has no meaning in tables. The value must be
 /// finite; callers handle missing values.
 pub(crate) fn shortest(value: f64, to: &mut String) {
-    debug_assert!(
-        value.is_finite(),
-        "only values that exist are written: {value}"
-    );
     to.extend(shortest_with_plus(value, &mut zmij::Buffer::new()).split('+'));
 }
 
@@ -138,6 +134,10 @@ pub(crate) fn shortest(value: f64, to: &mut String) {
 // Sweeps call it for every cell. The profile `release` would not inline it.
 #[inline(always)]
 pub(in crate::report) fn shortest_with_plus(value: f64, buffer: &mut zmij::Buffer) -> &str {
+    debug_assert!(
+        value.is_finite(),
+        "only values that exist are written: {value}"
+    );
     // Adding zero clears the sign of a negative one.
     let text = buffer.format_finite(value + 0.0);
     match text.as_bytes() {
